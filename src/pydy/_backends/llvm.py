@@ -1,0 +1,376 @@
+"""The default back end: straight-line LLVM IR for a Program, compiled in the process.
+
+No compiler is needed on the user's machine. Instructions may be contracted to fused multiply-adds
+and signed zeros are not kept; NaN and infinity are (never ``nnan`` or ``ninf``).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydy._backends import jit
+from pydy._backends.ir import Function, literal, vector_type
+from pydy._backends.ir_solve import mask, solver_functions
+from pydy._backends.native import native_kernel
+from pydy._backends.registry import compile_program
+from pydy._graph.program import Program, operands
+from pydy._kernel import Kernel
+
+__all__ = ["LLVMBackend", "kernel_text"]
+
+_FLAGS = "contract nsz"
+_INTRINSICS = {"sqrt": "sqrt", "abs": "fabs", "floor": "floor", "ceil": "ceil"}
+_INTRINSICS |= {"min": "minimum", "max": "maximum", "sin": "sin", "cos": "cos"}
+_LIBM = (
+    *("exp", "log", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"),
+    *("asinh", "acosh", "atanh", "pow", "atan2"),
+)
+_ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
+_COMPARISONS = {"lt": "olt", "le": "ole", "eq": "oeq", "ne": "une"}
+
+
+class LLVMBackend:
+    """Compiles Programs with LLVM.
+
+    Parameters
+    ----------
+    cse : bool, optional
+        Accepted for scripts that pass it; common sub-expressions are always shared.
+    lanes : {1, 2, 4, 8}, optional
+        How many states the native code takes at once. Right-hand sides for Python need 1.
+    """
+
+    def __init__(self, cse: bool = True, lanes: int = 1) -> None:
+        if lanes not in (1, 2, 4, 8):
+            raise ValueError(f"`lanes` is {lanes!r}, but it must be 1, 2, 4 or 8.")
+        self.options: dict[str, Any] = {"cse": cse, "lanes": lanes}
+
+    def compile(self, program: Program) -> Kernel:
+        """Return the Kernel of a Program."""
+        lanes: int = self.options["lanes"]
+        code = jit.load(kernel_text(program, lanes), ("kernel", "prepare"))
+        addresses = (code.addresses["kernel"], code.addresses["prepare"])
+        recipe = ("llvm", self.options)
+        return native_kernel(program, addresses, lanes, code, compile_program, recipe)
+
+
+def kernel_text(program: Program, lanes: int) -> str:
+    """Return the module of a Program, with the functions `kernel` and `prepare`."""
+    parts = [_declarations(lanes), solver_functions(lanes)]
+    if lanes > 1:
+        parts += [_lane_by_lane(name, lanes) for name in _used(program) if name in _LIBM]
+    parts += [_prepare(program, lanes), _kernel(program, lanes)]
+    return "\n".join(parts)
+
+
+def _used(program: Program) -> list[str]:
+    return sorted(set(program.ops))
+
+
+def _declarations(lanes: int) -> str:
+    v = vector_type("double", lanes)
+    suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+    lines = [
+        f"declare double @{name}({'double, double' if name in ('pow', 'atan2') else 'double'})"
+        " nounwind willreturn memory(none)"
+        for name in _LIBM
+    ]
+    for name in sorted(set(_INTRINSICS.values())):
+        two = name in ("minimum", "maximum")
+        lines.append(f"declare {v} @llvm.{name}.{suffix}({v}{', ' + v if two else ''})")
+    if lanes > 1:
+        lines.append("declare double @llvm.fabs.f64(double)")
+    return "\n".join(lines) + "\n"
+
+
+def _lane_by_lane(name: str, lanes: int) -> str:
+    """Return a vector function that calls libm for each lane."""
+    v = vector_type("double", lanes)
+    two = name in ("pow", "atan2")
+    parameters = f"{v} %a, {v} %b" if two else f"{v} %a"
+    f = Function(f"{name}.lanes", v, parameters, "internal|nounwind memory(none)")
+    result = "poison"
+    for lane in range(lanes):
+        args = [f.let(f"extractelement {v} %a, i32 {lane}")]
+        if two:
+            args.append(f.let(f"extractelement {v} %b, i32 {lane}"))
+        value = f.let(f"call double @{name}({', '.join('double ' + a for a in args)})")
+        result = f.let(f"insertelement {v} {result}, double {value}, i32 {lane}")
+    f.do(f"ret {v} {result}")
+    return f.text()
+
+
+class _Emitter:
+    """Writes the operations of one stage."""
+
+    def __init__(self, f: Function, program: Program, lanes: int) -> None:
+        self.f = f
+        self.program = program
+        self.lanes = lanes
+        self.v = vector_type("double", lanes)
+        self.b = vector_type("i1", lanes)
+        self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+        self.names: dict[int, str] = {}
+        self.factors: dict[int, dict[str, str]] = {}
+        self.vectors: dict[int, list[str]] = {}
+        self.status = ""
+
+    def constants(self) -> None:
+        """Name the numbers, which need no instruction."""
+        for k, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
+            if op == "const":
+                self.names[k] = literal(args[0], self.lanes)
+            elif op == "bool":
+                text = "true" if args[0] else "false"
+                self.names[k] = text if self.lanes == 1 else f"splat (i1 {text})"
+
+    def load(self, node: int, pointer: str, index: int) -> None:
+        """Read an input or a carried value."""
+        self.names[node] = self.f.load(self.v, pointer, str(index))
+
+    def node(self, node: int) -> None:
+        """Write one operation."""
+        op, args = self.program.ops[node], self.program.args[node]
+        f, v, names = self.f, self.v, self.names
+        if op in _ARITHMETIC:
+            a, b = (names[k] for k in args)
+            names[node] = f.let(f"{_ARITHMETIC[op]} {_FLAGS} {v} {a}, {b}")
+        elif op == "neg":
+            names[node] = f.let(f"fneg {_FLAGS} {v} {names[args[0]]}")
+        elif op in _INTRINSICS:
+            text = ", ".join(f"{v} {names[k]}" for k in args)
+            names[node] = f.let(f"call {v} @llvm.{_INTRINSICS[op]}.{self.suffix}({text})")
+        elif op in _LIBM:
+            text = ", ".join(f"{v} {names[k]}" for k in args)
+            name = op if self.lanes == 1 else f"{op}.lanes"
+            names[node] = f.let(f"call {v} @{name}({text})")
+        elif op in _COMPARISONS:
+            a, b = (names[k] for k in args)
+            names[node] = f.let(f"fcmp {_COMPARISONS[op]} {v} {a}, {b}")
+        elif op in ("and", "or"):
+            a, b = (names[k] for k in args)
+            names[node] = f.let(f"{op} {self.b} {a}, {b}")
+        elif op == "not":
+            true = "true" if self.lanes == 1 else "splat (i1 true)"
+            names[node] = f.let(f"xor {self.b} {names[args[0]]}, {true}")
+        elif op == "select":
+            c, yes, no = (names[k] for k in args)
+            names[node] = f.let(f"select {self.b} {c}, {v} {yes}, {v} {no}")
+        elif op == "sign":
+            names[node] = self._sign(names[args[0]])
+        elif op == "factor":
+            self._factor(node, *args)
+        elif op == "solve":
+            self._solve(node, *args)
+        elif op == "guard":
+            self._guard(node, *args)
+        elif op == "item":
+            names[node] = self.vectors[args[0]][args[1]]
+        else:
+            raise AssertionError(f"no IR for {op!r}")
+
+    def _sign(self, x: str) -> str:
+        f, v, n = self.f, self.v, self.lanes
+        above = f.let(f"fcmp ogt {v} {x}, {literal(0.0, n)}")
+        below = f.let(f"fcmp olt {v} {x}, {literal(0.0, n)}")
+        inner = f.let(f"select {self.b} {below}, {v} {literal(-1.0, n)}, {v} {x}")
+        return f.let(f"select {self.b} {above}, {v} {literal(1.0, n)}, {v} {inner}")
+
+    # -- solves ---------------------------------------------------------------------------------
+
+    def _buffer(self, nodes: tuple[int, ...]) -> str:
+        pointer = self.f.slot(self.v, len(nodes))
+        for k, node in enumerate(nodes):
+            self.f.store(self.v, self.names[node], pointer, str(k))
+        return pointer
+
+    def _report(self, bad: str) -> None:
+        f = self.f
+        f.set("i32", self.status, f.let(f"or i32 {f.get('i32', self.status)}, {bad}"))
+
+    def _lu(self, a: str, n: int, lanes: str) -> tuple[str, str, str]:
+        """Factorise copies of the lanes named by the mask; gives buffers and who is singular."""
+        f = self.f
+        pivots = f.slot(vector_type("i64", self.lanes), n)
+        scales = f.slot("double", 2 * n)
+        bad = f.let(
+            f"call i32 @lu_lanes(ptr {a}, ptr {pivots}, ptr {scales}, ptr null, "
+            f"i64 {n}, i32 {lanes})"
+        )
+        return pivots, scales, bad
+
+    def _factor(self, node: int, kind: str, n: int, entries: tuple[int, ...]) -> None:
+        f = self.f
+        a = self._buffer(entries)
+        every = str((1 << self.lanes) - 1)
+        if kind == "lu":
+            pivots, scales, bad = self._lu(a, n, every)
+            self._report(bad)
+            self.factors[node] = {
+                "a": a,
+                "pivots": pivots,
+                "scales": scales,
+                "mask": every,
+                "n": str(n),
+            }
+            return
+        spd = self._buffer(entries)
+        inverse = f.slot(self.v, n)
+        weak = f.slot(self.b)
+        need = f.let(f"call i32 @ldl_factor(ptr {spd}, ptr {inverse}, i64 {n}, ptr {weak})")
+        # With an empty mask this call returns at once.
+        pivots, scales, bad = self._lu(a, n, need)
+        self._report(bad)
+        self.factors[node] = {
+            "a": a, "pivots": pivots, "scales": scales, "mask": need, "n": str(n),
+            "spd": spd, "inverse": inverse,
+        }  # fmt: skip
+
+    def _solve(self, node: int, factor: int, column: tuple[int, ...]) -> None:
+        f = self.f
+        data = self.factors[factor]
+        n = len(column)
+        b = self._buffer(column)
+        call = (
+            f"call i32 @lu_lanes(ptr {data['a']}, ptr {data['pivots']}, ptr {data['scales']}, "
+            f"ptr {b}, i64 {n}, i32 {data['mask']})"
+        )
+        if "spd" not in data:
+            f.let(call)
+            self.vectors[node] = [f.load(self.v, b, str(k)) for k in range(n)]
+            return
+        x = self._buffer(column)
+        f.do(f"call void @ldl_solve(ptr {data['spd']}, ptr {data['inverse']}, ptr {x}, i64 {n})")
+        fast = [f.load(self.v, x, str(k)) for k in range(n)]
+        weak = f.let(f"icmp ne i32 {data['mask']}, 0")
+        slow = f.name("weak")
+        join = f.name("solved")
+        before = f.current
+        f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
+        f.label(slow)
+        f.let(call)
+        chosen = self._choose(data["mask"], b, fast)
+        end = f.current
+        f.do(f"br label {join}")
+        f.label(join)
+        self.vectors[node] = [
+            f.let(f"phi {self.v} [ {a}, %{before} ], [ {c}, %{end} ]")
+            for a, c in zip(fast, chosen, strict=True)
+        ]
+
+    def _choose(self, lanes: str, slow: str, fast: list[str]) -> list[str]:
+        """Take the lanes named by the mask from memory, the others as they are."""
+        f = self.f
+        if self.lanes == 1:
+            return [f.load(self.v, slow, str(k)) for k in range(len(fast))]
+        bits = f.let(f"trunc i32 {lanes} to i{self.lanes}")
+        flags = f.let(f"bitcast i{self.lanes} {bits} to {self.b}")
+        return [
+            f.let(f"select {self.b} {flags}, {self.v} {f.load(self.v, slow, str(k))}, {self.v} {x}")
+            for k, x in enumerate(fast)
+        ]
+
+    def _guard(
+        self,
+        node: int,
+        n: int,
+        entries: tuple[int, ...],
+        column: tuple[int, ...],
+        pivots: tuple[int, ...],
+        fast: tuple[int, ...],
+    ) -> None:
+        f, v, names = self.f, self.v, self.names
+        tolerance = literal(n * 2.0**-52, self.lanes)
+        sound = ""
+        for k, pivot in enumerate(pivots):
+            diagonal = entries[k * (n + 1)]
+            if pivot == diagonal:
+                limit = literal(0.0, self.lanes)
+            else:
+                limit = f.let(f"fmul {v} {names[diagonal]}, {tolerance}")
+            flag = f.let(f"fcmp ogt {v} {names[pivot]}, {limit}")
+            sound = flag if not sound else f.let(f"and {self.b} {sound}, {flag}")
+        every = (1 << self.lanes) - 1
+        need = f.let(f"xor i32 {mask(f, sound, self.lanes)}, {every}")
+        weak = f.let(f"icmp ne i32 {need}, 0")
+        slow, join = f.name("weak"), f.name("solved")
+        before = f.current
+        f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
+        f.label(slow)
+        a = self._buffer(entries)
+        b = self._buffer(column)
+        buffers = self._lu(a, n, need)
+        self._report(buffers[2])
+        f.let(
+            f"call i32 @lu_lanes(ptr {a}, ptr {buffers[0]}, ptr {buffers[1]}, ptr {b}, "
+            f"i64 {n}, i32 {need})"
+        )
+        quick = [names[k] for k in fast]
+        chosen = self._choose(need, b, quick)
+        end = f.current
+        f.do(f"br label {join}")
+        f.label(join)
+        self.vectors[node] = [
+            f.let(f"phi {v} [ {x}, %{before} ], [ {y}, %{end} ]")
+            for x, y in zip(quick, chosen, strict=True)
+        ]
+
+
+def _prepare(program: Program, lanes: int) -> str:
+    f = Function("prepare", "void", "ptr noalias readonly %p, ptr noalias %c", "|nounwind")
+    e = _Emitter(f, program, lanes)
+    e.constants()
+    for k, op in enumerate(program.ops):
+        if not program.setup[k] or op in ("const", "bool"):
+            continue
+        if op == "input":
+            e.load(k, "%p", program.args[k][1])
+        else:
+            e.node(k)
+    for index, k in enumerate(program.carried):
+        value = e.names[k]
+        if program.ops[k] in _COMPARISONS or program.ops[k] in ("and", "or", "not"):
+            value = f.let(f"uitofp {e.b} {value} to {e.v}")
+        f.store(e.v, value, "%c", str(index))
+    f.do("ret void")
+    return f.text()
+
+
+def _kernel(program: Program, lanes: int) -> str:
+    f = Function(
+        "kernel",
+        "i32",
+        "ptr noalias readonly %t, ptr noalias readonly %x, ptr noalias readonly %r, "
+        "ptr noalias readonly %c, ptr noalias %out",
+        "|nounwind",
+    )
+    e = _Emitter(f, program, lanes)
+    e.constants()
+    e.status = f.variable("i32", "0")
+    places = {node: index for index, node in enumerate(program.carried)}
+    for k, op in enumerate(program.ops):
+        if program.setup[k]:
+            continue
+        for other in operands(op, program.args[k]):
+            if other in places and other not in e.names:
+                _load_carried(e, other, places[other])
+        if op in ("const", "bool"):
+            continue
+        if op == "input":
+            group, index = program.args[k]
+            e.load(k, f"%{group}", index)
+        else:
+            e.node(k)
+    for index, k in enumerate(program.outputs):
+        if k in places and k not in e.names:
+            _load_carried(e, k, places[k])
+        f.store(e.v, e.names[k], "%out", str(index))
+    f.do(f"ret i32 {f.get('i32', e.status)}")
+    return f.text() + '\n!0 = !{!"branch_weights", i32 1, i32 2000}\n'
+
+
+def _load_carried(e: _Emitter, node: int, index: int) -> None:
+    e.load(node, "%c", index)
+    op = e.program.ops[node]
+    if op in _COMPARISONS or op in ("and", "or", "not"):
+        e.names[node] = e.f.let(f"fcmp une {e.v} {e.names[node]}, {literal(0.0, e.lanes)}")

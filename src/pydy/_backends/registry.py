@@ -1,0 +1,57 @@
+"""Back ends by name."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+from pydy._graph.program import Program
+from pydy._kernel import Kernel
+
+__all__ = ["compile_program", "names", "register", "resolve"]
+
+# Names to classes, or to where a class lies: a back end's own imports wait until it is asked for.
+_BACKENDS: dict[str, Any] = {
+    "llvm": "pydy._backends.llvm:LLVMBackend",
+    "lambdify": "pydy._backends.numpy_:NumPyBackend",
+    "cython": "pydy._backends.cython_:CythonBackend",
+}
+
+
+def names() -> list[str]:
+    """Return the names of the registered back ends."""
+    return list(_BACKENDS)
+
+
+def register(name: str, backend: type) -> None:
+    """Make `backend` available as ``generator=name``; see `pydy._backends.base`."""
+    _BACKENDS[name] = backend
+
+
+def resolve(generator: Any) -> type:
+    """Return the back end class for a name or a class.
+
+    Raises
+    ------
+    NotImplementedError
+        The name is not registered.
+    """
+    if isinstance(generator, type):
+        return generator
+    entry = _BACKENDS.get(generator) if isinstance(generator, str) else None
+    if entry is None:
+        raise NotImplementedError(
+            f"`generator` is {generator!r}, which is not a code generator: it must be one of "
+            f"{', '.join(map(repr, names()))}, or a class with a method `compile(program)`."
+        )
+    if isinstance(entry, str):
+        module, _, attribute = entry.partition(":")
+        entry = getattr(import_module(module), attribute)
+    backend: type = entry
+    return backend
+
+
+def compile_program(program: Program, generator: Any, options: dict[str, Any]) -> Kernel:
+    """Compile a Program; also what a pickled Kernel calls where it lands."""
+    kernel: Kernel = resolve(generator)(**options).compile(program)
+    return kernel

@@ -1,0 +1,67 @@
+"""The equations of motion as plain data: the last thing that knows SymPy's mechanics package."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sm
+
+__all__ = ["Equations"]
+
+
+@dataclass(frozen=True, eq=False)
+class Equations:
+    """Equations of motion ``M u' = F`` with kinematics ``q' = G``, and what constrains them.
+
+    Attributes
+    ----------
+    time : sympy.Symbol
+    coordinates, speeds : tuple of functions of time
+    coordinate_derivatives : tuple of expressions
+        q' in terms of q, u and t.
+    mass_matrix : sympy.Matrix, shape (o, o)
+    forcing : tuple of expressions
+    positive_definite : bool
+        Whether the mass matrix is symmetric positive definite by construction.
+    holonomic : tuple of expressions
+        Configuration constraints, zero when satisfied.
+    velocity : tuple of expressions
+        All velocity-level constraints, differentiated holonomic ones included.
+    nonholonomic : tuple of expressions
+        Those of `velocity` that no holonomic constraint implies.
+    num_rates : int
+        How many holonomic constraints have their rate among the velocity constraints.
+    dependent_coordinates, dependent_speeds : tuple of functions of time
+    auxiliary_speeds : tuple of functions of time
+        Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
+    auxiliary_equations : tuple of expressions
+    """
+
+    time: sm.Symbol
+    coordinates: tuple[Any, ...]
+    speeds: tuple[Any, ...]
+    coordinate_derivatives: tuple[Any, ...]
+    mass_matrix: Any
+    forcing: tuple[Any, ...]
+    positive_definite: bool
+    holonomic: tuple[Any, ...] = ()
+    velocity: tuple[Any, ...] = ()
+    nonholonomic: tuple[Any, ...] = ()
+    num_rates: int = 0
+    dependent_coordinates: tuple[Any, ...] = ()
+    dependent_speeds: tuple[Any, ...] = ()
+    auxiliary_speeds: tuple[Any, ...] = ()
+    auxiliary_equations: tuple[Any, ...] = ()
+    zeros: tuple[Any, ...] = field(default=(), repr=False)
+
+    @property
+    def expressions(self) -> tuple[Any, ...]:
+        """Everything in which the symbols of the equations of motion occur."""
+        return (
+            *self.coordinate_derivatives,
+            *self.mass_matrix,
+            *self.forcing,
+            *self.holonomic,
+            *self.velocity,
+        )

@@ -1,0 +1,31 @@
+"""Dispatch from a method object to its `Equations`, by type."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+from typing import Any
+
+from sympy.physics.mechanics import KanesMethod
+
+from pydy._eom.equations import Equations
+from pydy._eom.kane import equations_of_kane
+
+__all__ = ["extract"]
+
+
+@singledispatch
+def extract(eom_method: Any) -> Equations:
+    """Return the equations that a method object holds.
+
+    Raises
+    ------
+    TypeError
+        There is no reader for an object of this type.
+    """
+    raise TypeError(
+        "`eom_method` must be a sympy.physics.mechanics.KanesMethod, "
+        f"got an object of type {type(eom_method).__name__}."
+    )
+
+
+extract.register(KanesMethod, equations_of_kane)

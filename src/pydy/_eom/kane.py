@@ -1,0 +1,51 @@
+"""Read a KanesMethod. The only module that touches its underscore attributes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from sympy.physics.mechanics import KanesMethod, dynamicsymbols
+
+from pydy._eom.classify import classify
+from pydy._eom.equations import Equations
+
+__all__ = ["equations_of_kane"]
+
+
+def equations_of_kane(kane: KanesMethod) -> Equations:
+    """Return the equations of a KanesMethod.
+
+    Raises
+    ------
+    ValueError
+        ``kanes_equations()`` has not been called yet.
+    """
+    if kane._fr is None or kane._frstar is None:
+        raise ValueError(
+            "`eom_method` holds no equations of motion yet: call its `kanes_equations(bodies, "
+            "loads)` before it is handed to System."
+        )
+    t = dynamicsymbols._t
+    rates = kane.kindiffdict()
+    auxiliary = tuple(kane._uaux)
+    velocity: tuple[Any, ...] = ()
+    if kane._k_nh:
+        velocity = tuple(kane._k_nh * kane.u + kane._f_nh)
+    base = Equations(
+        time=t,
+        coordinates=tuple(kane.q),
+        speeds=tuple(kane.u),
+        coordinate_derivatives=tuple(rates[q.diff(t)] for q in kane.q),
+        mass_matrix=kane.mass_matrix,
+        forcing=tuple(kane.forcing),
+        positive_definite=not kane._udep,
+        holonomic=tuple(kane._f_h),
+        velocity=velocity,
+        dependent_coordinates=tuple(kane._qdep),
+        dependent_speeds=tuple(kane._udep),
+        auxiliary_speeds=auxiliary,
+        auxiliary_equations=tuple(kane.auxiliary_eqs) if auxiliary else (),
+        # In motion the auxiliary speeds are zero at all times.
+        zeros=(*auxiliary, *(u.diff(t) for u in auxiliary)),
+    )
+    return classify(base)

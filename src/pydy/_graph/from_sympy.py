@@ -1,0 +1,269 @@
+"""SymPy expressions into graph nodes, each distinct sub-expression once.
+
+The walk keeps a table by object identity, not by SymPy's ``==``: comparing two equal expressions
+that were built separately walks both trees, and the trees of multibody equations can be millions
+of times larger than their graphs. Equal expressions still meet, because the graph hash-conses.
+The walk is iterative, so that depth is no limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any
+
+import sympy as sm
+from sympy.core.function import AppliedUndef
+from sympy.core.numbers import NumberSymbol
+from sympy.logic.boolalg import BooleanFalse, BooleanTrue
+
+from pydy._errors import UnsupportedFunctionError
+from pydy._graph.node import Graph
+
+__all__ = ["SymPyReader"]
+
+Handler = Callable[[Graph, Any, list[int]], int]
+
+
+def _same(op: str) -> Handler:
+    return lambda graph, expr, args: graph.call(op, *args)
+
+
+def _reciprocal(op: str) -> Handler:
+    return lambda graph, expr, args: graph.powi(graph.call(op, *args), -1)
+
+
+def _of_reciprocal(op: str) -> Handler:
+    return lambda graph, expr, args: graph.call(op, graph.powi(args[0], -1))
+
+
+def _fold(op: str) -> Handler:
+    def handler(graph: Graph, expr: Any, args: list[int]) -> int:
+        node = args[0]
+        for other in args[1:]:
+            node = graph.call(op, node, other)
+        return node
+
+    return handler
+
+
+def _swapped(op: str) -> Handler:
+    return lambda graph, expr, args: graph.call(op, args[1], args[0])
+
+
+def _power(graph: Graph, expr: Any, args: list[int]) -> int:
+    base, exponent = args
+    number = expr.exp
+    if number.is_Float and float(number).is_integer() and abs(number) <= 64:
+        number = sm.Integer(int(number))
+    if number.is_Integer and abs(int(number)) <= 64:
+        return graph.powi(base, int(number))
+    if number.is_Rational and number.q == 2 and abs(number.p) <= 64:
+        return graph.powi(graph.call("sqrt", base), int(number.p))
+    if expr.base is sm.E:
+        return graph.call("exp", exponent)
+    return graph.call("pow", base, exponent)
+
+
+def _piecewise(graph: Graph, expr: Any, args: list[int]) -> int:
+    node = graph.const(float("nan"))  # where no condition holds SymPy gives NaN
+    for pair in reversed(args):
+        value, condition = graph.args[pair]
+        node = graph.call("select", condition, value, node)
+    return node
+
+
+def _heaviside(graph: Graph, expr: Any, args: list[int]) -> int:
+    x, at_zero = args
+    above = graph.call("select", graph.call("eq", x, graph.zero), at_zero, graph.one)
+    node = graph.call("select", graph.call("lt", x, graph.zero), graph.zero, above)
+    # A NaN argument must give NaN, and comparisons with NaN are all false.
+    return graph.call("select", graph.call("eq", x, x), node, x)
+
+
+def _mod(graph: Graph, expr: Any, args: list[int]) -> int:
+    a, b = args
+    return graph.sub(a, graph.mul(b, graph.call("floor", graph.div(a, b))))
+
+
+def _sinc(graph: Graph, expr: Any, args: list[int]) -> int:
+    x = args[0]
+    ratio = graph.div(graph.call("sin", x), x)
+    return graph.call("select", graph.call("eq", x, graph.zero), graph.one, ratio)
+
+
+def _acot(graph: Graph, expr: Any, args: list[int]) -> int:
+    return graph.call("atan", graph.powi(args[0], -1))
+
+
+def _xor(graph: Graph, expr: Any, args: list[int]) -> int:
+    node = args[0]
+    for other in args[1:]:
+        either = graph.call("or", node, other)
+        both = graph.call("and", node, other)
+        node = graph.call("and", either, graph.call("not", both))
+    return node
+
+
+def _log(graph: Graph, expr: Any, args: list[int]) -> int:
+    node = graph.call("log", args[0])
+    return node if len(args) == 1 else graph.div(node, graph.call("log", args[1]))
+
+
+HANDLERS: dict[Any, Handler] = {
+    sm.Add: lambda graph, expr, args: graph.add(*args),
+    sm.Mul: lambda graph, expr, args: graph.mul(*args),
+    sm.Pow: _power,
+    sm.exp: _same("exp"),
+    sm.log: _log,
+    sm.sin: _same("sin"),
+    sm.cos: _same("cos"),
+    sm.tan: _same("tan"),
+    sm.cot: _reciprocal("tan"),
+    sm.sec: _reciprocal("cos"),
+    sm.csc: _reciprocal("sin"),
+    sm.sinc: _sinc,
+    sm.asin: _same("asin"),
+    sm.acos: _same("acos"),
+    sm.atan: _same("atan"),
+    sm.acot: _acot,
+    sm.asec: _of_reciprocal("acos"),
+    sm.acsc: _of_reciprocal("asin"),
+    sm.atan2: _same("atan2"),
+    sm.sinh: _same("sinh"),
+    sm.cosh: _same("cosh"),
+    sm.tanh: _same("tanh"),
+    sm.coth: _reciprocal("tanh"),
+    sm.sech: _reciprocal("cosh"),
+    sm.csch: _reciprocal("sinh"),
+    sm.asinh: _same("asinh"),
+    sm.acosh: _same("acosh"),
+    sm.atanh: _same("atanh"),
+    sm.acoth: _of_reciprocal("atanh"),
+    sm.asech: _of_reciprocal("acosh"),
+    sm.acsch: _of_reciprocal("asinh"),
+    sm.Abs: _same("abs"),
+    sm.sign: _same("sign"),
+    sm.floor: _same("floor"),
+    sm.ceiling: _same("ceil"),
+    sm.frac: lambda graph, expr, args: graph.sub(args[0], graph.call("floor", args[0])),
+    sm.Mod: _mod,
+    sm.Min: _fold("min"),
+    sm.Max: _fold("max"),
+    sm.Heaviside: _heaviside,
+    sm.Piecewise: _piecewise,
+    sm.functions.elementary.piecewise.ExprCondPair: lambda graph, expr, args: graph.make(
+        "pair", tuple(args)
+    ),
+    sm.StrictLessThan: _same("lt"),
+    sm.LessThan: _same("le"),
+    sm.StrictGreaterThan: _swapped("lt"),
+    sm.GreaterThan: _swapped("le"),
+    sm.Equality: _same("eq"),
+    sm.Unequality: _same("ne"),
+    sm.And: _same("and"),
+    sm.Or: _same("or"),
+    sm.Not: _same("not"),
+    sm.Xor: _xor,
+    sm.ITE: _same("select"),
+    # Everything here is real, so these are what SymPy could not simplify for want of assumptions.
+    sm.re: lambda graph, expr, args: args[0],
+    sm.conjugate: lambda graph, expr, args: args[0],
+    sm.im: lambda graph, expr, args: graph.zero,
+}
+
+
+class SymPyReader:
+    """Reads SymPy expressions into one graph.
+
+    Parameters
+    ----------
+    graph : Graph
+        Where the nodes go.
+    atoms : mapping of SymPy symbols, functions of time and derivatives to nodes
+        What each name stands for. Names can be added later through ``reader.atoms``.
+    what : str
+        What is being read, for messages ("the equations of motion").
+    """
+
+    def __init__(
+        self, graph: Graph, atoms: Mapping[Any, int], what: str = "the expressions"
+    ) -> None:
+        self.graph = graph
+        self.atoms = dict(atoms)
+        self.what = what
+        self._seen: dict[int, int] = {}
+        self._alive: list[Any] = []  # keeps ids unique while the table lives
+
+    def define(self, atom: Any, node: int) -> None:
+        """Let `atom` stand for `node` from now on."""
+        self.atoms[atom] = node
+        self._seen.clear()
+        self._alive.clear()
+
+    def __call__(self, expression: Any) -> int:
+        """Return the node of one expression.
+
+        Raises
+        ------
+        ValueError
+            A symbol that nothing provides, or a number that is not real.
+        UnsupportedFunctionError
+            A function without a numerical counterpart here.
+        """
+        root = sm.sympify(expression)
+        seen, alive = self._seen, self._alive
+        stack = [(root, False)]
+        while stack:
+            expr, ready = stack.pop()
+            key = id(expr)
+            if key in seen:
+                continue
+            alive.append(expr)
+            leaf = self._leaf(expr)
+            if leaf is not None:
+                seen[key] = leaf
+            elif ready:
+                handler = HANDLERS.get(expr.func) or HANDLERS[type(expr)]
+                seen[key] = handler(self.graph, expr, [seen[id(a)] for a in expr.args])
+            else:
+                if expr.func not in HANDLERS:
+                    raise UnsupportedFunctionError(self._unsupported(expr))
+                stack.append((expr, True))
+                stack.extend((a, False) for a in reversed(expr.args) if id(a) not in seen)
+        return seen[id(root)]
+
+    def all(self, expressions: Iterable[Any]) -> list[int]:
+        """Return the nodes of several expressions."""
+        return [self(e) for e in expressions]
+
+    def _leaf(self, expr: Any) -> int | None:
+        if expr.args and not isinstance(expr, (AppliedUndef, sm.Derivative)):
+            return None
+        node: int | None = self.atoms.get(expr)
+        if node is not None:
+            return node
+        if isinstance(expr, (BooleanTrue, BooleanFalse)):
+            return self.graph.boolean(bool(expr))
+        if isinstance(expr, (sm.Number, NumberSymbol)) and expr is not sm.nan:
+            return self.graph.const(float(expr))
+        if isinstance(expr, (sm.Symbol, AppliedUndef, sm.Derivative)):
+            raise ValueError(
+                f"`{expr}` occurs in {self.what}, but no argument provides it: it is none of the "
+                "coordinates, speeds, constants or specifieds. Add it to one of them."
+            )
+        if expr.is_number:
+            raise ValueError(
+                f"{self.what} hold `{expr}`, which is not a real number. Simplify the expression "
+                "or restrict its symbols so that it cannot arise."
+            )
+        raise UnsupportedFunctionError(self._unsupported(expr))
+
+    def _unsupported(self, expr: Any) -> str:
+        text = str(expr)
+        if len(text) > 120:
+            text = text[:117] + "..."
+        return (
+            f"{self.what} hold the function `{expr.func.__name__}` in `{text}`, which cannot be "
+            "translated to numerical code. Rewrite it with elementary functions "
+            "(`expr.rewrite(...)`, `expr.doit()`), Piecewise, Min, Max, Abs or sign."
+        )

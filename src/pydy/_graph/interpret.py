@@ -1,0 +1,165 @@
+"""Evaluate a Program with NumPy, one operation at a time over all samples.
+
+This is the reference that compiled code is compared with, the 'lambdify' generator's engine, and
+what small one-off evaluations use, where compiling would not pay.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from pydy._graph.program import Program
+
+__all__ = ["run"]
+
+Values = list[Any]
+EPS = float(np.finfo(float).eps)
+
+OPERATIONS: dict[str, Callable[..., Any]] = {
+    "add": np.add,
+    "sub": np.subtract,
+    "mul": np.multiply,
+    "div": np.divide,
+    "neg": np.negative,
+    "sqrt": np.sqrt,
+    "exp": np.exp,
+    "log": np.log,
+    "sin": np.sin,
+    "cos": np.cos,
+    "tan": np.tan,
+    "asin": np.arcsin,
+    "acos": np.arccos,
+    "atan": np.arctan,
+    "sinh": np.sinh,
+    "cosh": np.cosh,
+    "tanh": np.tanh,
+    "asinh": np.arcsinh,
+    "acosh": np.arccosh,
+    "atanh": np.arctanh,
+    "abs": np.abs,
+    "sign": np.sign,
+    "floor": np.floor,
+    "ceil": np.ceil,
+    "pow": np.power,
+    "atan2": np.arctan2,
+    "min": np.minimum,
+    "max": np.maximum,
+    "lt": np.less,
+    "le": np.less_equal,
+    "eq": np.equal,
+    "ne": np.not_equal,
+    "and": np.logical_and,
+    "or": np.logical_or,
+    "not": np.logical_not,
+    "select": np.where,
+}
+
+
+def run(
+    program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Evaluate a Program at m samples.
+
+    Parameters
+    ----------
+    program : Program
+    t : ndarray, shape (m,)
+    x : ndarray, shape (m, n)
+    r : ndarray, shape (m, s)
+    p : ndarray, shape (k,)
+
+    Returns
+    -------
+    out : ndarray, shape (m, o)
+        The flat outputs; NaN where they depend on a singular solve.
+    failed : ndarray of bool, shape (m,)
+        Where a linear solve met a singular matrix.
+    """
+    m = len(t)
+    inputs: dict[str, Callable[[int], Any]] = {
+        "x": lambda i: x[:, i],
+        "t": lambda i: t,
+        "r": lambda i: r[:, i],
+        "p": lambda i: p[i],
+    }
+    values: Values = [None] * len(program.ops)
+    failed = np.zeros(m, dtype=bool)
+    with np.errstate(all="ignore"):
+        for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
+            if op in ("const", "bool"):
+                values[k] = args[0]
+            elif op == "input":
+                values[k] = inputs[args[0]](args[1])
+            elif op == "factor":
+                values[k] = _stack(values, args[2], m).reshape(m, args[1], args[1])
+            elif op == "solve":
+                values[k] = _solve(values[args[0]], _stack(values, args[1], m), failed)
+            elif op == "guard":
+                values[k] = _guard(values, args, m, failed)
+            elif op == "item":
+                values[k] = values[args[0]][:, args[1]]
+            else:
+                values[k] = OPERATIONS[op](*(values[a] for a in args))
+        return _stack(values, program.outputs, m), failed
+
+
+def _stack(values: Values, nodes: tuple[int, ...], m: int) -> np.ndarray:
+    out = np.empty((m, len(nodes)))
+    for k, node in enumerate(nodes):
+        out[:, k] = values[node]
+    return out
+
+
+def _guard(values: Values, args: tuple[Any, ...], m: int, failed: np.ndarray) -> np.ndarray:
+    """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
+    n, entries, column, pivots, fast = args
+    diagonal = _stack(values, entries[:: n + 1], m)
+    sound = (_stack(values, pivots, m) > n * EPS * diagonal).all(axis=1)
+    x = _stack(values, fast, m)
+    weak = ~sound
+    if weak.any():
+        matrix = _stack(values, entries, m).reshape(m, n, n)[weak]
+        bad = np.zeros(len(matrix), dtype=bool)
+        x[weak] = _solve(matrix, _stack(values, column, m)[weak], bad)
+        failed[weak] |= bad
+    return x
+
+
+def _solve(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> np.ndarray:
+    """Solve sample by sample with partial pivoting; mark the singular ones and give them NaN."""
+    m, n = column.shape
+    x = np.empty((m, n))
+    if n == 0:
+        return x
+    bad = singular(matrix)
+    if not bad.any():
+        x[:] = np.linalg.solve(matrix, column[:, :, None])[:, :, 0]
+        return x
+    good = ~bad
+    x[good] = np.linalg.solve(matrix[good], column[good][:, :, None])[:, :, 0]
+    x[bad] = np.nan
+    failed |= bad
+    return x
+
+
+def singular(matrix: np.ndarray) -> np.ndarray:
+    """Tell which of the stacked matrices have a pivot below n·eps in the equilibrated sense."""
+    n = matrix.shape[-1]
+    magnitude = np.abs(matrix)
+    rows = magnitude.max(axis=2, keepdims=True)
+    rows[~(rows > 0.0)] = 1.0
+    columns = (magnitude / rows).max(axis=1, keepdims=True)
+    columns[~(columns > 0.0)] = 1.0
+    a = matrix / rows / columns
+    bad = np.zeros(len(matrix), dtype=bool)
+    index = np.arange(len(matrix))
+    for k in range(n):
+        pivot = k + np.argmax(np.abs(a[:, k:, k]), axis=1)
+        a[index, k], a[index, pivot] = a[index, pivot].copy(), a[index, k].copy()
+        bad |= np.abs(a[:, k, k]) <= n * EPS
+        factors = a[:, k + 1 :, k : k + 1] / a[:, k : k + 1, k : k + 1]
+        a[:, k + 1 :] -= factors * a[:, k : k + 1]
+    return bad

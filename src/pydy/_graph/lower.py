@@ -1,0 +1,160 @@
+"""From the n-ary graph to a Program of elementary operations.
+
+What depends on constants alone is grouped, so that it falls into the setup stage; denominators
+that occur more than once become one reciprocal; linear solves are unrolled or left to a loop.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+from pydy._graph.linsolve import LoopFactor, UnrolledLDL
+from pydy._graph.node import Graph
+from pydy._graph.program import Program, Tape
+
+__all__ = ["UNROLL_LIMIT", "lower"]
+
+# LLVM's time grows faster than the code of an unrolled elimination, and from about here on the
+# vectorised loop is no slower to run.
+UNROLL_LIMIT = 24
+
+
+def lower(
+    graph: Graph,
+    sizes: tuple[int, int, int],
+    blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+    *,
+    unroll_limit: int = UNROLL_LIMIT,
+) -> Program:
+    """Return the Program that computes `blocks`.
+
+    Parameters
+    ----------
+    graph : Graph
+    sizes : (int, int, int)
+        How many states, specifieds and constants there are; the graph's inputs are
+        ``('x', i)``, ``('t', 0)``, ``('r', i)`` and ``('p', i)``.
+    blocks : sequence of (name, shape, nodes)
+        Row-major.
+    unroll_limit : int
+        The largest LDLᵀ that is unrolled.
+    """
+    return Program.from_tape(*_Lowering(graph, unroll_limit).run(blocks, sizes))
+
+
+class _Lowering:
+    def __init__(self, graph: Graph, unroll_limit: int) -> None:
+        self.graph = graph
+        self.tape = Tape()
+        self.unroll_limit = unroll_limit
+        self.new: dict[int, int] = {}
+        self.factors: dict[int, UnrolledLDL | LoopFactor] = {}
+        self.divided: Counter[int] = Counter()
+
+    def run(
+        self,
+        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+        sizes: tuple[int, int, int],
+    ) -> tuple[Tape, tuple[int, int, int], list[tuple[str, tuple[int, ...], list[int]]]]:
+        order = self.graph.reachable([n for _, _, nodes in blocks for n in nodes])
+        for node in order:
+            if self.graph.ops[node] == "prod":
+                self.divided.update(n for n, e in self.graph.args[node] if e < 0)
+        for node in order:
+            self.new[node] = self._node(node)
+        return self.tape, sizes, [(n, s, [self.new[k] for k in nodes]) for n, s, nodes in blocks]
+
+    def _node(self, node: int) -> int:
+        op, args = self.graph.ops[node], self.graph.args[node]
+        tape, new = self.tape, self.new
+        if op == "sum":
+            return self._sum(*args)
+        if op == "prod":
+            return self._product(args, 1.0)
+        if op == "const":
+            return tape.const(args[0])
+        if op in ("bool", "input"):
+            return tape.make(op, *args)
+        if op == "factor":
+            kind, n, entries = args
+            cells = [new[e] for e in entries]
+            if kind == "ldl" and n <= self.unroll_limit:
+                self.factors[node] = UnrolledLDL(tape, n, cells)
+            else:
+                self.factors[node] = LoopFactor(tape, kind, n, cells)
+            return -1
+        if op == "solve":
+            return self.factors[args[0]].solve([new[b] for b in args[1]])
+        if op == "item":
+            return tape.make("item", new[args[0]], args[1])
+        return tape.make(op, *(new[a] for a in args))
+
+    def _sum(self, c0: float, pairs: tuple[tuple[int, float], ...]) -> int:
+        tape = self.tape
+        terms = [self._scaled(n, c) for n, c in pairs]
+        # Constants first: their partial sum is then a value of the setup stage.
+        terms.sort(key=lambda item: not tape.setup[item[0]])
+        if c0:
+            terms.insert(0, (tape.const(abs(c0)), c0 > 0))
+        total: int | None = None
+        negative: int | None = None  # a leading run of negative terms, while there is no positive
+        for value, positive in terms:
+            if positive:
+                if total is None:
+                    total = value if negative is None else tape.sub(value, negative)
+                else:
+                    total = tape.add(total, value)
+            elif total is None:
+                negative = value if negative is None else tape.add(negative, value)
+            else:
+                total = tape.sub(total, value)
+        if total is None:
+            assert negative is not None
+            return tape.neg(negative)
+        return total
+
+    def _scaled(self, node: int, coefficient: float) -> tuple[int, bool]:
+        """Return a term of a sum as a value to add (True) or to subtract (False)."""
+        tape = self.tape
+        size = abs(coefficient)
+        if size == 1.0:
+            value = self.new[node]
+        elif self.graph.ops[node] == "prod":
+            value = self._product(self.graph.args[node], size)
+        else:
+            value = tape.mul(tape.const(size), self.new[node])
+        positive = coefficient > 0.0
+        if tape.ops[value] == "neg":
+            return tape.args[value][0], not positive
+        return value, positive
+
+    def _product(self, pairs: tuple[tuple[int, int], ...], coefficient: float) -> int:
+        tape = self.tape
+        above: list[int] = []
+        below: list[int] = []
+        for node, exponent in pairs:
+            base = self.new[node]
+            if exponent > 0:
+                above.append(tape.power(base, exponent))
+            elif self.divided[node] > 1:
+                reciprocal = tape.div(tape.const(1.0), base)
+                above.append(tape.power(reciprocal, -exponent))
+            else:
+                below.append(tape.power(base, -exponent))
+        if coefficient != 1.0:
+            above.append(tape.const(coefficient))
+        top = self._chain(above)
+        if not below:
+            return top if top is not None else tape.const(1.0)
+        bottom = self._chain(below)
+        assert bottom is not None
+        return tape.div(tape.const(1.0) if top is None else top, bottom)
+
+    def _chain(self, factors: list[int]) -> int | None:
+        tape = self.tape
+        ordered = sorted(factors, key=lambda n: (not tape.setup[n], n))
+        result: int | None = None
+        for node in ordered:
+            result = node if result is None else tape.mul(result, node)
+        return result

@@ -1,0 +1,359 @@
+"""A hash-consed expression graph in canonical n-ary form.
+
+A node is an integer: its place in the graph's lists. Asking twice for the same operation on the
+same nodes gives the same integer, so two equal expressions are one node and every walk costs the
+number of *distinct* sub-expressions. Nodes only refer to earlier nodes: the lists are already in
+topological order and no walk ever needs recursion.
+
+The two arithmetic kinds carry as much structure as a simplifier needs and no more::
+
+    sum   (c0, ((node, coefficient), ...))      c0 + Σ coefficient · node
+    prod  ((node, exponent), ...)               Π node ** exponent,  integer exponents
+
+A ``prod`` never holds a number: numbers go to the coefficients of sums, so that ``2·x·y``,
+``−x·y`` and ``x·y`` share the product. A ``sum`` of one term and no constant is a scaled node.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from typing import Any
+
+__all__ = ["BINARY", "BOOLEAN", "COMPARISONS", "UNARY", "Graph"]
+
+
+def _sign(x: float) -> float:
+    return 0.0 if x == 0.0 else math.copysign(1.0, x)
+
+
+# One table for constant folding; the keys are all real functions of one argument that the graph
+# knows, and every back end has an entry for each.
+UNARY: dict[str, Callable[[float], float]] = {
+    "sqrt": math.sqrt,
+    "exp": math.exp,
+    "log": math.log,
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "sinh": math.sinh,
+    "cosh": math.cosh,
+    "tanh": math.tanh,
+    "asinh": math.asinh,
+    "acosh": math.acosh,
+    "atanh": math.atanh,
+    "abs": abs,
+    "sign": _sign,
+    "floor": lambda x: float(math.floor(x)),
+    "ceil": lambda x: float(math.ceil(x)),
+}
+BINARY: dict[str, Callable[[float, float], float]] = {
+    "pow": math.pow,
+    "atan2": math.atan2,
+    "min": min,
+    "max": max,
+}
+COMPARISONS: dict[str, Callable[[float, float], bool]] = {
+    "lt": lambda a, b: a < b,
+    "le": lambda a, b: a <= b,
+    "eq": lambda a, b: a == b,
+    "ne": lambda a, b: a != b,
+}
+BOOLEAN = frozenset(COMPARISONS) | {"and", "or", "not", "bool"}
+
+# f(-x) = -f(x), and f(-x) = f(x): both save a negation and let sin(a - b) share with sin(b - a).
+_ODD = frozenset({"sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "sign"})
+_EVEN = frozenset({"cos", "cosh", "abs"})
+
+
+class Graph:
+    """The arena that holds every node.
+
+    Attributes
+    ----------
+    ops : list of str
+        Kind of each node.
+    args : list of tuple
+        Operands of each node: other nodes, except for the kinds ``const`` (value,), ``bool``
+        (value,), ``input`` (group, index), ``sum``, ``prod`` (see the module), ``factor``
+        (kind, n, entries), ``solve`` (factor, right-hand sides) and ``item`` (solve, index).
+    """
+
+    def __init__(self) -> None:
+        self.ops: list[str] = []
+        self.args: list[tuple[Any, ...]] = []
+        self._known: dict[tuple[Any, ...], int] = {}
+        self.zero = self.const(0.0)
+        self.one = self.const(1.0)
+
+    def __len__(self) -> int:
+        return len(self.ops)
+
+    def make(self, op: str, args: tuple[Any, ...]) -> int:
+        """Return the node for `op` on `args` as they are, without any rewriting."""
+        key = (op, args)
+        node = self._known.get(key)
+        if node is None:
+            node = len(self.ops)
+            self._known[key] = node
+            self.ops.append(op)
+            self.args.append(args)
+        return node
+
+    # -- leaves ---------------------------------------------------------------------------------
+
+    def const(self, value: float) -> int:
+        """Return the node of a number; all NaNs are one node, and so are both zeros."""
+        value = float(value)
+        if value == 0.0:
+            value = 0.0
+        elif value != value:
+            value = math.nan  # one object, so that the tuple key compares equal by identity
+        return self.make("const", (value,))
+
+    def boolean(self, value: bool) -> int:
+        """Return the node of a truth value."""
+        return self.make("bool", (bool(value),))
+
+    def input(self, group: str, index: int) -> int:
+        """Return the node of the input `index` of `group` ('x', 't', 'r', 'p' or a scratch one)."""
+        return self.make("input", (group, index))
+
+    def value(self, node: int) -> float | None:
+        """Return the number a node stands for, or None when it is not a constant."""
+        return self.args[node][0] if self.ops[node] == "const" else None
+
+    # -- sums and products ----------------------------------------------------------------------
+
+    def scaled(self, node: int) -> tuple[float, int]:
+        """Split ``c · n`` into (c, n); anything else is (1, node)."""
+        if self.ops[node] == "sum":
+            c0, terms = self.args[node]
+            if c0 == 0.0 and len(terms) == 1:
+                return terms[0][1], terms[0][0]
+        return 1.0, node
+
+    def sum(self, terms: Iterable[tuple[int, float]], c0: float = 0.0) -> int:
+        """Return ``c0 + Σ coefficient · node``, with like terms collected."""
+        collected: dict[int, float] = {}
+        for node, coefficient in terms:
+            op = self.ops[node]
+            if op == "const":
+                c0 += coefficient * self.args[node][0]
+                continue
+            if op == "sum":
+                inner, inner_terms = self.args[node]
+                if inner == 0.0 and len(inner_terms) == 1:
+                    node, factor = inner_terms[0]
+                    coefficient *= factor
+            collected[node] = collected.get(node, 0.0) + coefficient
+        pairs = tuple((n, collected[n]) for n in sorted(collected) if collected[n] != 0.0)
+        if not pairs:
+            return self.const(c0)
+        if c0 == 0.0:
+            if len(pairs) == 1:
+                return pairs[0][0] if pairs[0][1] == 1.0 else self.make("sum", (0.0, pairs))
+            size = abs(pairs[0][1])
+            if size != 1.0 and all(abs(c) == size for _, c in pairs):
+                # 2a - 2b is 2(a - b): one multiplication, and a - b is shared.
+                core = self.make("sum", (0.0, tuple((n, c / size) for n, c in pairs)))
+                return self.make("sum", (0.0, ((core, size),)))
+        return self.make("sum", (c0, pairs))
+
+    def product(self, factors: Iterable[tuple[int, int]], coefficient: float = 1.0) -> int:
+        """Return ``coefficient · Π node ** exponent``; nested products are flattened."""
+        powers: dict[int, int] = {}
+        stack = list(factors)[::-1]
+        while stack:
+            node, exponent = stack.pop()
+            op = self.ops[node]
+            if exponent == 0:
+                continue
+            if op == "const":
+                coefficient *= _powi(self.args[node][0], exponent)
+            elif op == "prod":
+                stack.extend((n, e * exponent) for n, e in reversed(self.args[node]))
+            elif op == "sum":
+                c0, terms = self.args[node]
+                if c0 == 0.0 and len(terms) == 1:
+                    coefficient *= _powi(terms[0][1], exponent)
+                    stack.append((terms[0][0], exponent))
+                elif terms[0][1] < 0.0:
+                    # (b - a) is -(a - b): a sum used as a factor leads with a positive term.
+                    node = self.sum([(n, -c) for n, c in terms], -c0)
+                    if exponent % 2:
+                        coefficient = -coefficient
+                    powers[node] = powers.get(node, 0) + exponent
+                else:
+                    powers[node] = powers.get(node, 0) + exponent
+            elif op == "sqrt" and abs(powers.get(node, 0) + exponent) >= 2:
+                total = powers.pop(node, 0) + exponent
+                half, odd = divmod(abs(total), 2)
+                sign = 1 if total > 0 else -1
+                if odd:
+                    powers[node] = sign
+                stack.append((self.args[node][0], sign * half))
+            else:
+                powers[node] = powers.get(node, 0) + exponent
+        pairs = tuple((n, powers[n]) for n in sorted(powers) if powers[n] != 0)
+        if coefficient == 0.0 or not pairs:
+            return self.const(coefficient)
+        core = pairs[0][0] if pairs[0][1] == 1 and len(pairs) == 1 else self.make("prod", pairs)
+        if coefficient == 1.0:
+            return core
+        return self.sum([(core, coefficient)])
+
+    def add(self, *nodes: int) -> int:
+        """Return the sum of `nodes`."""
+        return self.sum([(n, 1.0) for n in nodes])
+
+    def sub(self, a: int, b: int) -> int:
+        """Return ``a - b``."""
+        return self.sum([(a, 1.0), (b, -1.0)])
+
+    def neg(self, a: int) -> int:
+        """Return ``-a``, pushed into a sum so that no negation is left over."""
+        if self.ops[a] == "sum":
+            c0, terms = self.args[a]
+            return self.sum([(n, -c) for n, c in terms], -c0)
+        return self.sum([(a, -1.0)])
+
+    def mul(self, *nodes: int) -> int:
+        """Return the product of `nodes`."""
+        return self.product([(n, 1) for n in nodes])
+
+    def div(self, a: int, b: int) -> int:
+        """Return ``a / b``."""
+        return self.product([(a, 1), (b, -1)])
+
+    def powi(self, a: int, exponent: int) -> int:
+        """Return ``a ** exponent`` for an integer exponent."""
+        return self.product([(a, exponent)])
+
+    # -- functions ------------------------------------------------------------------------------
+
+    def call(self, op: str, *nodes: int) -> int:
+        """Return a function, comparison, Boolean operation or ``select`` applied to nodes."""
+        if op in UNARY:
+            return self._unary(op, nodes[0])
+        values = [self.args[n][0] if self.ops[n] in ("const", "bool") else None for n in nodes]
+        if op in BINARY:
+            a, b = nodes
+            if op in ("min", "max") and a == b:
+                return a
+            if values[0] is not None and values[1] is not None:
+                return self.const(_guarded(BINARY[op], values[0], values[1]))
+            return self.make(op, nodes)
+        if op in COMPARISONS:
+            if values[0] is not None and values[1] is not None:
+                return self.boolean(COMPARISONS[op](values[0], values[1]))
+            return self.make(op, nodes)
+        if op == "not":
+            return self.make(op, nodes) if values[0] is None else self.boolean(not values[0])
+        if op in ("and", "or"):
+            neutral = op == "and"
+            rest = tuple(dict.fromkeys(n for n, v in zip(nodes, values, strict=True) if v is None))
+            if any(v is (not neutral) for v in values):
+                return self.boolean(not neutral)
+            if not rest:
+                return self.boolean(neutral)
+            node = rest[0]
+            for other in rest[1:]:
+                node = self.make(op, (node, other))
+            return node
+        if op == "select":
+            condition, yes, no = nodes
+            if values[0] is not None:
+                return yes if values[0] else no
+            return yes if yes == no else self.make(op, (condition, yes, no))
+        raise AssertionError(f"unknown operation {op!r}")
+
+    def _unary(self, op: str, node: int) -> int:
+        if self.ops[node] == "const":
+            return self.const(_guarded(UNARY[op], self.args[node][0]))
+        if (op in _ODD or op in _EVEN) and self.ops[node] == "sum":
+            c0, terms = self.args[node]
+            if terms[0][1] < 0.0:
+                flipped = self.make(op, (self.sum([(n, -c) for n, c in terms], -c0),))
+                return flipped if op in _EVEN else self.neg(flipped)
+        return self.make(op, (node,))
+
+    # -- linear systems -------------------------------------------------------------------------
+
+    def solve(
+        self, matrix: list[list[int]], columns: list[list[int]], kind: str
+    ) -> list[list[int]]:
+        """Return the solutions of ``matrix · x = column`` for each column.
+
+        Parameters
+        ----------
+        matrix : n lists of n nodes
+        columns : lists of n nodes
+        kind : {'ldl', 'lu'}
+            'ldl' promises a symmetric positive definite matrix (only the lower triangle is
+            used, and the solution falls back to LU where the promise does not hold).
+        """
+        n = len(matrix)
+        factor = self.make("factor", (kind, n, tuple(e for row in matrix for e in row)))
+        return [self.solve_factored(factor, column) for column in columns]
+
+    def solve_factored(self, factor: int, column: list[int]) -> list[int]:
+        """Return the solution for one more right-hand side of a ``factor`` node."""
+        if all(self.ops[e] == "const" and self.args[e][0] == 0.0 for e in column):
+            return [self.zero] * len(column)
+        vector = self.make("solve", (factor, tuple(column)))
+        return [self.make("item", (vector, k)) for k in range(len(column))]
+
+    # -- walking --------------------------------------------------------------------------------
+
+    def operands(self, node: int) -> list[int]:
+        """Return the nodes that `node` refers to, in order."""
+        op, args = self.ops[node], self.args[node]
+        if op == "sum":
+            return [n for n, _ in args[1]]
+        if op == "prod":
+            return [n for n, _ in args]
+        if op in ("const", "input", "bool"):
+            return []
+        if op == "factor":
+            return list(args[2])
+        if op == "solve":
+            return [args[0], *args[1]]
+        if op == "item":
+            return [args[0]]
+        return list(args)
+
+    def reachable(self, roots: Iterable[int]) -> list[int]:
+        """Return every node the roots need, in topological (ascending) order."""
+        seen = set(roots)
+        stack = list(seen)
+        while stack:
+            for other in self.operands(stack.pop()):
+                if other not in seen:
+                    seen.add(other)
+                    stack.append(other)
+        return sorted(seen)
+
+
+def _powi(base: float, exponent: int) -> float:
+    try:
+        return base**exponent
+    except ZeroDivisionError:
+        return math.inf
+    except OverflowError:
+        return -math.inf if base < 0.0 and exponent % 2 else math.inf
+
+
+def _guarded(function: Callable[..., float], *values: float) -> float:
+    """Fold like the machine would: NaN outside the domain, infinity on overflow."""
+    try:
+        return function(*values)
+    except OverflowError:
+        return math.inf
+    except (ValueError, ZeroDivisionError):
+        if function is math.log and values[0] == 0.0:
+            return -math.inf
+        return math.nan

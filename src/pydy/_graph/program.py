@@ -1,0 +1,311 @@
+"""A Program: the straight-line list of elementary operations that a back end compiles.
+
+Nodes are elementary here (two operands, no coefficients); `pydy._graph.lower` makes them from the
+n-ary graph. A Program has two stages. The *setup* stage depends on the constants p alone and runs
+once per binding of p; its results that are needed later are *carried* in an array c. The *run*
+stage is what every call costs.
+
+Operations and their arguments::
+
+    const (value,)   bool (value,)   input (group, index)
+    add sub mul div min max pow atan2 lt le eq ne and or (a, b)
+    neg not sqrt exp ... ceil (a,)            select (condition, a, b)
+    factor (n, entries)                       LU factors with partial pivoting, or LDLᵀ in a loop
+    solve  (factor, column)                   a vector
+    guard  (n, entries, column, pivots, fast) the vector `fast` where all pivots are sound, else LU
+    item   (vector, k)                        one component of a vector
+"""
+
+from __future__ import annotations
+
+import hashlib
+import struct
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import prod
+from typing import Any
+
+from pydy._graph.node import BINARY, COMPARISONS, UNARY
+
+__all__ = ["Block", "Program", "Tape"]
+
+FREE = frozenset({"const", "bool", "input", "item", "factor", "solve", "guard"})
+
+
+def operands(op: str, args: tuple[Any, ...]) -> tuple[int, ...]:
+    """Return the nodes that an elementary operation refers to."""
+    if op in ("const", "bool", "input"):
+        return ()
+    if op == "factor":
+        return tuple(args[2])
+    if op == "solve":
+        return (args[0], *args[1])
+    if op == "guard":
+        return (*args[1], *args[2], *args[3], *args[4])
+    if op == "item":
+        return (args[0],)
+    return args
+
+
+class Tape:
+    """Hash-consed elementary operations, in the making of a Program."""
+
+    def __init__(self) -> None:
+        self.ops: list[str] = []
+        self.args: list[tuple[Any, ...]] = []
+        self.setup: list[bool] = []
+        self._known: dict[tuple[Any, ...], int] = {}
+
+    def make(self, op: str, *args: object) -> int:
+        """Return the node for `op` on `args`."""
+        key = (op, args)
+        node = self._known.get(key)
+        if node is None:
+            node = len(self.ops)
+            self._known[key] = node
+            self.ops.append(op)
+            self.args.append(args)
+            if op == "input":
+                self.setup.append(args[0] == "p")
+            elif op in ("factor", "solve", "guard", "item"):
+                self.setup.append(False)  # solves report failures, which only calls can do
+            else:
+                self.setup.append(all(self.setup[n] for n in operands(op, args)))
+        return node
+
+    def const(self, value: float) -> int:
+        """Return the node of a number."""
+        return self.make("const", float(value) + 0.0)
+
+    def value(self, node: int) -> float | None:
+        """Return the number that a node is, or None."""
+        return self.args[node][0] if self.ops[node] == "const" else None
+
+    def add(self, a: int, b: int) -> int:
+        """Return ``a + b``."""
+        if self.value(a) == 0.0:
+            return b
+        if self.value(b) == 0.0:
+            return a
+        if self.ops[b] == "neg":
+            return self.sub(a, self.args[b][0])
+        if self.ops[a] == "neg":
+            return self.sub(b, self.args[a][0])
+        return self._fold("add", *sorted((a, b)))
+
+    def sub(self, a: int, b: int) -> int:
+        """Return ``a - b``."""
+        if self.value(b) == 0.0:
+            return a
+        if self.value(a) == 0.0:
+            return self.neg(b)
+        if self.ops[b] == "neg":
+            return self.add(a, self.args[b][0])
+        return self._fold("sub", a, b)
+
+    def mul(self, a: int, b: int) -> int:
+        """Return ``a · b``."""
+        for p, q in ((a, b), (b, a)):
+            value = self.value(p)
+            if value == 0.0:
+                return self.const(0.0)
+            if value == 1.0:
+                return q
+            if value == -1.0:
+                return self.neg(q)
+        if self.ops[a] == "neg":
+            return self.neg(self.mul(self.args[a][0], b))
+        if self.ops[b] == "neg":
+            return self.neg(self.mul(a, self.args[b][0]))
+        return self._fold("mul", *sorted((a, b)))
+
+    def div(self, a: int, b: int) -> int:
+        """Return ``a / b``."""
+        if self.value(a) == 0.0 or self.value(b) == 1.0:
+            return a
+        if self.ops[a] == "neg":
+            return self.neg(self.div(self.args[a][0], b))
+        return self._fold("div", a, b)
+
+    def neg(self, a: int) -> int:
+        """Return ``-a``."""
+        if self.ops[a] == "neg":
+            inner: int = self.args[a][0]
+            return inner
+        value = self.value(a)
+        return self.make("neg", a) if value is None else self.const(-value)
+
+    def power(self, a: int, exponent: int) -> int:
+        """Return ``a ** exponent`` for a positive exponent, by repeated squaring."""
+        if exponent == 1:
+            return a
+        half = self.power(a, exponent // 2)
+        square = self.mul(half, half)
+        return self.mul(square, a) if exponent % 2 else square
+
+    def _fold(self, op: str, a: int, b: int) -> int:
+        x, y = self.value(a), self.value(b)
+        if x is not None and y is not None and not (op == "div" and y == 0.0):
+            result = {"add": x + y, "sub": x - y, "mul": x * y, "div": x / y if y else 0.0}[op]
+            return self.const(result)
+        return self.make(op, a, b)
+
+
+@dataclass(frozen=True)
+class Block:
+    """A named part of a Program's output.
+
+    Attributes
+    ----------
+    name : str
+    shape : tuple of int
+    start, stop : int
+        Where it lies in the flat output, row-major.
+    """
+
+    name: str
+    shape: tuple[int, ...]
+    start: int
+    stop: int
+
+
+@dataclass(frozen=True)
+class Program:
+    """Elementary operations with ordered inputs and named output blocks.
+
+    Attributes
+    ----------
+    num_states, num_specifieds, num_constants : int
+        Sizes of the inputs x, r and p; time t is always one number.
+    ops : tuple of str
+    args : tuple of tuple
+        The operations, see the module.
+    setup : tuple of bool
+        Whether a node belongs to the setup stage.
+    carried : tuple of int
+        The nodes of the setup stage that the run stage or the outputs need: the array c.
+    outputs : tuple of int
+        The flat output.
+    blocks : tuple of Block
+    """
+
+    num_states: int
+    num_specifieds: int
+    num_constants: int
+    ops: tuple[str, ...]
+    args: tuple[tuple[Any, ...], ...]
+    setup: tuple[bool, ...]
+    carried: tuple[int, ...]
+    outputs: tuple[int, ...]
+    blocks: tuple[Block, ...]
+
+    @classmethod
+    def from_tape(
+        cls,
+        tape: Tape,
+        sizes: tuple[int, int, int],
+        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+    ) -> Program:
+        """Take from a tape what the blocks need, renumbered."""
+        roots = [n for _, _, nodes in blocks for n in nodes]
+        order = _reachable(tape, roots)
+        new = {old: k for k, old in enumerate(order)}
+        ops = tuple(tape.ops[n] for n in order)
+        args = tuple(_renumber(tape.ops[n], tape.args[n], new) for n in order)
+        setup = tuple(tape.setup[n] for n in order)
+        outputs = tuple(new[n] for n in roots)
+        needed = {
+            k
+            for op, a, s in zip(ops, args, setup, strict=True)
+            if not s
+            for k in operands(op, a)
+            if setup[k]
+        }
+        needed.update(k for k in outputs if setup[k])
+        carried = tuple(k for k in sorted(needed) if ops[k] not in ("const", "bool"))
+        table = []
+        start = 0
+        for name, shape, nodes in blocks:
+            assert prod(shape) == len(nodes), (name, shape, len(nodes))
+            table.append(Block(name, tuple(shape), start, start + len(nodes)))
+            start += len(nodes)
+        return cls(*sizes, ops, args, setup, carried, outputs, tuple(table))
+
+    def block(self, name: str) -> Block:
+        """Return the output block of that name."""
+        return next(b for b in self.blocks if b.name == name)
+
+    @cached_property
+    def digest(self) -> str:
+        """SHA-256 of everything that decides what the Program computes."""
+        sha = hashlib.sha256()
+        sha.update(repr((self.num_states, self.num_specifieds, self.num_constants)).encode())
+        for op, args in zip(self.ops, self.args, strict=True):
+            if op == "const":
+                sha.update(b"const" + struct.pack("<d", args[0]))
+            else:
+                sha.update(repr((op, args)).encode())
+        sha.update(repr((self.outputs, self.blocks)).encode())
+        return sha.hexdigest()
+
+    @cached_property
+    def operation_count(self) -> dict[str, Counter[str]]:
+        """Operations by kind, for the stages 'setup' and 'run'.
+
+        A subtraction counts as 'add'. A loop that factorises or solves counts what it executes
+        as 'add', 'mul' and 'div'; the fallback behind a guard is not counted.
+        """
+        counts: dict[str, Counter[str]] = {"setup": Counter(), "run": Counter()}
+        for op, args, setup in zip(self.ops, self.args, self.setup, strict=True):
+            counter = counts["setup" if setup else "run"]
+            if op == "factor":
+                n = args[1]
+                work = n * (n * n - 1) // 3 if args[0] == "lu" else n * (n * n - 1) // 6
+                counter.update(add=work, mul=work, div=n)
+            elif op == "solve":
+                n = len(args[1])
+                counter.update(add=n * (n - 1), mul=n * n)
+            elif op not in FREE:
+                counter["add" if op == "sub" else op] += 1
+        return counts
+
+    def __getstate__(self) -> dict[str, object]:
+        state = dict(self.__dict__)
+        state.pop("operation_count", None)
+        return state
+
+
+def _reachable(tape: Tape, roots: Iterable[int]) -> list[int]:
+    seen = set(roots)
+    stack = list(seen)
+    while stack:
+        node = stack.pop()
+        for other in operands(tape.ops[node], tape.args[node]):
+            if other not in seen:
+                seen.add(other)
+                stack.append(other)
+    return sorted(seen)
+
+
+def _renumber(op: str, args: tuple[Any, ...], new: dict[int, int]) -> tuple[Any, ...]:
+    if op in ("const", "bool", "input"):
+        return args
+    if op == "factor":
+        return (args[0], args[1], tuple(new[n] for n in args[2]))
+    if op == "solve":
+        return (new[args[0]], tuple(new[n] for n in args[1]))
+    if op == "guard":
+        return (args[0], *(tuple(new[n] for n in part) for part in args[1:]))
+    if op == "item":
+        return (new[args[0]], args[1])
+    return tuple(new[n] for n in args)
+
+
+ELEMENTARY = (
+    frozenset({"add", "sub", "mul", "div", "neg", "and", "or", "not", "select"})
+    | set(UNARY)
+    | set(BINARY)
+    | set(COMPARISONS)
+)

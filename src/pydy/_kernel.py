@@ -1,0 +1,67 @@
+"""The compiled form of a Program: what solvers, sweeps and right-hand sides call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pydy._graph.program import Program
+
+__all__ = ["Kernel"]
+
+Sweep = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
+
+
+@dataclass(frozen=True, eq=False)
+class Kernel:
+    """Machine code, or the next best thing, for a Program.
+
+    Attributes
+    ----------
+    program : Program
+    sweep : callable
+        ``sweep(t, x, r, p) -> (out, failed)`` over m samples; t (m,), x (m, n), r (m, s) or (1, s)
+        for all samples alike, p (k,), all of them C-contiguous float64. `failed` marks the samples
+        whose linear solve was singular.
+    call : callable
+        ``call(x, t, r, p, out) -> int`` for one state, without any checking beyond what keeps it
+        safe: −1 asks the caller to convert its arguments and call again, otherwise the bit mask
+        of failed lanes.
+    rebuild : callable
+        ``rebuild(program, *recipe)`` gives this Kernel again, where it is unpickled.
+    recipe : tuple
+    addresses : (int, int) or None
+        Native entry points ``kernel`` and ``prepare``; None for a back end without any.
+    lanes : int
+        How many states one native call takes.
+    owner : object
+        Keeps the machine code alive.
+    """
+
+    program: Program
+    sweep: Sweep
+    call: Call
+    rebuild: Callable[..., Kernel]
+    recipe: tuple[Any, ...] = ()
+    addresses: tuple[int, int] | None = None
+    lanes: int = 1
+    owner: Any = field(default=None, repr=False)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (self.rebuild, (self.program, *self.recipe))
+
+    def __copy__(self) -> Kernel:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Kernel:
+        return self  # a Kernel never changes
+
+    def evaluate(
+        self, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Evaluate m samples; see `sweep`."""
+        return self.sweep(t, x, r, p)

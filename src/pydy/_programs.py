@@ -1,0 +1,408 @@
+"""Equations and outputs into Programs: the one place where the form of the equations is decided.
+
+An `Assembly` holds the whole system as nodes of one graph; a Program is lowered from any selection
+of its blocks, so that a solver pays for the state derivatives alone and an evaluation of outputs
+for nothing else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from pydy._eom.equations import Equations
+from pydy._eom.symbols import find_symbols
+from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.program import Program
+from pydy._graph.simplify import again, rebuild, simplify
+
+__all__ = [
+    "Assembly",
+    "Group",
+    "assemble_form",
+    "assemble_system",
+    "auxiliary_groups",
+    "check_accelerations",
+]
+
+
+@dataclass(frozen=True)
+class Group:
+    """Outputs that are given together.
+
+    Attributes
+    ----------
+    names : tuple of symbols or functions of time
+    expressions : tuple of expressions
+        Values, or equations that are zero, when they contain the names themselves.
+    """
+
+    names: tuple[Any, ...]
+    expressions: tuple[Any, ...]
+
+
+@dataclass
+class Assembly:
+    """A system as nodes of one graph.
+
+    Attributes
+    ----------
+    graph : Graph
+    sizes : (int, int, int)
+        Numbers of states, specifieds and constants.
+    rates : list of nodes
+        Derivatives of the states.
+    ordinary : list of nodes
+        The outputs that come back beside the derivatives.
+    outputs : list of nodes
+        All outputs, in the user's order.
+    holonomic, velocity, nonholonomic : list of nodes
+        Constraint residuals.
+    mass_matrix, forcing : list of nodes
+        The linear system for the accelerations; empty where the form has none.
+    simplified : bool
+        Whether Programs are rewritten to fewer operations.
+    """
+
+    graph: Graph
+    sizes: tuple[int, int, int]
+    rates: list[int]
+    ordinary: list[int]
+    outputs: list[int]
+    holonomic: list[int] = field(default_factory=list)
+    velocity: list[int] = field(default_factory=list)
+    nonholonomic: list[int] = field(default_factory=list)
+    mass_matrix: list[int] = field(default_factory=list)
+    forcing: list[int] = field(default_factory=list)
+    simplified: bool = True
+
+    @property
+    def constraints(self) -> list[int]:
+        """Residuals of the holonomic, then the nonholonomic constraints."""
+        return [*self.holonomic, *self.nonholonomic]
+
+    def program(self, *names: str) -> Program:
+        """Return the Program of the named blocks.
+
+        Parameters
+        ----------
+        names : {'rates', 'ordinary', 'outputs', 'holonomic', 'velocity', 'constraints', ...}
+            Attributes of this class.
+        """
+        return self.lowered([(name, (len(nodes := getattr(self, name)),), nodes) for name in names])
+
+    def jacobian_program(self, name: str, group: str) -> Program:
+        """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
+        nodes: list[int] = getattr(self, name)
+        width = dict(zip("xrp", self.sizes, strict=True))[group]
+        rows = jacobian(self.graph, nodes, [self.graph.input(group, k) for k in range(width)])
+        cells = [row.get(k, self.graph.zero) for row in rows for k in range(width)]
+        return self.lowered([("jacobian", (len(nodes), width), cells)])
+
+    def lowered(self, blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]]) -> Program:
+        """Simplify and lower blocks of nodes."""
+        nodes = [n for _, _, part in blocks for n in part]
+        if self.simplified:
+            nodes = simplify(self.graph, nodes)
+        new = []
+        start = 0
+        for name, shape, part in blocks:
+            new.append((name, shape, nodes[start : start + len(part)]))
+            start += len(part)
+        return lower(self.graph, self.sizes, new)
+
+
+def _inputs(
+    graph: Graph,
+    time: Any,
+    states: Sequence[Any],
+    specifieds: Sequence[Any],
+    constants: Sequence[Any],
+) -> dict[Any, int]:
+    atoms: dict[Any, int] = {s: graph.input("p", k) for k, s in enumerate(constants)}
+    atoms[time] = graph.input("t", 0)
+    atoms.update((s, graph.input("r", k)) for k, s in enumerate(specifieds))
+    atoms.update((s, graph.input("x", k)) for k, s in enumerate(states))
+    return atoms
+
+
+def _substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
+    """Replace input nodes by other nodes."""
+
+    def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
+        return mapping[node] if node in mapping else again(graph, op, args)
+
+    return rebuild(graph, roots, rule)
+
+
+# -- systems ------------------------------------------------------------------------------------
+
+
+def auxiliary_groups(equations: Equations, groups: Sequence[Group]) -> list[bool]:
+    """Tell which groups are integrated: those with their own names and derivatives of speeds."""
+    rates = {u.diff(equations.time) for u in equations.speeds}
+    flags = []
+    for group in groups:
+        found = find_symbols(group.expressions)
+        flags.append(any(n in found for n in group.names) and any(s in rates for s in found))
+    return flags
+
+
+def assemble_system(
+    equations: Equations,
+    groups: Sequence[Group],
+    auxiliaries: Sequence[Any],
+    specifieds: Sequence[Any],
+    constants: Sequence[Any],
+    *,
+    external: bool = False,
+    simplified: bool = True,
+) -> Assembly:
+    """Assemble a mechanical system with its outputs.
+
+    Parameters
+    ----------
+    equations : Equations
+    groups : sequence of Group
+        Outputs, in the user's order.
+    auxiliaries : sequence of symbols
+        The auxiliary states, one for each name of an integrated group.
+    specifieds, constants : sequence of symbols
+        In the order of the arrays r and p.
+    external : bool
+        Whether the accelerations are solved for by a user's solver: they then are inputs, at the
+        end of r.
+    simplified : bool
+
+    Raises
+    ------
+    ValueError
+        Accelerations occur nonlinearly in the equations of motion, a group is nonlinear in its own
+        names, or outputs refer to each other in a circle.
+    """
+    graph = Graph()
+    q, u, t = equations.coordinates, equations.speeds, equations.time
+    atoms = _inputs(graph, t, [*q, *u, *auxiliaries], specifieds, constants)
+    accelerations = [graph.input("a", k) for k in range(len(u))]
+    atoms.update((z, graph.zero) for z in equations.zeros)
+    read = SymPyReader(graph, atoms, "the equations of motion")
+    kinematics = read.all(equations.coordinate_derivatives)
+    for symbol, node in zip(q, kinematics, strict=True):
+        read.define(symbol.diff(t), node)
+    for symbol, node in zip(u, accelerations, strict=True):
+        read.define(symbol.diff(t), node)
+    matrix = read.all(equations.mass_matrix)
+    forcing = read.all(equations.forcing)
+    matrix, forcing, moved = _collect_accelerations(
+        graph, equations, matrix, forcing, accelerations
+    )
+    read.what = "the constraints"
+    holonomic = read.all(equations.holonomic)
+    velocity = read.all(equations.velocity)
+    nonholonomic = read.all(equations.nonholonomic)
+    n = len(u)
+    sizes = (len(q) + n + len(auxiliaries), len(specifieds), len(constants))
+    if external:
+        solved = [graph.input("r", len(specifieds) + k) for k in range(n)]
+    else:
+        kind = "ldl" if equations.positive_definite and not moved else "lu"
+        rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
+        solved = graph.solve(rows, [forcing], kind)[0]
+    read.what = "the outputs"
+    values = _evaluate_groups(graph, read, groups, dict(zip(accelerations, solved, strict=True)))
+    integrated = auxiliary_groups(equations, groups)
+    outputs = [node for part in values for node in part]
+    aux = [n for part, flag in zip(values, integrated, strict=True) if flag for n in part]
+    ordinary = [n for part, flag in zip(values, integrated, strict=True) if not flag for n in part]
+    return Assembly(
+        graph,
+        (sizes[0], sizes[1] + n, sizes[2]) if external else sizes,
+        [*kinematics, *solved, *aux],
+        ordinary,
+        outputs,
+        holonomic,
+        velocity,
+        nonholonomic,
+        matrix,
+        forcing,
+        simplified,
+    )
+
+
+def check_accelerations(equations: Equations) -> None:
+    """Refuse equations of motion that are nonlinear in the derivatives of the speeds."""
+    rates = {u.diff(equations.time) for u in equations.speeds}
+    if any(s in rates for s in find_symbols((*equations.mass_matrix, *equations.forcing))):
+        constants, specifieds = _other_symbols(equations)
+        assemble_system(equations, (), (), specifieds, constants)
+
+
+def _other_symbols(equations: Equations) -> tuple[list[Any], list[Any]]:
+    t = equations.time
+    states = {*equations.coordinates, *equations.speeds}
+    known = {*states, *(s.diff(t) for s in states), *equations.zeros, t}
+    rest = [s for s in find_symbols(equations.expressions) if s not in known]
+    return [s for s in rest if s.is_Symbol], [s for s in rest if not s.is_Symbol]
+
+
+def _collect_accelerations(
+    graph: Graph,
+    equations: Equations,
+    matrix: list[int],
+    forcing: list[int],
+    accelerations: list[int],
+) -> tuple[list[int], list[int], bool]:
+    """Move u' that is linear in the forcing into the mass matrix."""
+    present = set(accelerations) & set(graph.reachable([*matrix, *forcing]))
+    if not present:
+        return matrix, forcing, False
+    n = len(forcing)
+    rows = jacobian(graph, forcing, accelerations)
+    cells = [d for row in rows for d in row.values()]
+    if present & set(graph.reachable([*cells, *matrix])):
+        names = ", ".join(str(s.diff(equations.time)) for s in equations.speeds)
+        raise ValueError(
+            f"The equations of motion are nonlinear in the derivatives of the speeds ({names}) in "
+            f"the term `{_nonlinear_term(equations)}`. Loads may depend on accelerations linearly "
+            "only."
+        )
+    forcing = _substitute(graph, forcing, dict.fromkeys(accelerations, graph.zero))
+    matrix = list(matrix)
+    for i, row in enumerate(rows):
+        for j, d in row.items():
+            matrix[i * n + j] = graph.sub(matrix[i * n + j], d)
+    return matrix, forcing, True
+
+
+def _nonlinear_term(equations: Equations) -> Any:
+    """Return the first additive term that is not linear in the derivatives of the speeds."""
+    rates = [u.diff(equations.time) for u in equations.speeds]
+    for expression in (*equations.forcing, *equations.mass_matrix):
+        for term in expression.expand().as_ordered_terms():
+            if any(term.diff(a).has(*rates) for a in rates):
+                return term
+    return equations.forcing
+
+
+def _evaluate_groups(
+    graph: Graph, read: SymPyReader, groups: Sequence[Group], known: dict[int, int]
+) -> list[list[int]]:
+    """Return the values of each group, solving those that are given as linear equations."""
+    own: list[list[int]] = []
+    count = 0
+    for group in groups:
+        own.append([graph.input("y", count + k) for k in range(len(group.names))])
+        count += len(group.names)
+        for name, node in zip(group.names, own[-1], strict=True):
+            read.define(name, node)
+    formulas = [read.all(group.expressions) for group in groups]
+    values: list[list[int] | None] = [None] * len(groups)
+    owner = {node: k for k, nodes in enumerate(own) for node in nodes}
+    known = dict(known)
+    waiting = list(range(len(groups)))
+    while waiting:
+        ready = []
+        for k in waiting:
+            needs = {owner[n] for n in graph.reachable(formulas[k]) if n in owner} - {k}
+            if all(values[j] is not None for j in needs):
+                ready.append(k)
+        if not ready:
+            names = ", ".join(str(n) for k in waiting for n in groups[k].names)
+            raise ValueError(
+                f"`outputs` {names} refer to each other in a circle. Give them as one group, a "
+                "tuple of names mapped to as many equations."
+            )
+        for k in ready:
+            nodes = _substitute(graph, formulas[k], known)
+            solved = _solve_group(graph, groups[k], nodes, own[k])
+            values[k] = solved
+            known.update(zip(own[k], solved, strict=True))
+            waiting.remove(k)
+    return [v for v in values if v is not None]
+
+
+def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -> list[int]:
+    if not set(own) & set(graph.reachable(nodes)):
+        return nodes
+    n = len(own)
+    rows = jacobian(graph, nodes, own)
+    names = ", ".join(map(str, group.names))
+    if set(own) & set(graph.reachable([d for row in rows for d in row.values()])):
+        raise ValueError(
+            f"`outputs` for {names} are nonlinear in {names}. Equations that contain their own "
+            "names must be linear in them; solve them for the names first."
+        )
+    for k in range(n):
+        if not rows[k] or not any(k in row for row in rows):
+            raise ValueError(
+                f"`outputs` for {names} cannot be solved for {names}: there must be as many "
+                "independent equations as names."
+            )
+    rest = _substitute(graph, nodes, dict.fromkeys(own, graph.zero))
+    right = [graph.neg(node) for node in rest]
+    # One unknown an equation, with a number before it, needs no solve.
+    if all(len(row) == 1 and graph.value(next(iter(row.values()))) for row in rows):
+        places = {next(iter(row)): i for i, row in enumerate(rows)}
+        if len(places) == n:
+            return [graph.div(right[places[k]], rows[places[k]][k]) for k in range(n)]
+    matrix = [[row.get(k, graph.zero) for k in range(n)] for row in rows]
+    return graph.solve(matrix, [right], "lu")[0]
+
+
+# -- the forms of generate_ode_function -----------------------------------------------------------
+
+
+def assemble_form(
+    right_hand_side: Sequence[Any],
+    coordinates: Sequence[Any],
+    speeds: Sequence[Any],
+    constants: Sequence[Any],
+    specifieds: Sequence[Any],
+    mass_matrix: Any,
+    coordinate_derivatives: Sequence[Any] | None,
+    outputs: Sequence[Any],
+    time: Any,
+    *,
+    external: bool = False,
+    simplified: bool = True,
+) -> Assembly:
+    """Assemble equations in one of the forms [1] x' = F, [2] M x' = F, [3] M u' = F with q' = G."""
+    graph = Graph()
+    states = [*coordinates, *speeds]
+    atoms = _inputs(graph, time, states, specifieds, constants)
+    read = SymPyReader(graph, atoms, "the right-hand side")
+    first: list[int] = []
+    if coordinate_derivatives is not None:
+        read.what = "`coordinate_derivatives`"
+        first = read.all(coordinate_derivatives)
+        for symbol, node in zip(coordinates, first, strict=True):
+            read.define(symbol.diff(time), node)
+        read.what = "the right-hand side"
+    forcing = read.all(right_hand_side)
+    matrix: list[int] = []
+    sizes = (len(states), len(specifieds), len(constants))
+    n = len(forcing)
+    if mass_matrix is None:
+        rates = forcing
+    else:
+        read.what = "`mass_matrix`"
+        matrix = read.all(mass_matrix)
+        if external:
+            solved = [graph.input("r", len(specifieds) + k) for k in range(n)]
+            sizes = (sizes[0], sizes[1] + n, sizes[2])
+        else:
+            rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
+            solved = graph.solve(rows, [forcing], "lu")[0]
+        rates = [*first, *solved]
+    for symbol, node in zip(states, rates, strict=True):
+        read.define(symbol.diff(time), node)
+    read.what = "`outputs`"
+    values = read.all(outputs)
+    return Assembly(
+        graph, sizes, rates, values, values, mass_matrix=matrix, forcing=forcing,
+        simplified=simplified,
+    )  # fmt: skip

@@ -1,0 +1,1 @@
+"""The parts of `pydy.system.System`: checks, definition, evaluation, dependent states."""

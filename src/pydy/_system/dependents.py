@@ -1,0 +1,144 @@
+"""Solve the constraints for the dependent coordinates and speeds."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from scipy import optimize
+
+from pydy._errors import PyDyUserWarning, SingularMatrixError
+from pydy._system.definition import Definition
+from pydy._system.evaluation import evaluate
+from pydy.codegen.arguments import describe
+from pydy.codegen.right_hand_side import RightHandSide
+
+__all__ = ["check_dependents", "solve_dependents"]
+
+
+def check_dependents(definition: Definition, dep_vars: Any) -> tuple[list[int], list[int]]:
+    """Return the places in x of the dependent coordinates and speeds.
+
+    Raises
+    ------
+    ValueError
+        The system has no constraints, or their number does not fit.
+    """
+    equations = definition.equations
+    holonomic, velocity = len(equations.holonomic), len(equations.velocity)
+    if not holonomic and not velocity:
+        raise ValueError(
+            "The system has no constraints, so no initial condition depends on the others."
+        )
+    if dep_vars is None:
+        chosen = [*equations.dependent_coordinates, *equations.dependent_speeds]
+    else:
+        chosen = list(dep_vars)
+    allowed = (*equations.coordinates, *equations.speeds)
+    for symbol in chosen:
+        if symbol not in allowed:
+            raise ValueError(
+                f"`dep_vars` has `{symbol}`, which is not a coordinate or speed of the system."
+            )
+    if len(set(chosen)) != len(chosen):
+        raise ValueError(f"`dep_vars` repeat a variable: {describe(chosen)}.")
+    q = [allowed.index(s) for s in chosen if s in equations.coordinates]
+    u = [allowed.index(s) for s in chosen if s in equations.speeds]
+    if len(q) != holonomic or len(u) != velocity:
+        raise ValueError(
+            f"`dep_vars` must have {holonomic + velocity} variables, {holonomic} coordinates for "
+            f"the holonomic and {velocity} speeds for the velocity constraints, got {len(chosen)}, "
+            f"{len(q)} and {len(u)}: {describe(chosen)}."
+        )
+    return q, u
+
+
+def solve_dependents(
+    implementation: RightHandSide,
+    definition: Definition,
+    x: np.ndarray,
+    t: float,
+    specified: Callable[[np.ndarray, float], np.ndarray],
+    p: np.ndarray,
+    places: tuple[list[int], list[int]],
+    use_jac: bool,
+    root_kwargs: dict[str, Any],
+) -> np.ndarray:
+    """Return x with its dependent coordinates and speeds solved for.
+
+    Parameters
+    ----------
+    implementation : RightHandSide
+    definition : Definition
+    x : ndarray, shape (n,)
+        Holds the independent values and the guesses.
+    t : float
+    specified : callable
+        Gives r at a state and time.
+    p : ndarray, shape (k,)
+    places : (list of int, list of int)
+        Of the dependent coordinates and speeds in x.
+    use_jac : bool
+        Whether the root finder gets the exact Jacobian.
+    root_kwargs : dict
+        For `scipy.optimize.root`.
+    """
+    coordinates, speeds = places
+    x = x.copy()
+    instant = np.array([t])
+
+    def value(kernel: Any, state: np.ndarray) -> np.ndarray:
+        r = specified(state, t)[None]
+        row: np.ndarray = evaluate(kernel, implementation.layout, instant, state[None], r, p)[0]
+        return row
+
+    if coordinates:
+        residual = implementation.compiled("holonomic")
+
+        def placed(z: np.ndarray) -> np.ndarray:
+            state = x.copy()
+            state[coordinates] = z
+            return state
+
+        if use_jac:
+            gradient = implementation.compiled_jacobian("holonomic", "x")
+            shape = (len(coordinates), len(x))
+            root_kwargs = {
+                "jac": lambda z: value(gradient, placed(z)).reshape(shape)[:, coordinates],
+                **root_kwargs,
+            }
+        solution = optimize.root(
+            lambda z: value(residual, placed(z)), x[coordinates], **root_kwargs
+        )
+        x[coordinates] = solution.x
+        left = value(residual, x)
+        # hybr can stop short of its step criterion with nothing left to improve.
+        close = np.abs(left).max() <= 1e-10 * max(1.0, float(np.abs(x).max()))
+        if not close and not (solution.success and np.isfinite(left).all()):
+            names = [definition.states[k] for k in coordinates]
+            warnings.warn(
+                f"The holonomic constraints did not converge for {describe(names)}: the largest "
+                f"residual is {np.abs(left).max():.3g} ({' '.join(str(solution.message).split())}) "
+                "Give initial conditions nearer to a solution, or another `method`.",
+                PyDyUserWarning,
+                stacklevel=3,
+            )
+    if speeds:
+        kernel = implementation.compiled_jacobian("velocity", "x")
+        matrix = value(kernel, x).reshape(len(speeds), len(x))[:, speeds]
+        start = x.copy()
+        start[speeds] = 0.0
+        right = -value(implementation.compiled("velocity"), start)
+        try:
+            x[speeds] = np.linalg.solve(matrix, right)
+        except np.linalg.LinAlgError:
+            names = [definition.states[k] for k in speeds]
+            raise SingularMatrixError(
+                f"The velocity constraints cannot be solved for {describe(names)} at t = {t!r}: "
+                "their matrix is singular in this configuration. Choose other `dep_vars`.",
+                t,
+                x,
+            ) from None
+    return x

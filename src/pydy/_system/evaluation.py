@@ -1,0 +1,126 @@
+"""Evaluate compiled blocks at one state or along a trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from pydy._kernel import Kernel
+from pydy.codegen.arguments import number, real_array
+from pydy.codegen.right_hand_side import Layout, raise_singular
+
+__all__ = ["evaluate", "samples"]
+
+Plan = Callable[[np.ndarray, float], np.ndarray]
+
+
+def samples(
+    x: Any, t: Any, default: Callable[[], np.ndarray], times: np.ndarray, n: int
+) -> tuple[np.ndarray, np.ndarray, bool]:
+    """Return states (m, n), times (m,), and whether there is only one sample.
+
+    Parameters
+    ----------
+    x : array_like, shape (n,) or (m, n), or None
+    t : float or array_like, shape (m,), or None
+    default : callable
+        Gives the state that None stands for.
+    times : ndarray
+        What t None stands for.
+    n : int
+    """
+    if x is None:
+        states = default()
+    else:
+        states = real_array(x, "`x`")
+        if states.ndim not in (1, 2) or states.shape[-1] != n:
+            raise ValueError(
+                f"`x` must have the shape ({n},) or (m, {n}), one column for each state, got "
+                f"{states.shape}."
+            )
+    single = states.ndim == 1
+    if t is None:
+        if single:
+            instants = times[:1] if len(times) else np.zeros(1)
+        else:
+            instants = times if len(times) else np.zeros(len(states))
+        source = "the System's `times`"
+    else:
+        instants = real_array(t, "`t`")
+        source = "`t`"
+        if single:
+            if instants.ndim != 0:
+                raise ValueError(
+                    f"`t` must be a scalar for `x` of the shape {states.shape}, got the shape "
+                    f"{np.shape(t)}."
+                )
+            instants = instants.reshape(1)
+        elif instants.ndim != 1:
+            raise ValueError(
+                f"`t` must have the shape ({len(states)},) for `x` of the shape {states.shape}, "
+                f"got the shape {np.shape(t)}."
+            )
+    if not single and len(instants) != len(states):
+        raise ValueError(
+            f"`x` and `t` must have as many rows as times: `x` has the shape {states.shape}, "
+            f"{source} the shape {instants.shape}."
+        )
+    return (states[None] if single else states), np.ascontiguousarray(instants), single
+
+
+def specified_rows(
+    r: Any, plan: Callable[[Any], Any], t: np.ndarray, x: np.ndarray, size: int
+) -> np.ndarray:
+    """Return r for the samples: shape (1, s) when it is the same for all, else (m, s)."""
+    if r is not None and not callable(r) and not hasattr(r, "items"):
+        array = real_array(r, "`r`")
+        if array.shape == (size,) or array.shape == (len(t), size):
+            return np.atleast_2d(array)
+        raise ValueError(
+            f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}."
+        )
+    made = plan(r)
+    if made.constant:
+        return np.ascontiguousarray(made.base[None])
+    return np.array([made(x[k], float(t[k])) for k in range(len(t))]).reshape(len(t), size)
+
+
+def evaluate(
+    kernel: Kernel,
+    layout: Layout,
+    t: np.ndarray,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+) -> np.ndarray:
+    """Return the flat outputs of a Kernel at m samples, shape (m, o).
+
+    Raises
+    ------
+    SingularMatrixError
+        With the time and state of the first sample whose linear solve is singular.
+    """
+    out, failed = kernel.evaluate(t, x, r, p)
+    if failed.any():
+        k = int(np.flatnonzero(failed)[0])
+        raise_singular(layout, float(t[k]), x[k])
+    return out
+
+
+def override(p: Any, base: np.ndarray, symbols: tuple[Any, ...]) -> np.ndarray:
+    """Return constants with values for this call: a dictionary of some, or all in order."""
+    if p is None:
+        return base
+    if not hasattr(p, "items"):
+        array = real_array(p, "`p`")
+        if array.shape != base.shape:
+            raise ValueError(f"`p` must have the shape {base.shape}, got {array.shape}.")
+        return array
+    result = base.copy()
+    for key, value in p.items():
+        if key not in symbols:
+            raise ValueError(f"`p` has a value for `{key}`, which is not a constant of the system.")
+        result[symbols.index(key)] = number(value, f"`p[{key}]`", finite=True)
+    return result

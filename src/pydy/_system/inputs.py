@@ -1,0 +1,245 @@
+"""Checks of what users hand to System: each returns plain data or says what is wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sm
+from sympy.core.function import AppliedUndef
+
+from pydy._eom.equations import Equations
+from pydy._eom.symbols import find_symbols, sort_symbols
+from pydy._errors import UnsupportedFunctionError
+from pydy._programs import Group
+from pydy.codegen.arguments import describe, number, real_array
+
+__all__ = [
+    "SymbolSet",
+    "check_forces",
+    "check_mapping",
+    "check_symbols",
+    "check_times",
+    "output_groups",
+    "sort_out",
+]
+
+
+class SymbolSet(set[Any]):
+    """A set of symbols that iterates and prints in sorted order."""
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(sort_symbols(set.__iter__(self)))
+
+    def __repr__(self) -> str:
+        return "{" + ", ".join(map(str, self)) + "}" if self else "set()"
+
+    __str__ = __repr__
+
+
+def check_times(times: Any) -> np.ndarray:
+    """Return times as a float array, shape (n,)."""
+    if times is None:
+        return np.empty(0)
+    if not hasattr(times, "__len__") or np.ndim(times) == 0:
+        raise TypeError(
+            f"`times` must be a sequence of time values, got the {type(times).__name__} {times!r}."
+        )
+    array = np.array(real_array(times, "`times`"))
+    if array.ndim != 1:
+        raise ValueError(f"`times` must be one-dimensional, got the shape {array.shape}.")
+    if not np.isfinite(array).all():
+        where = int(np.flatnonzero(~np.isfinite(array))[0])
+        raise ValueError(f"`times` must be finite, got {array[where]} at index {where}.")
+    down = np.flatnonzero(np.diff(array) < 0.0)
+    if down.size:
+        k = int(down[0])
+        raise ValueError(
+            f"`times` must be ascending, got {array[k + 1]} after {array[k]} at index {k + 1}."
+        )
+    if array.size and array[0] < 0.0:
+        raise ValueError(f"`times` must not be negative, got {array[0]} at index 0.")
+    return array
+
+
+def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
+    """Return a dictionary as it is, so that later changes by its owner are seen."""
+    if value is None:
+        return {}
+    if isinstance(value, dict):
+        return value
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
+
+
+def check_values(
+    argument: str, values: Mapping[Any, Any], symbols: Sequence[Any], default: float, what: str
+) -> np.ndarray:
+    """Return the values of symbols in order; those without one get the default."""
+    place = {s: k for k, s in enumerate(symbols)}
+    array = np.full(len(symbols), default)
+    for key, value in values.items():
+        if key not in place:
+            raise ValueError(
+                f"`{argument}` has the key `{key}`, which is not one of the {what} of the system: "
+                f"{describe(symbols)}."
+            )
+        array[place[key]] = number(value, f"`{argument}[{key}]`", finite=True)
+    return array
+
+
+def check_symbols(argument: str, symbols: Iterable[Any], kind: str) -> list[Any]:
+    """Return a user's own list of constants or specifieds, sorted."""
+    try:
+        unique = set(symbols)
+    except TypeError:
+        raise TypeError(f"`{argument}` must be an iterable of symbols, got {symbols!r}.") from None
+    for symbol in unique:
+        constant = isinstance(symbol, sm.Symbol)
+        function = isinstance(symbol, (AppliedUndef, sm.Derivative))
+        if not (constant if kind == "constant" else function):
+            expected = "symbols" if kind == "constant" else "functions of time"
+            raise ValueError(f"`{argument}` must hold {expected}, got `{symbol}`.")
+    return sort_symbols(unique)
+
+
+def sort_out(
+    equations: Equations, expressions: Iterable[Any], known: Iterable[Any] = ()
+) -> tuple[list[Any], list[Any]]:
+    """Return the constants and the specifieds that occur in expressions, sorted.
+
+    Parameters
+    ----------
+    equations : Equations
+        Tells what is a state.
+    expressions : iterable of expressions
+    known : iterable of symbols
+        Other names that are neither, such as those of outputs.
+
+    Raises
+    ------
+    ValueError
+        A derivative of a coordinate or speed that the equations of motion do not provide.
+    UnsupportedFunctionError
+        An undefined function that is not one of time alone, or a derivative of something else.
+    """
+    t = equations.time
+    expressions = list(expressions)
+    states = {*equations.coordinates, *equations.speeds}
+    skip = {*states, *equations.zeros, *known, t}
+    skip.update(s.diff(t) for s in states)
+    constants, specifieds = [], []
+    for symbol in find_symbols(expressions):
+        if symbol in skip:
+            continue
+        if isinstance(symbol, sm.Symbol):
+            constants.append(symbol)
+            continue
+        function = symbol.expr if isinstance(symbol, sm.Derivative) else symbol
+        if function in states or function in equations.auxiliary_speeds:
+            raise ValueError(
+                f"The term `{_term_with(symbol, expressions)}` holds `{symbol}`, but of the "
+                "coordinates and speeds only the first derivatives are available. Rewrite it in "
+                "terms of the speeds and their first derivatives."
+            )
+        variables = symbol.variables if isinstance(symbol, sm.Derivative) else ()
+        if (
+            not isinstance(function, AppliedUndef)
+            or function.args != (t,)
+            or any(v != t for v in variables)
+        ):
+            raise UnsupportedFunctionError(
+                f"The expressions hold `{symbol}`, which is not a function of time `{t}` alone. "
+                "Make it a function of time and give its values as a specified, or write it with "
+                "elementary functions."
+            )
+        specifieds.append(symbol)
+    return sort_symbols(constants), sort_symbols(specifieds)
+
+
+def _term_with(symbol: Any, expressions: Iterable[Any]) -> Any:
+    for expression in expressions:
+        if symbol in find_symbols([expression]):
+            for term in sm.Add.make_args(expression):
+                if symbol in find_symbols([term]):
+                    return term
+    return symbol
+
+
+def output_groups(outputs: Mapping[Any, Any]) -> list[Group]:
+    """Return the entries of an outputs dictionary as groups of names and expressions."""
+    groups = []
+    seen: set[Any] = set()
+    for key, value in outputs.items():
+        several = isinstance(key, (tuple, list))
+        names = tuple(key) if several else (key,)
+        for name in names:
+            if not isinstance(name, (sm.Symbol, AppliedUndef)):
+                raise ValueError(
+                    f"`outputs` has the key `{key!r}`, but keys must be a symbol or a function of "
+                    "time, or a tuple of them."
+                )
+            if name in seen:
+                raise ValueError(f"`outputs` gives `{name}` more than once.")
+            seen.add(name)
+        if isinstance(value, (tuple, list, sm.MatrixBase)):
+            expressions = tuple(_expression(names, e) for e in value)
+        else:
+            expressions = (_expression(names, value),)
+        if len(expressions) != len(names):
+            raise ValueError(
+                f"`outputs` for {describe(names)} must be {len(names)} expressions, one for each "
+                f"name, got {len(expressions)}."
+            )
+        groups.append(Group(names, expressions))
+    return groups
+
+
+def _expression(names: Sequence[Any], value: Any) -> Any:
+    try:
+        expression = sm.sympify(value)
+    except (sm.SympifyError, TypeError):
+        expression = None
+    if not isinstance(expression, sm.Basic):
+        raise ValueError(
+            f"`outputs` for {describe(names)} must be SymPy expressions, got {value!r}."
+        )
+    return expression
+
+
+def check_forces(equations: Equations, forces: Any, eom_symbols: Iterable[Any]) -> list[Any]:
+    """Return the names of the noncontributing forces as a list."""
+    if forces is None:
+        return []
+    names = list(forces) if isinstance(forces, Iterable) else [forces]
+    if not names:
+        return []
+    wanted = len(equations.auxiliary_equations)
+    if not wanted:
+        raise RuntimeError(
+            f"`noncontributing_forces` are {describe(names)}, but the KanesMethod has no auxiliary "
+            "equations that could give them: pass `u_auxiliary` to KanesMethod."
+        )
+    if len(names) != wanted:
+        raise ValueError(
+            f"`noncontributing_forces` must have {wanted} names, one for each auxiliary speed, got "
+            f"{len(names)}: {describe(names)}."
+        )
+    if len(set(names)) != len(names):
+        raise ValueError(f"`noncontributing_forces` repeat a name: {describe(names)}.")
+    present = find_symbols(equations.auxiliary_equations)
+    moving = set(eom_symbols)
+    for name in names:
+        if name not in present:
+            raise ValueError(
+                f"`noncontributing_forces` has `{name}`, which does not occur in the auxiliary "
+                "equations of the KanesMethod."
+            )
+        if name in moving:
+            raise ValueError(
+                f"`noncontributing_forces` has `{name}`, which still occurs in the equations of "
+                "motion: it contributes, and must be a specified."
+            )
+    return names

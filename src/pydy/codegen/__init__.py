@@ -1,0 +1,1 @@
+"""Numerical functions from symbolic equations."""

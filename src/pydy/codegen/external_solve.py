@@ -1,0 +1,100 @@
+"""Accelerations from a linear solver of the user's choice instead of the built-in one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._graph.program import Program
+from pydy._kernel import Kernel
+
+__all__ = ["resolve_solver", "solve_symbolically", "with_external_solver"]
+
+Solver = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+
+def resolve_solver(solver: Any) -> Solver | str | None:
+    """Return what `linear_sys_solver` means: None (built in), a function, or 'sympy[:METHOD]'.
+
+    Raises
+    ------
+    ValueError
+        It is none of them.
+    """
+    if solver is None or solver == "builtin":
+        return None
+    if callable(solver):
+        function: Solver = solver
+        return function
+    if solver == "numpy":
+        return np.linalg.solve
+    if solver == "scipy":
+        import scipy.linalg
+
+        return scipy.linalg.solve  # type: ignore[no-any-return]
+    if isinstance(solver, str) and solver.partition(":")[0] == "sympy":
+        return solver
+    raise ValueError(
+        f"`linear_sys_solver` is {solver!r}, but it must be 'builtin', 'numpy', 'scipy', 'sympy', "
+        "'sympy:METHOD' or a function solve(A, b)."
+    )
+
+
+def solve_symbolically(matrix: Any, column: Sequence[Any], solver: str) -> list[Any]:
+    """Return the symbolic solution for 'sympy' or 'sympy:METHOD'."""
+    method = solver.partition(":")[2] or "LU"
+    try:
+        return list(matrix.solve(sm.Matrix(column), method=method))
+    except ValueError as error:
+        raise ValueError(
+            f"`linear_sys_solver` is {solver!r}, of which SymPy says: {error}"
+        ) from error
+
+
+def with_external_solver(program: Program, system: Kernel, solver: Solver, rest: Kernel) -> Kernel:
+    """Chain the matrices, a solver and what follows from its solution into one Kernel.
+
+    Parameters
+    ----------
+    program : Program
+        That of `rest`.
+    system : Kernel
+        Computes the blocks 'mass_matrix' and 'forcing'.
+    solver : callable
+        ``solve(A, b) -> x``.
+    rest : Kernel
+        Takes the solution at the end of r.
+    """
+    n = system.program.block("forcing").stop - system.program.block("forcing").start
+
+    def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
+        if not all(type(a) is np.ndarray for a in (x, r, p)):
+            return -1
+        matrices = np.empty(n * n + n)
+        status = system.call(x, t, r, p, matrices)
+        if status:
+            return status
+        try:
+            solution = solver(matrices[: n * n].reshape(n, n), matrices[n * n :])
+        except np.linalg.LinAlgError:
+            return 1
+        solution = np.asarray(solution, dtype=float)
+        if solution.size != n:
+            raise ValueError(
+                f"`linear_sys_solver` must return {n} numbers, got the shape {solution.shape}."
+            )
+        return rest.call(x, t, np.concatenate([r, solution.ravel()]), p, out)
+
+    def sweep(
+        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        out = np.full((len(t), len(program.outputs)), np.nan)
+        failed = np.zeros(len(t), dtype=bool)
+        for k, row in enumerate(np.broadcast_to(r, (len(t), r.shape[1]))):
+            failed[k] = call(x[k], float(t[k]), np.ascontiguousarray(row), p, out[k])
+        return out, failed
+
+    return Kernel(program, sweep, call, with_external_solver, (system, solver, rest))

@@ -1,0 +1,311 @@
+"""Numerical right-hand sides ``x' = f(x, t, r, p)`` from symbolic equations."""
+
+from __future__ import annotations
+
+import itertools
+import weakref
+from collections.abc import Callable, Sequence
+from types import FunctionType
+from typing import Any
+
+import sympy as sm
+from sympy.physics.mechanics import dynamicsymbols
+
+from pydy._backends.registry import resolve
+from pydy._programs import Assembly, assemble_form
+from pydy.codegen.arguments import describe
+from pydy.codegen.external_solve import resolve_solver, solve_symbolically
+from pydy.codegen.right_hand_side import Layout, RightHandSide
+
+__all__ = ["generate_ode_function"]
+
+
+def generate_ode_function(
+    right_hand_side: Any,
+    coordinates: Sequence[Any],
+    speeds: Sequence[Any],
+    constants: Sequence[Any] = (),
+    mass_matrix: Any = None,
+    coordinate_derivatives: Any = None,
+    specifieds: Sequence[Any] | None = None,
+    outputs: Any = None,
+    linear_sys_solver: Any = "builtin",
+    constants_arg_type: str | None = None,
+    specifieds_arg_type: str | None = None,
+    time_first: bool = False,
+    generator: Any = "llvm",
+    **generator_options: Any,
+) -> Callable[..., Any]:
+    """Return a function that evaluates the derivatives of the states.
+
+    The equations are given in one of three forms::
+
+        [1]  x' = F(x, t, r, p)
+        [2]  M(x, t, r, p) x' = F(x, t, r, p)
+        [3]  M(q, t, r, p) u' = F(x, t, r, p),  q' = G(q, u, t, r, p)
+
+    where the states x are the coordinates q and then the speeds u, t is time, r are the specifieds
+    and p the constants.
+
+    Parameters
+    ----------
+    right_hand_side : Matrix, shape (n, 1), or sequence of expressions
+        F; n is the number of states for [1] and [2], the number of speeds for [3].
+    coordinates : sequence of functions of time
+        The generalized coordinates q.
+    speeds : sequence of functions of time
+        The generalized speeds u.
+    constants : sequence of Symbol, optional
+        In the order of the array p.
+    mass_matrix : Matrix, shape (n, n), optional
+        M, for [2] and [3].
+    coordinate_derivatives : Matrix, shape (m, 1), or sequence of expressions, optional
+        G, for [3].
+    specifieds : sequence of functions of time, optional
+        In the order of the array r. Without any, the function is called without r.
+    outputs : Matrix or sequence of expressions, optional
+        Evaluated beside the derivatives. They may contain the derivatives of the states.
+    linear_sys_solver : {'builtin', 'numpy', 'scipy', 'sympy', 'sympy:METHOD'} or callable, optional
+        What solves for the derivatives in [2] and [3]: by default LU with partial pivoting in the
+        compiled code. 'sympy' solves symbolically first. A callable is used as ``solve(A, b)``.
+    constants_arg_type : {None, 'array', 'dictionary'}, optional
+        How p will be given; None looks at each call.
+    specifieds_arg_type : {None, 'array', 'dictionary', 'function'}, optional
+        How r will be given; None looks at each call.
+    time_first : bool, optional
+        Whether the function is called ``rhs(t, x, ...)``, and functions in r ``g(t, x)``.
+    generator : {'llvm', 'lambdify', 'cython'} or class, optional
+        What turns the equations into code: LLVM in this process (default, no compiler needed),
+        NumPy, C through Cython, or a class of your own with a method ``compile(program)`` (see
+        `pydy._backends.base`).
+    **generator_options
+        Keyword arguments of the generator. All take ``cse``; 'cython' takes ``prefix``,
+        ``tmp_dir``, ``verbose`` and ``force_c_contiguous`` too.
+
+    Returns
+    -------
+    rhs : function
+        ``rhs(x, t, r, p)``, without r when there are no specifieds. It returns the derivatives,
+        shape (n,), or the derivatives and the outputs, shapes (n,) and (o,). The arrays are fresh
+        at every call. Its docstring lists the orders.
+
+    Raises
+    ------
+    ValueError
+        The shapes do not fit the form, a symbol occurs that no argument provides, or an option has
+        no such value.
+    NotImplementedError
+        The generator is not known, or the expressions hold a function that cannot be translated.
+
+    Notes
+    -----
+    A singular mass matrix raises a subclass of `numpy.linalg.LinAlgError` that tells time and
+    state, when the function is called.
+
+    Examples
+    --------
+    A pendulum of length l, in the first form:
+
+    >>> import sympy as sm
+    >>> from sympy.physics.mechanics import dynamicsymbols
+    >>> from pydy.codegen.ode_function_generators import generate_ode_function
+    >>> q, u = dynamicsymbols('q, u')
+    >>> g, l = sm.symbols('g, l')
+    >>> rhs = generate_ode_function([u, -g/l*sm.sin(q)], [q], [u], [g, l])
+    >>> rhs([sm.pi.evalf()/2, 1.0], 0.0, [9.81, 2.0])
+    array([ 1.   , -4.905])
+    """
+    time = dynamicsymbols._t
+    q, u, p = list(coordinates), list(speeds), list(constants)
+    r = list(specifieds or ())
+    _refuse_repeated([*q, *u, *r, *p])
+    force = _column("right_hand_side", right_hand_side)
+    first = None
+    if coordinate_derivatives is not None:
+        first = _column("coordinate_derivatives", coordinate_derivatives)
+    matrix = _check_form(force, q, u, mass_matrix, first)
+    solver = resolve_solver(linear_sys_solver)
+    if isinstance(solver, str) and matrix is not None:
+        solved = solve_symbolically(matrix, force, solver)
+        force, matrix, first = [*(first or []), *solved], None, None
+    if matrix is None:
+        solver = None
+    values = [] if outputs is None else _column("outputs", outputs)
+    backend = resolve(generator)
+    if hasattr(backend, "generate") and not hasattr(backend, "compile"):
+        # A class in the manner of PyDy 0.9 gets the symbolic arguments as they came.
+        made: Callable[..., Any] = backend(
+            right_hand_side,
+            coordinates,
+            speeds,
+            constants,
+            mass_matrix=mass_matrix,
+            coordinate_derivatives=coordinate_derivatives,
+            specifieds=specifieds,
+            linear_sys_solver=linear_sys_solver,
+            constants_arg_type=constants_arg_type,
+            specifieds_arg_type=specifieds_arg_type,
+            **generator_options,
+        ).generate()
+        return made
+    simplified = bool(generator_options.get("cse", True))
+    external = callable(solver)
+    assembly = assemble_form(
+        force, q, u, p, r, matrix, first, values, time, external=external, simplified=simplified
+    )
+    return make_function(
+        RightHandSide(
+            assembly,
+            Layout((*q, *u), tuple(r), tuple(p)),
+            backend,
+            generator,
+            generator_options,
+            solver=solver if callable(solver) else None,
+            constants_arg_type=constants_arg_type,
+            specifieds_arg_type=specifieds_arg_type,
+            time_first=time_first,
+        )
+    )
+
+
+def _column(argument: str, value: Any) -> list[Any]:
+    """Return a column matrix or a sequence of expressions as a list."""
+    if isinstance(value, sm.MatrixBase):
+        if 1 not in value.shape and 0 not in value.shape:
+            raise ValueError(f"`{argument}` must be a column, got the shape {value.shape}.")
+        return list(value)
+    try:
+        return [sm.sympify(e) for e in value]
+    except TypeError:
+        raise ValueError(
+            f"`{argument}` must be a column matrix or a sequence of expressions, got {value!r}."
+        ) from None
+
+
+def _check_form(
+    force: list[Any], q: list[Any], u: list[Any], mass_matrix: Any, first: list[Any] | None
+) -> Any:
+    """Return the mass matrix, or None for the form [1], after checking that shapes fit."""
+    n = len(q) + len(u)
+    if mass_matrix is None:
+        if first is not None:
+            raise ValueError(
+                "`coordinate_derivatives` are given without `mass_matrix`: the form M u' = F with "
+                "q' = G needs both."
+            )
+        _check_length("right_hand_side", force, n, "states (form [1], x' = F)")
+        return None
+    matrix = sm.Matrix(mass_matrix) if not isinstance(mass_matrix, sm.MatrixBase) else mass_matrix
+    if first is None:
+        size, form = n, "states (form [2], M x' = F)"
+    else:
+        size, form = len(u), "speeds (form [3], M u' = F with q' = G)"
+        _check_length("coordinate_derivatives", first, len(q), "coordinates")
+    _check_length("right_hand_side", force, size, form)
+    if matrix.shape != (size, size):
+        raise ValueError(
+            f"`mass_matrix` must have the shape ({size}, {size}), one row for each of the {form}, "
+            f"got {matrix.shape}."
+        )
+    return matrix
+
+
+def _check_length(argument: str, value: list[Any], size: int, what: str) -> None:
+    if len(value) != size:
+        raise ValueError(
+            f"`{argument}` must have {size} entries, one for each of the {what}, got {len(value)}."
+        )
+
+
+def _refuse_repeated(symbols: list[Any]) -> None:
+    repeated = sorted({str(s) for s in symbols if symbols.count(s) > 1})
+    if repeated:
+        raise ValueError(
+            f"{describe(repeated)} are given more than once among `coordinates`, `speeds`, "
+            "`specifieds` and `constants`."
+        )
+
+
+# -- the function itself --------------------------------------------------------------------------
+
+# A function made at run time cannot be found by name where it is unpickled. Its qualified name is
+# therefore a string that pickles as "make the function again, and here is its new name", under
+# which the unpickler finds it in `generated`. `type(rhs)` stays a plain function, which is what
+# help() and inspect describe as users expect. (The dot in the name matters: for a name without
+# one, pickle's C code writes a plain copy of the string.)
+_COUNTER = itertools.count(1)
+
+
+class _Generated:
+    """The generated functions that are alive, by name."""
+
+    def __init__(self) -> None:
+        self._alive: weakref.WeakValueDictionary[str, Any] = weakref.WeakValueDictionary()
+        self._restored: dict[str, Any] = {}
+
+    def keep(self, name: str, function: Any) -> None:
+        self._alive[name] = function
+
+    def restore(self, name: str) -> None:
+        # A strong reference until the unpickler has looked the name up.
+        self._restored[name] = self._alive[name]
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        function = self._restored.pop(name, None)
+        if function is None:
+            function = self._alive.get(name)
+        if function is None:
+            raise AttributeError(f"there is no generated function {name!r}")
+        return function
+
+
+generated = _Generated()
+
+
+class _Name(str):
+    """The qualified name of a generated function, which pickles as its implementation."""
+
+    implementation: RightHandSide
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_restore, (self.implementation,))
+
+
+def _restore(implementation: RightHandSide) -> str:
+    name = str.__str__(make_function(implementation).__qualname__)
+    generated.restore(name.partition(".")[2])
+    return name
+
+
+def make_function(implementation: RightHandSide) -> FunctionType:
+    """Wrap an implementation as the function that users see."""
+    rhs: FunctionType = implementation.function()
+    name = f"rhs_{next(_COUNTER)}"
+    qualified = _Name(f"generated.{name}")
+    qualified.implementation = implementation
+    rhs.__name__ = "rhs"
+    rhs.__qualname__ = qualified
+    rhs.__module__ = __name__
+    rhs.__doc__ = implementation.docstring()
+    implementation.function_of_user = rhs
+    generated.keep(name, rhs)
+    return rhs
+
+
+def make_system_function(
+    assembly: Assembly, layout: Layout, options: dict[str, Any], solver: Any
+) -> tuple[FunctionType, RightHandSide]:
+    """Make the function of an assembled system; `options` are those of generate_ode_function."""
+    options = dict(options)
+    arguments = {
+        k: options.pop(k)
+        for k in ("constants_arg_type", "specifieds_arg_type", "time_first")
+        if k in options
+    }
+    generator = options.pop("generator", "llvm")
+    implementation = RightHandSide(
+        assembly, layout, resolve(generator), generator, options, solver=solver, **arguments
+    )
+    return make_function(implementation), implementation

@@ -1,0 +1,282 @@
+"""What stands behind a generated function: kernels, the orders of arrays, and the parsing of r, p.
+
+The function tries the compiled code first, with its arguments as they are. The code answers −1
+when they are not float64 vectors of the right length; only then are they converted and checked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._errors import SingularMatrixError
+from pydy._kernel import Kernel
+from pydy._programs import Assembly
+from pydy.codegen.arguments import ConstantsArgument, SpecifiedsArgument, real_array
+from pydy.codegen.docstring import rhs_docstring
+from pydy.codegen.external_solve import Solver, with_external_solver
+
+__all__ = ["Layout", "RightHandSide", "raise_singular"]
+
+_NOTHING = np.empty(0)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The orders of the arrays x, r and p.
+
+    Attributes
+    ----------
+    states, specifieds, constants : tuple of symbols
+    """
+
+    states: tuple[Any, ...]
+    specifieds: tuple[Any, ...]
+    constants: tuple[Any, ...]
+
+
+class RightHandSide:
+    """The implementation of a generated function.
+
+    Parameters
+    ----------
+    assembly : Assembly
+    layout : Layout
+    backend : class
+    generator : str or class
+        How the user named the back end.
+    options : dict
+        Its options.
+    solver : callable, optional
+        Solves for the accelerations outside the compiled code.
+    constants_arg_type, specifieds_arg_type : str, optional
+    time_first : bool, optional
+    """
+
+    def __init__(
+        self,
+        assembly: Assembly,
+        layout: Layout,
+        backend: type,
+        generator: Any,
+        options: dict[str, Any],
+        *,
+        solver: Solver | None = None,
+        constants_arg_type: str | None = None,
+        specifieds_arg_type: str | None = None,
+        time_first: bool = False,
+    ) -> None:
+        self.layout = layout
+        self.time_first = time_first
+        self.generator = generator
+        self.num_outputs = len(assembly.ordinary)
+        self.constants = ConstantsArgument(layout.constants, constants_arg_type)
+        self.specifieds = SpecifiedsArgument(layout.specifieds, specifieds_arg_type, time_first)
+        options = dict(options)
+        # Only the Cython generator has this option; here it decides what is refused.
+        self.refuse_strided = generator == "cython" and not options.pop("force_c_contiguous", False)
+        self._assembly = assembly
+        self._compiler = backend(**options)
+        self._solver = solver
+        self._kernels: dict[tuple[str, ...], Kernel] = {}
+        self.kernel = self.compiled("rates", *(("ordinary",) if self.num_outputs else ()))
+        self.function_of_user: Any = None  # what `make_function` made of this
+
+    def __getstate__(self) -> dict[str, Any]:
+        state = dict(self.__dict__)
+        state["_kernels"] = {}
+        state["function_of_user"] = None  # it pickles as this object: no circles
+        return state
+
+    def compiled(self, *blocks: str) -> Kernel:
+        """Return the Kernel of some blocks of the assembly, compiled at most once."""
+        kernel = self._kernels.get(blocks)
+        if kernel is None:
+            kernel = self._compiler.compile(self._assembly.program(*blocks))
+            if self._solver is not None:
+                matrices = self._system_kernel()
+                kernel = with_external_solver(kernel.program, matrices, self._solver, kernel)
+            self._kernels[blocks] = kernel
+        return kernel
+
+    def compiled_jacobian(self, block: str, group: str) -> Kernel:
+        """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
+        key = (block, "by", group)
+        kernel = self._kernels.get(key)
+        if kernel is None:
+            kernel = self._compiler.compile(self._assembly.jacobian_program(block, group))
+            self._kernels[key] = kernel
+        return kernel
+
+    def _system_kernel(self) -> Kernel:
+        key = ("mass_matrix", "forcing")
+        if key not in self._kernels:
+            # Its r is the user's own, without the solution at the end.
+            assembly = self._assembly
+            n = len(assembly.forcing)
+            whole = assembly.sizes
+            assembly.sizes = (whole[0], whole[1] - n, whole[2])
+            try:
+                self._kernels[key] = self._compiler.compile(assembly.program(*key))
+            finally:
+                assembly.sizes = whole
+        return self._kernels[key]
+
+    def docstring(self) -> str:
+        """Return the docstring that users read with help()."""
+        return rhs_docstring(
+            self.layout.states,
+            self.layout.specifieds,
+            self.layout.constants,
+            self.num_outputs,
+            specifieds_arg_type=self.specifieds.arg_type,
+            constants_arg_type=self.constants.arg_type,
+            time_first=self.time_first,
+        )
+
+    def function(self) -> Any:
+        """Return the function that evaluates, with the fast path inlined in its closure."""
+        call, slow = self.kernel.call, self._convert_and_call
+        n, total = len(self.layout.states), len(self.layout.states) + self.num_outputs
+        empty, nothing, swapped = np.empty, _NOTHING, self.time_first
+        if self.layout.specifieds:
+
+            def evaluate(args: tuple[Any, ...]) -> np.ndarray:
+                try:
+                    x, t, r, p = args
+                except ValueError:
+                    raise self._wrong_count(args) from None
+                if swapped:
+                    x, t = t, x
+                out = empty(total)
+                if call(x, t, r, p, out):
+                    slow(x, t, r, p, out)
+                return out
+
+        else:
+
+            def evaluate(args: tuple[Any, ...]) -> np.ndarray:
+                try:
+                    x, t, p = args
+                except ValueError:
+                    raise self._wrong_count(args) from None
+                if swapped:
+                    x, t = t, x
+                out = empty(total)
+                if call(x, t, nothing, p, out):
+                    slow(x, t, nothing, p, out)
+                return out
+
+        if self.num_outputs:
+
+            def rhs(*args):  # type: ignore[no-untyped-def]
+                out = evaluate(args)
+                return out[:n], out[n:]
+
+        else:
+
+            def rhs(*args):  # type: ignore[no-untyped-def]
+                return evaluate(args)
+
+        return rhs
+
+    def rates_function(self, plan: Callable[[np.ndarray, float], np.ndarray] | None) -> Any:
+        """Return ``f(x, t, r, p)`` for solvers: the derivatives alone, from arrays r and p.
+
+        Parameters
+        ----------
+        plan : callable or None
+            Gives r at each state and time, in place of the argument, when functions must be
+            called.
+        """
+        kernel = self.compiled("rates")
+        call, empty, n = kernel.call, np.empty, len(self.layout.states)
+        convert = self._convert_arrays
+
+        def f(x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+            out = empty(n)
+            if call(x, t, r, p, out):
+                convert(kernel, x, t, r, p, out)
+            return out
+
+        if plan is None:
+            return f
+
+        def f_with_functions(x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+            x = self._state(x)
+            return f(x, t, plan(x, float(t)), p)
+
+        return f_with_functions
+
+    # -- the slow path ----------------------------------------------------------------------------
+
+    def _wrong_count(self, args: tuple[Any, ...]) -> TypeError:
+        first = "t, x" if self.time_first else "x, t"
+        names = f"{first}, r, p" if self.layout.specifieds else f"{first}, p"
+        return TypeError(f"rhs({names}) takes {names.count(',') + 1} arguments, got {len(args)}.")
+
+    def _state(self, x: Any) -> np.ndarray:
+        n = len(self.layout.states)
+        if self.refuse_strided and isinstance(x, np.ndarray) and not x.flags.c_contiguous:
+            raise ValueError(
+                "`x` must be a C-contiguous array, because `force_c_contiguous` is False: pass "
+                "np.ascontiguousarray(x), or generate the function with force_c_contiguous=True."
+            )
+        array = real_array(x, "`x`")
+        if array.shape != (n,):
+            raise ValueError(
+                f"`x` must have the shape ({n},), one value for each state, got {array.shape}."
+            )
+        return array
+
+    def _convert_and_call(self, x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> None:
+        x, t = self._state(x), _time(t)
+        if self.layout.specifieds:
+            r = self.specifieds(r, x, t)
+        self._call_strict(self.kernel, x, t, r, self.constants(p), out)
+
+    def _convert_arrays(
+        self, kernel: Kernel, x: Any, t: Any, r: Any, p: Any, out: np.ndarray
+    ) -> None:
+        r, p = real_array(r, "`r`"), real_array(p, "`p`")
+        self._call_strict(kernel, self._state(x), _time(t), r, p, out)
+
+    def _call_strict(
+        self,
+        kernel: Kernel,
+        x: np.ndarray,
+        t: float,
+        r: np.ndarray,
+        p: np.ndarray,
+        out: np.ndarray,
+    ) -> None:
+        status = kernel.call(x, t, r, p, out)
+        if status > 0:
+            raise_singular(self.layout, t, x)
+        if status < 0:
+            values, failed = kernel.evaluate(np.array([t]), x[None], r[None], p)
+            if failed[0]:
+                raise_singular(self.layout, t, x)
+            out[:] = values[0]
+
+
+def _time(t: Any) -> float:
+    try:
+        return float(t)
+    except (TypeError, ValueError):
+        raise ValueError(f"`t` must be a number, got {t!r}.") from None
+
+
+def raise_singular(layout: Layout, t: float, x: np.ndarray) -> None:
+    """Raise the error of a singular mass matrix, with the state by name."""
+    state = ", ".join(f"{s} = {v:.6g}" for s, v in zip(layout.states, x, strict=True))
+    raise SingularMatrixError(
+        f"The mass matrix is singular at t = {t!r} with the state {state}. Check that no mass or "
+        "inertia is zero, that no constraint is redundant there, and that the configuration is not "
+        "a singular one.",
+        float(t),
+        np.array(x, dtype=float),
+    )

@@ -1,0 +1,1 @@
+"""Worked examples: real mechanisms, derived in the open and checked against published numbers."""

@@ -1,0 +1,141 @@
+"""Sample systems of any size, for examples, tests and benchmarks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sm
+import sympy.physics.mechanics as me
+from sympy.physics.mechanics.models import n_link_pendulum_on_cart as _sympy_pendulum
+
+from pydy.system import System
+
+__all__ = ["multi_mass_spring_damper", "n_link_pendulum_on_cart"]
+
+
+def _check_size(n: Any) -> None:
+    if isinstance(n, bool) or not isinstance(n, int) or n < 1:
+        raise ValueError(f"`n` must be a positive integer, got {n!r}.")
+
+
+def multi_mass_spring_damper(
+    n: int = 1,
+    apply_gravity: bool = False,
+    apply_external_forces: bool = False,
+    external_force_as_sin_of_t: bool = False,
+) -> System:
+    r"""Return a chain of masses, springs and dampers that hangs from a ceiling.
+
+    ::
+
+        -----------------  ceiling
+          |          |
+          / k0      ┴ c0     x0: stretch of spring 0
+          |          |
+        [      m0      ]  ↓ f0
+          |          |
+          / k1      ┴ c1     x1: stretch of spring 1
+          |          |
+        [      m1      ]  ↓ f1     g ↓
+
+    Mass i hangs at :math:`x_0 + \dots + x_i` below the ceiling.
+
+    Parameters
+    ----------
+    n : int, optional
+        Number of masses.
+    apply_gravity : bool, optional
+        Whether each mass has weight, with the constant ``g``.
+    apply_external_forces : bool, optional
+        Whether a specified force ``f_i(t)`` pulls each mass down.
+    external_force_as_sin_of_t : bool, optional
+        Whether the external forces are ``sin(t)`` instead of specifieds.
+
+    Returns
+    -------
+    System
+        Coordinates ``x0, ...`` (m), speeds ``v0, ...`` (m/s), constants ``m_i`` (kg), ``k_i``
+        (N/m), ``c_i`` (N s/m) and ``g`` (m/s²), specifieds ``f_i`` (N).
+
+    Raises
+    ------
+    ValueError
+        `n` is not a positive integer.
+
+    Examples
+    --------
+    >>> from pydy.models import multi_mass_spring_damper
+    >>> sys = multi_mass_spring_damper(2, apply_gravity=True)
+    >>> sys.constants_symbols
+    {c0, c1, g, k0, k1, m0, m1}
+    >>> sys.states
+    [x0(t), x1(t), v0(t), v1(t)]
+    """
+    _check_size(n)
+    m, k, c = (sm.symbols(f"{letter}:{n}") for letter in "mkc")
+    g = sm.Symbol("g")
+    x, v, f = (me.dynamicsymbols(f"{letter}:{n}") for letter in "xvf")
+    t = me.dynamicsymbols._t
+
+    ceiling = me.ReferenceFrame("N")
+    above = me.Point("O")
+    above.set_vel(ceiling, 0)
+    particles = []
+    loads = []
+    for i in range(n):
+        point = above.locatenew(f"P{i}", x[i] * ceiling.x)
+        point.set_vel(ceiling, above.vel(ceiling) + v[i] * ceiling.x)
+        pull = -k[i] * x[i] - c[i] * v[i]
+        if i + 1 < n:
+            pull += k[i + 1] * x[i + 1] + c[i + 1] * v[i + 1]
+        if apply_gravity:
+            pull += m[i] * g
+        if apply_external_forces or external_force_as_sin_of_t:
+            pull += sm.sin(t) if external_force_as_sin_of_t else f[i]
+        particles.append(me.Particle(f"mass{i}", point, m[i]))
+        loads.append((point, pull * ceiling.x))
+        above = point
+
+    rates = [xi.diff(t) - vi for xi, vi in zip(x, v, strict=True)]
+    kane = me.KanesMethod(ceiling, q_ind=x, u_ind=v, kd_eqs=rates)
+    kane.kanes_equations(particles, loads)
+    return System(kane)
+
+
+def n_link_pendulum_on_cart(
+    n: int = 1, cart_force: bool = True, joint_torques: bool = False
+) -> System:
+    """Return a planar pendulum of n links on a cart that slides along a line.
+
+    Each link is massless with a particle at its end. All angles are measured from the upright
+    direction. The equations are those of `sympy.physics.mechanics.models.n_link_pendulum_on_cart`.
+
+    Parameters
+    ----------
+    n : int, optional
+        Number of links.
+    cart_force : bool, optional
+        Whether a specified force ``F(t)`` pushes the cart.
+    joint_torques : bool, optional
+        Whether specified torques ``T1(t), ...`` act in the joints.
+
+    Returns
+    -------
+    System
+        Coordinates ``q0`` (cart, m) and ``q1, ...`` (rad), speeds ``u0, ...``, constants ``g``
+        (m/s²), ``l_i`` (m) and ``m_i`` (kg), specifieds ``F`` (N) and ``T_i`` (N m).
+
+    Raises
+    ------
+    ValueError
+        `n` is not a positive integer.
+
+    Examples
+    --------
+    >>> from pydy.models import n_link_pendulum_on_cart
+    >>> sys = n_link_pendulum_on_cart(2, joint_torques=True)
+    >>> sys.specifieds_symbols
+    {F(t), T1(t), T2(t)}
+    """
+    _check_size(n)
+    return System(_sympy_pendulum(n, cart_force, joint_torques))

@@ -1,0 +1,784 @@
+"""System: a multibody model with its numbers, ready to evaluate and to simulate.
+
+The class here is the friendly layer only: it keeps what the user set, checks it when it is set and
+again when it is used (a dictionary may have been edited in place), and hands ordered arrays to
+compiled code.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any
+from warnings import warn
+
+import numpy as np
+import sympy as sm
+from scipy.integrate import odeint
+
+from pydy._eom.extract import extract
+from pydy._errors import PyDyUserWarning
+from pydy._programs import check_accelerations
+from pydy._system.definition import Definition, define
+from pydy._system.dependents import check_dependents, solve_dependents
+from pydy._system.evaluation import evaluate, override, samples, specified_rows
+from pydy._system.inputs import (
+    SymbolSet,
+    check_mapping,
+    check_symbols,
+    check_times,
+    check_values,
+    sort_out,
+)
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen.external_solve import resolve_solver, solve_symbolically
+from pydy.codegen.ode_function_generators import make_system_function
+from pydy.codegen.right_hand_side import RightHandSide
+
+__all__ = ["System"]
+
+_REFUSED = {
+    "right_hand_side", "coordinates", "speeds", "constants", "mass_matrix",
+    "coordinate_derivatives", "outputs",
+}  # fmt: skip
+
+
+class System:
+    """A multibody system: its equations of motion and the numbers to evaluate them with.
+
+    All arguments but `eom_method` are attributes too and can be changed at any time.
+
+    Parameters
+    ----------
+    eom_method : sympy.physics.mechanics.KanesMethod
+        Its ``kanes_equations()`` must have been called.
+    constants : dict, optional
+        Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
+    specifieds : dict, optional
+        Maps specified functions of time, or tuples of them, to numbers, arrays or functions
+        ``g(x, t)``; those without a value are 0.0. See `specifieds` for the second format.
+    ode_solver : callable, optional
+        A solver with the signature of `scipy.integrate.odeint`, which is the default.
+    initial_conditions : dict, optional
+        Maps states to numbers; those without a value are 0.0.
+    times : array_like, shape (n,), optional
+        When the states are wanted: ascending, not negative.
+    outputs : dict, optional
+        Maps names to expressions that are evaluated beside the equations. See `outputs`.
+    noncontributing_forces : iterable of functions of time, optional
+        Names, in the KanesMethod's loads, of the forces that its auxiliary speeds bring into
+        evidence; they are then computed as outputs.
+    constants_symbols : iterable of Symbol, optional
+        Skips the search for constants in the equations.
+    specifieds_symbols : iterable of functions of time, optional
+        Skips the search for specifieds in the equations.
+
+    Raises
+    ------
+    TypeError
+        `eom_method` is not a KanesMethod.
+    ValueError
+        A value or a symbol does not fit; the message names the argument.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from sympy.physics.mechanics.models import n_link_pendulum_on_cart
+    >>> from pydy.system import System
+    >>> kane = n_link_pendulum_on_cart(1)
+    >>> sys = System(kane, initial_conditions={kane.q[1]: 0.5}, times=np.linspace(0.0, 5.0, 3))
+    >>> sys.integrate().shape
+    (3, 4)
+    """
+
+    def __init__(
+        self,
+        eom_method: Any,
+        constants: dict[Any, float] | None = None,
+        specifieds: dict[Any, Any] | None = None,
+        ode_solver: Callable[..., Any] | None = None,
+        initial_conditions: dict[Any, float] | None = None,
+        times: Any = None,
+        outputs: dict[Any, Any] | None = None,
+        noncontributing_forces: Iterable[Any] | None = None,
+        constants_symbols: Iterable[Any] | None = None,
+        specifieds_symbols: Iterable[Any] | None = None,
+    ) -> None:
+        self._equations = extract(eom_method)
+        self._eom_method = eom_method
+        self._base = self._base_symbols(constants_symbols, specifieds_symbols)
+        residuals = [*self._equations.holonomic, *self._equations.nonholonomic]
+        self._residuals = {sm.Dummy(f"c{k}"): e for k, e in enumerate(residuals)}
+        self._forces: Any = None
+        self._options: dict[str, Any] = {}
+        self._function: Any = None
+        self._made_for: Any = None
+        self._implementation: RightHandSide | None = None
+        self._exact: RightHandSide | None = None
+        self._constants: dict[Any, Any] = {}
+        self._specifieds: dict[Any, Any] = {}
+        self._initial_conditions: dict[Any, Any] = {}
+        self._outputs: dict[Any, Any] = {}
+        self._define(outputs, noncontributing_forces)
+        self.constants = constants
+        self.specifieds = specifieds
+        self.ode_solver = ode_solver
+        self.initial_conditions = initial_conditions
+        self.times = times
+
+    # -- the symbolic side ------------------------------------------------------------------------
+
+    def _base_symbols(self, constants: Any, specifieds: Any) -> tuple[list[Any], list[Any]]:
+        """Return the constants and specifieds of the equations, searched for where not given."""
+        if constants is not None and specifieds is not None:
+            return (
+                check_symbols("constants_symbols", constants, "constant"),
+                check_symbols("specifieds_symbols", specifieds, "specified"),
+            )
+        found = sort_out(self._equations, self._equations.expressions)
+        check_accelerations(self._equations)
+        if constants is not None:
+            return check_symbols("constants_symbols", constants, "constant"), found[1]
+        if specifieds is not None:
+            return found[0], check_symbols("specifieds_symbols", specifieds, "specified")
+        return found
+
+    def _define(self, outputs: Any, forces: Any) -> None:
+        """Take the user's outputs and forces, and merge them with the residuals."""
+        forces = list(forces) if isinstance(forces, Iterable) else forces
+        user = {
+            k: v
+            for k, v in check_mapping("outputs", outputs).items()
+            if k not in self._residuals and not self._is_forces(k)
+        }
+        definition = define(self._equations, {**user, **self._residuals}, forces, self._base)
+        self._forces = forces
+        merged = {**user, **self._residuals}
+        if forces:
+            merged[tuple(forces)] = list(self._equations.auxiliary_equations)
+        self._outputs = merged
+        self._snapshot = dict(merged)
+        self._defined = definition
+
+    def _is_forces(self, key: Any) -> bool:
+        return bool(self._forces) and key == tuple(self._forces)
+
+    @property
+    def _definition(self) -> Definition:
+        # The user may have edited the dictionary of outputs in place.
+        if self._outputs != self._snapshot or list(self._outputs) != list(self._snapshot):
+            outputs = self._outputs
+            self._define(outputs, self._forces)
+            merged = dict(self._outputs)
+            outputs.clear()
+            outputs.update(merged)  # the same object stays the one that the user edits
+            self._outputs = outputs
+        return self._defined
+
+    @property
+    def eom_method(self) -> Any:
+        """The KanesMethod that the equations come from. Read-only."""
+        return self._eom_method
+
+    @property
+    def coordinates(self) -> list[Any]:
+        """List of the generalized coordinates, functions of time."""
+        return list(self._equations.coordinates)
+
+    @property
+    def speeds(self) -> list[Any]:
+        """List of the generalized speeds, functions of time."""
+        return list(self._equations.speeds)
+
+    @property
+    def auxiliaries(self) -> list[Any]:
+        """List of the auxiliary states: time integrals of outputs that depend on u' linearly."""
+        return list(self._definition.auxiliaries)
+
+    @property
+    def states(self) -> list[Any]:
+        """List of the states in the order of all arrays: coordinates, speeds, auxiliaries."""
+        return list(self._definition.states)
+
+    @property
+    def constants_symbols(self) -> SymbolSet:
+        """Set of the constants: symbols of the equations and outputs that are not functions."""
+        return SymbolSet(self._definition.constants)
+
+    @property
+    def specifieds_symbols(self) -> SymbolSet:
+        """Set of the specifieds: functions of time that are not given by the equations."""
+        return SymbolSet(self._definition.specifieds)
+
+    @property
+    def constraints(self) -> Any:
+        """Column matrix of the holonomic, then the nonholonomic constraint expressions."""
+        rows = [*self._equations.holonomic, *self._equations.nonholonomic]
+        return sm.Matrix(rows) if rows else sm.Matrix()
+
+    @property
+    def outputs_symbols(self) -> list[Any]:
+        """List of the names of all outputs, in the order of `evaluate_outputs`."""
+        return list(self._definition.outputs_symbols)
+
+    num_coordinates = property(lambda self: len(self.coordinates), doc="Number of coordinates.")
+    num_speeds = property(lambda self: len(self.speeds), doc="Number of speeds.")
+    num_auxiliaries = property(
+        lambda self: len(self.auxiliaries), doc="Number of auxiliary states."
+    )
+    num_states = property(lambda self: len(self.states), doc="Number of states.")
+    num_constants = property(lambda self: len(self.constants_symbols), doc="Number of constants.")
+    num_specifieds = property(
+        lambda self: len(self.specifieds_symbols), doc="Number of specifieds."
+    )
+    num_outputs = property(lambda self: len(self.outputs_symbols), doc="Number of outputs.")
+    num_holonomic_constraints = property(
+        lambda self: len(self._equations.holonomic), doc="Number of configuration constraints."
+    )
+    num_velocity_constraints = property(
+        lambda self: len(self._equations.velocity),
+        doc="Number of motion constraints, differentiated holonomic ones included.",
+    )
+    num_nonholonomic_constraints = property(
+        lambda self: len(self._equations.nonholonomic),
+        doc="Number of motion constraints that no configuration constraint implies.",
+    )
+    num_constraints = property(
+        lambda self: len(self._residuals),
+        doc="Number of holonomic and nonholonomic constraints together.",
+    )
+
+    # -- the numbers ------------------------------------------------------------------------------
+
+    @property
+    def constants(self) -> dict[Any, Any]:
+        """Dictionary of the constants' values, as the user gave them; all others are 1.0."""
+        return self._constants
+
+    @constants.setter
+    def constants(self, constants: dict[Any, Any] | None) -> None:
+        values = check_mapping("constants", constants)
+        check_values("constants", values, self._definition.constants, 1.0, "constants")
+        self._constants = values
+
+    @property
+    def specifieds(self) -> dict[Any, Any]:
+        """Dictionary of the specifieds' values; all others are 0.0.
+
+        In the first format keys are specifieds or tuples of them, values are numbers, arrays, or
+        functions ``g(x, t)`` of the state and time that return numbers or arrays::
+
+            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0]}
+
+        In the second, which is faster with functions, all are given together::
+
+            sys.specifieds = {'symbols': (a, b, c), 'values': lambda x, t: np.ones(3)}
+        """
+        return self._specifieds
+
+    @specifieds.setter
+    def specifieds(self, specifieds: dict[Any, Any] | None) -> None:
+        values = check_mapping("specifieds", specifieds)
+        self._plan(values)
+        self._specifieds = values
+
+    @property
+    def initial_conditions(self) -> dict[Any, Any]:
+        """Dictionary of the states' values at the first time; all others are 0.0."""
+        return self._initial_conditions
+
+    @initial_conditions.setter
+    def initial_conditions(self, initial_conditions: dict[Any, Any] | None) -> None:
+        values = check_mapping("initial_conditions", initial_conditions)
+        check_values("initial_conditions", values, self._definition.states, 0.0, "states")
+        self._initial_conditions = values
+
+    @property
+    def times(self) -> np.ndarray:
+        """Array of the times at which the states are wanted, shape (n,)."""
+        return self._times
+
+    @times.setter
+    def times(self, times: Any) -> None:
+        self._times = check_times(times)
+
+    @property
+    def outputs(self) -> dict[Any, Any]:
+        """Dictionary of what is evaluated beside the equations.
+
+        Keys are names (symbols or functions of time) or tuples of names; values are as many
+        expressions. Three forms are possible::
+
+            outputs[p] = k*x                                    a function of the states
+            outputs[(f1, f2)] = (k*x, c*v)                      several
+            outputs[(m1, m2)] = (m1 - 4*m2 + k*v.diff(t) + 2,   linear equations, zero when
+                                 m1 + 3*m2 - w.diff(t))         satisfied
+
+        Expressions may contain the derivatives of the speeds. Equations that contain their own
+        names and such derivatives make each name's time integral an auxiliary state. The residuals
+        of the constraints, and the noncontributing forces when they are named, follow the user's
+        own outputs.
+        """
+        return self._outputs
+
+    @outputs.setter
+    def outputs(self, outputs: dict[Any, Any] | None) -> None:
+        self._define(outputs, self._forces)
+
+    @property
+    def noncontributing_forces(self) -> list[Any]:
+        """List of the names of the noncontributing forces that are computed as outputs."""
+        return list(self._forces or [])
+
+    @noncontributing_forces.setter
+    def noncontributing_forces(self, forces: Iterable[Any] | None) -> None:
+        user = {k: v for k, v in self._outputs.items() if not self._is_forces(k)}
+        self._define(user, forces)
+
+    @property
+    def ode_solver(self) -> Callable[..., Any]:
+        """Function that integrates, with the signature of `scipy.integrate.odeint`.
+
+        ``x_history = ode_solver(f, x0, t, args=(r, p), **options)`` with ``f(x, t, r, p)``, which
+        returns the derivatives as a fresh array.
+
+        Examples
+        --------
+        `scipy.integrate.solve_ivp` has another signature; a few lines adapt it:
+
+        >>> from scipy.integrate import solve_ivp
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> sys.initial_conditions[sys.coordinates[0]] = 1.0
+        >>> sys.times = [1.0, 2.0, 3.0]
+        >>> def custom_ode_solver(f, x0, ts, args=(), **kwargs):
+        ...     return solve_ivp(lambda t, x: f(x, t, *args), ts[[0, -1]], x0,
+        ...                      t_eval=ts, **kwargs).y.T
+        >>> sys.ode_solver = custom_ode_solver
+        >>> sys.integrate(method='RK45', rtol=1e-10, atol=1e-10)[:, 0]
+        array([1.        , 0.65970..., 0.1505...])
+        """
+        return self._ode_solver
+
+    @ode_solver.setter
+    def ode_solver(self, ode_solver: Callable[..., Any] | None) -> None:
+        if ode_solver is None:
+            ode_solver = odeint
+        if not callable(ode_solver):
+            raise ValueError(
+                "`ode_solver` must be a function with the signature of scipy.integrate.odeint, "
+                f"got {ode_solver!r}."
+            )
+        self._ode_solver = ode_solver
+
+    # -- generation -------------------------------------------------------------------------------
+
+    @property
+    def evaluate_ode_function(self) -> Any:
+        """Function that computes the derivatives, or None before it has been generated.
+
+        See ``help(system.evaluate_ode_function)`` for the order of its arguments' entries.
+        """
+        return None if self._function is None else self._current().function_of_user
+
+    def generate_ode_function(self, **kwargs: Any) -> Any:
+        """Generate the function that evaluates the derivatives, and keep it.
+
+        Parameters
+        ----------
+        **kwargs
+            Options of `pydy.codegen.ode_function_generators.generate_ode_function`:
+            `linear_sys_solver`, `constants_arg_type`, `specifieds_arg_type`, `time_first`,
+            `generator` and the generator's own. They are kept for later generations.
+
+        Returns
+        -------
+        function
+            ``rhs(x, t, r, p)``, also available as `evaluate_ode_function`.
+
+        Raises
+        ------
+        TypeError
+            An option that the System decides itself.
+        NotImplementedError
+            The generator is unknown.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> rhs = sys.generate_ode_function(generator='lambdify')
+        >>> rhs([1.0, 0.0], 0.0, [0.1, 2.0, 1.0])
+        array([ 0., -2.])
+        """
+        if "specifieds" in kwargs:
+            warn(
+                "`specifieds` is ignored by System.generate_ode_function: the System takes care of "
+                "them. Set `system.specifieds` for their values.",
+                PyDyUserWarning,
+                stacklevel=2,
+            )
+            kwargs = {k: v for k, v in kwargs.items() if k != "specifieds"}
+        refused = sorted(_REFUSED & set(kwargs))
+        if refused:
+            raise TypeError(
+                f"generate_ode_function() got `{refused[0]}`, which the System takes from its own "
+                "equations. Options are linear_sys_solver, constants_arg_type, "
+                "specifieds_arg_type, time_first, generator and those of the generator."
+            )
+        self._generate(kwargs)
+        self._options = kwargs
+        return self._function
+
+    def _generate(self, options: dict[str, Any]) -> None:
+        definition = self._definition
+        options = dict(options)
+        solver = resolve_solver(options.pop("linear_sys_solver", None))
+        equations = definition.equations
+        if isinstance(solver, str):
+            solved = solve_symbolically(equations.mass_matrix, equations.forcing, solver)
+            equations = replace(
+                equations,
+                mass_matrix=sm.eye(len(solved)),
+                forcing=tuple(solved),
+                positive_definite=True,
+            )
+            solver = None
+        if options.get("generator") == "cython" and "force_c_contiguous" not in options:
+            options["force_c_contiguous"] = self._ode_solver is not odeint
+        simplified = bool(options.get("cse", True))
+        assembly = definition.assemble(
+            equations, external=solver is not None, simplified=simplified
+        )
+        function, implementation = make_system_function(
+            assembly, definition.layout, options, solver
+        )
+        self._exact = implementation if solver is None else None
+        self._function, self._implementation = function, implementation
+        self._made_for = definition
+
+    def _current(self) -> RightHandSide:
+        """Return the implementation for the outputs as they are now."""
+        if self._implementation is None or self._made_for is not self._definition:
+            self._generate(self._options)
+        assert self._implementation is not None
+        return self._implementation
+
+    def _differentiable(self) -> RightHandSide:
+        """Return an implementation whose linear solve is part of the compiled code."""
+        current = self._current()
+        if self._exact is None:
+            definition = self._definition
+            assembly = definition.assemble(definition.equations, external=False, simplified=True)
+            self._exact = make_system_function(assembly, definition.layout, {}, None)[1]
+        return self._exact if self._exact is not None else current
+
+    # -- arrays -----------------------------------------------------------------------------------
+
+    def _plan(self, values: dict[Any, Any]) -> SpecifiedsPlan:
+        """Check a dictionary of specifieds in either format."""
+        symbols = self._definition.specifieds
+        if "symbols" in values or "values" in values:
+            if set(values) != {"symbols", "values"}:
+                raise ValueError(
+                    "`specifieds` must have just the keys 'symbols' and 'values' in this format, "
+                    f"got {', '.join(map(repr, values))}."
+                )
+            table = {tuple(values["symbols"]): values["values"]}
+            return SpecifiedsPlan(
+                table, symbols, complete=True, argument="specifieds", what="`specifieds['values']`"
+            )
+        return SpecifiedsPlan(values, symbols, argument="specifieds")
+
+    def _p(self) -> np.ndarray:
+        return check_values(
+            "constants", self._constants, self._definition.constants, 1.0, "constants"
+        )
+
+    def _x0(self) -> np.ndarray:
+        return check_values(
+            "initial_conditions", self._initial_conditions, self._definition.states, 0.0, "states"
+        )
+
+    def _plan_with(self, r: Any) -> SpecifiedsPlan:
+        """Return the plan of the specifieds, with a user's values for one call."""
+        if r is None:
+            return self._plan(self._specifieds)
+        symbols = self._definition.specifieds
+        if callable(r):
+            return SpecifiedsPlan({symbols: r}, symbols, argument="r")
+        own = self._plan(self._specifieds)
+        return own.updated(SpecifiedsPlan(r, symbols, argument="r"))
+
+    def _evaluate(
+        self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: str | None = None
+    ) -> np.ndarray:
+        implementation = self._differentiable() if wrt else self._current()
+        layout = implementation.layout
+        states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
+        rows = specified_rows(r, self._plan_with, instants, states, len(layout.specifieds))
+        constants = override(p, self._p(), layout.constants)
+        if wrt:
+            kernel = implementation.compiled_jacobian(block, wrt)
+        else:
+            kernel = implementation.compiled(block)
+        out = evaluate(kernel, layout, instants, states, rows, constants)
+        out = out.reshape(len(out), *kernel.program.blocks[0].shape)
+        result: np.ndarray = out[0] if single else out
+        return result
+
+    # -- evaluation -------------------------------------------------------------------------------
+
+    def evaluate_ode(self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None) -> Any:
+        """Return the derivatives of the states.
+
+        Parameters
+        ----------
+        x : array_like, shape (n,) or (m, n), optional
+            States, in the order of `states`; the initial conditions by default.
+        t : float or array_like, shape (m,), optional
+            Time; by default the first of `times`, or all of them for m states, or zero.
+        r : dict, array_like, shape (s,) or (m, s), or callable, optional
+            Specifieds for this call instead of the System's.
+        p : dict or array_like, shape (k,), optional
+            Constants for this call instead of the System's.
+
+        Returns
+        -------
+        ndarray, shape (n,) or (m, n)
+
+        Raises
+        ------
+        ValueError
+            Shapes that do not fit.
+        SingularMatrixError
+            The mass matrix is singular; a subclass of `numpy.linalg.LinAlgError`.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> sys.evaluate_ode([1.0, 0.0])
+        array([ 0., -1.])
+        """
+        return self._evaluate("rates", x, t, r, p)
+
+    def evaluate_outputs(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> Any:
+        """Return the outputs, in the order of `outputs_symbols`.
+
+        The parameters are those of `evaluate_ode`.
+
+        Returns
+        -------
+        ndarray, shape (o,) or (m, o)
+
+        Examples
+        --------
+        >>> import sympy as sm
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> x0, v0 = sys.states
+        >>> sys.outputs = {sm.Symbol('speed'): v0, sm.Symbol('twice'): 2*x0}
+        >>> sys.evaluate_outputs([1.0, 3.0])
+        array([3., 2.])
+        """
+        return self._evaluate("outputs", x, t, r, p)
+
+    def evaluate_constraints(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> Any:
+        """Return the residuals of the holonomic, then the nonholonomic constraints.
+
+        The parameters are those of `evaluate_ode`.
+
+        Returns
+        -------
+        ndarray, shape (o,) or (m, o)
+            o is `num_constraints`.
+
+        Raises
+        ------
+        ValueError
+            The system has no constraints.
+        """
+        self._need(self.num_constraints, "constraints")
+        return self._evaluate("constraints", x, t, r, p)
+
+    def evaluate_holonomic_constraints(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> Any:
+        """Return the residuals of the holonomic constraints.
+
+        The parameters are those of `evaluate_ode`.
+
+        Returns
+        -------
+        ndarray, shape (o,) or (m, o)
+            o is `num_holonomic_constraints`.
+
+        Raises
+        ------
+        ValueError
+            The system has no holonomic constraints.
+        """
+        self._need(self.num_holonomic_constraints, "holonomic constraints")
+        return self._evaluate("holonomic", x, t, r, p)
+
+    def evaluate_velocity_constraints(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> Any:
+        """Return the residuals of all velocity constraints.
+
+        The parameters are those of `evaluate_ode`.
+
+        Returns
+        -------
+        ndarray, shape (o,) or (m, o)
+            o is `num_velocity_constraints`.
+
+        Raises
+        ------
+        ValueError
+            The system has no velocity constraints.
+        """
+        self._need(self.num_velocity_constraints, "velocity constraints")
+        return self._evaluate("velocity", x, t, r, p)
+
+    @staticmethod
+    def _need(count: int, what: str) -> None:
+        if not count:
+            raise ValueError(f"The system has no {what} to evaluate.")
+
+    def evaluate_jacobian(
+        self,
+        x: Any = None,
+        t: Any = None,
+        wrt: str = "states",
+        *,
+        of: str = "ode",
+        r: Any = None,
+        p: Any = None,
+    ) -> Any:
+        """Return exact partial derivatives, from differentiating the expression graph.
+
+        Parameters
+        ----------
+        x, t, r, p
+            As in `evaluate_ode`.
+        wrt : {'states', 'specifieds', 'constants'}, optional
+            With respect to what.
+        of : {'ode', 'outputs', 'holonomic', 'velocity'}, optional
+            Of the state derivatives, the outputs, or the residuals of constraints.
+
+        Returns
+        -------
+        ndarray, shape (o, k) or (m, o, k)
+
+        Raises
+        ------
+        ValueError
+            An option that is none of the above.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> sys.evaluate_jacobian()
+        array([[ 0.,  1.],
+               [-1., -1.]])
+        """
+        groups = {"states": "x", "specifieds": "r", "constants": "p"}
+        blocks = {
+            "ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"
+        }  # fmt: skip
+        for name, value, table in (("wrt", wrt, groups), ("of", of, blocks)):
+            if value not in table:
+                options = ", ".join(map(repr, table))
+                raise ValueError(f"`{name}` must be one of {options}, got {value!r}.")
+        return self._evaluate(blocks[of], x, t, r, p, groups[wrt])
+
+    # -- simulation -------------------------------------------------------------------------------
+
+    def set_dependent_initial_conditions(
+        self, dep_vars: Iterable[Any] | None = None, use_jac: bool = False, **root_kwargs: Any
+    ) -> None:
+        """Set the dependent states' initial conditions so that the constraints are satisfied.
+
+        The holonomic constraints are solved for the dependent coordinates with
+        `scipy.optimize.root`, starting from their present values; then the velocity constraints,
+        which are linear, for the dependent speeds.
+
+        Parameters
+        ----------
+        dep_vars : iterable of functions of time, optional
+            One coordinate for each holonomic and one speed for each velocity constraint; by
+            default the dependent ones of the KanesMethod.
+        use_jac : bool, optional
+            Whether the root finder gets the exact Jacobian.
+        **root_kwargs
+            For `scipy.optimize.root`.
+
+        Raises
+        ------
+        ValueError
+            The system has no constraints, or `dep_vars` does not fit their number.
+
+        Warns
+        -----
+        PyDyUserWarning
+            The root finder did not converge; the results are set all the same.
+        """
+        definition = self._definition
+        places = check_dependents(definition, dep_vars)
+        t = float(self._times[0]) if len(self._times) else 0.0
+        x = solve_dependents(
+            self._differentiable(),
+            definition,
+            self._x0(),
+            t,
+            self._plan(self._specifieds),
+            self._p(),
+            places,
+            use_jac,
+            root_kwargs,
+        )
+        found = {definition.states[k]: float(x[k]) for part in places for k in part}
+        # A new dictionary: the old one may be the caller's own.
+        self._initial_conditions = {**self._initial_conditions, **found}
+
+    def integrate(self, **solver_kwargs: Any) -> Any:
+        """Integrate the equations over `times` from the initial conditions.
+
+        The function is generated first if it has not been.
+
+        Parameters
+        ----------
+        **solver_kwargs
+            Options of the `ode_solver`.
+
+        Returns
+        -------
+        ndarray, shape (len(times), n)
+            The states, auxiliary ones included, or whatever the solver returns.
+
+        Raises
+        ------
+        ValueError
+            There are fewer than two times.
+        SingularMatrixError
+            The mass matrix became singular; the message tells where.
+        """
+        if len(self._times) < 2:
+            raise ValueError(
+                "`times` must have at least two values before integrate() can be called, got "
+                f"{len(self._times)}. Set `system.times`."
+            )
+        implementation = self._current()
+        times = check_times(self._times)  # the array may have been edited in place
+        plan = self._plan(self._specifieds)
+        f = implementation.rates_function(None if plan.constant else plan)
+        r = plan.base if plan.constant else plan
+        args = (r, self._p())
+        return self._ode_solver(f, self._x0(), times, args=args, **solver_kwargs)

@@ -1,0 +1,194 @@
+"""set_dependent_initial_conditions: states that satisfy the constraints."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import zoo
+from cases import close, system_of
+from pydy._errors import PyDyUserWarning
+
+SOLVABLE = ["disc", "disc_contact", "sleigh", "skate", "fourbar", "track", "track_reversed", "gyro"]
+SOLVABLE += ["lifted"]
+
+
+def near(model):
+    """Start of the model with the dependent states a little off."""
+    kane, start = model.kane, dict(model.start)
+    for s in kane._qdep:
+        start[s] = start.get(s, 0.0) + 0.1
+    for s in kane._udep:
+        start[s] = 0.0
+    return start
+
+
+def residuals(system):
+    values = []
+    if system.num_holonomic_constraints:
+        values.extend(system.evaluate_holonomic_constraints())
+    if system.num_velocity_constraints:
+        values.extend(system.evaluate_velocity_constraints())
+    return np.array(values)
+
+
+@pytest.mark.parametrize("use_jac", [False, True])
+@pytest.mark.parametrize("name", SOLVABLE)
+def test_the_constraints_hold_afterwards(name, use_jac):
+    model = zoo.MODELS[name]()
+    system = system_of(model, initial_conditions=near(model))
+    assert np.max(np.abs(residuals(system))) > 1e-3
+    system.set_dependent_initial_conditions(use_jac=use_jac)
+    close(residuals(system), np.zeros_like(residuals(system)), 1e-9)
+
+
+@pytest.mark.parametrize("name", ["disc", "sleigh", "fourbar", "track", "track_reversed", "gyro"])
+def test_the_solution_near_by_is_found(name):
+    model = zoo.MODELS[name]()
+    system = system_of(model, initial_conditions=near(model))
+    system.set_dependent_initial_conditions()
+    close([system.initial_conditions.get(s, 0.0) for s in system.states], model.x0, 1e-8)
+
+
+@pytest.mark.parametrize("name", ["fourbar", "track", "disc"])
+def test_independent_states_are_left_alone(name):
+    model = zoo.MODELS[name]()
+    start = near(model)
+    system = system_of(model, initial_conditions=start)
+    system.set_dependent_initial_conditions()
+    dependent = {*model.kane._qdep, *model.kane._udep}
+    for s in set(start) - dependent:
+        assert system.initial_conditions[s] == start[s]
+
+
+def test_results_are_floats_in_the_initial_conditions():
+    model = zoo.fourbar()
+    system = system_of(model, initial_conditions=near(model))
+    system.set_dependent_initial_conditions()
+    assert all(isinstance(v, float) for v in system.initial_conditions.values())
+
+
+@pytest.mark.parametrize("use_jac", [False, True])
+def test_other_dependent_states_can_be_named(use_jac):
+    model = zoo.fourbar()
+    q1, q2, q3, u1, u2, u3 = model.states
+    start = {**model.start, q1: model.start[q1] + 0.1, q2: model.start[q2] - 0.1, u1: 0.0, u3: 0.0}
+    system = system_of(model, initial_conditions=start)
+    system.set_dependent_initial_conditions(dep_vars=[q1, q2, u1, u3], use_jac=use_jac)
+    close(residuals(system), np.zeros(4), 1e-9)
+    assert system.initial_conditions[q3] == model.start[q3]
+    assert system.initial_conditions[u2] == model.start[u2]
+
+
+def test_the_order_of_dep_vars_does_not_matter():
+    model = zoo.fourbar()
+    _, q2, q3, _, u2, u3 = model.states
+    system = system_of(model, initial_conditions=near(model))
+    system.set_dependent_initial_conditions(dep_vars=(u3, q3, u2, q2))
+    close([system.initial_conditions[s] for s in system.states], model.x0, 1e-8)
+
+
+def test_constants_are_honoured():
+    model = zoo.track()
+    k = sm.Symbol("k")
+    system = system_of(model, constants={**model.constants, k: 1.6})
+    system.set_dependent_initial_conditions()
+    close(system.initial_conditions[system.states[2]], 2 * model.start[system.states[2]])
+
+
+@pytest.mark.parametrize("use_jac", [False, True])
+def test_specifieds_and_explicit_time_are_honoured(use_jac):
+    model = zoo.lifted()
+    x, y, vx, vy = model.states
+    s = me.dynamicsymbols("s")
+    system = system_of(
+        model,
+        specifieds={s: lambda x, t: np.cos(t), s.diff(zoo.T): lambda x, t: -np.sin(t)},
+        initial_conditions={x: 0.5, vx: 0.3},
+        times=[1.25, 2.0],
+    )
+    system.set_dependent_initial_conditions(use_jac=use_jac)
+    a, t = model.constants[sm.Symbol("slope")], 1.25
+    close(system.initial_conditions[y], np.cos(t) + a * 0.5 * np.sin(t), 1e-9)
+    rate = -np.sin(t) + a * 0.3 * np.sin(t) + a * 0.5 * np.cos(t)
+    close(system.initial_conditions[vy], rate, 1e-9)
+
+
+@pytest.mark.parametrize("method", ["hybr", "lm", "df-sane"])
+def test_the_method_of_root_passes_through(method):
+    model = zoo.fourbar()
+    system = system_of(model, initial_conditions=near(model))
+    system.set_dependent_initial_conditions(method=method, tol=1e-12)
+    close(residuals(system), np.zeros(4), 1e-9)
+
+
+def test_an_unknown_method_is_the_error_of_root():
+    model = zoo.fourbar()
+    system = system_of(model, initial_conditions=near(model))
+    with pytest.raises(ValueError, match="nope"):
+        system.set_dependent_initial_conditions(method="nope")
+
+
+def test_the_options_of_root_pass_through():
+    model = zoo.fourbar()
+    system = system_of(model, initial_conditions=near(model))
+    with pytest.warns(PyDyUserWarning, match="residual"):
+        system.set_dependent_initial_conditions(options={"maxfev": 1})
+
+
+def test_a_keyword_unknown_to_root_is_refused():
+    model = zoo.fourbar()
+    system = system_of(model, initial_conditions=near(model))
+    with pytest.raises(TypeError, match="wrong_word"):
+        system.set_dependent_initial_conditions(wrong_word=1)
+
+
+@pytest.mark.parametrize("use_jac", [False, True])
+def test_no_convergence_warns_with_the_residual_and_still_writes(use_jac):
+    model = zoo.fourbar()
+    system = system_of(model, constants={**model.constants, sm.Symbol("ln"): 50.0})
+    before = system.initial_conditions[model.states[1]]
+    with pytest.warns(PyDyUserWarning, match="residual"):
+        system.set_dependent_initial_conditions(use_jac=use_jac)
+    assert system.initial_conditions[model.states[1]] != before
+
+
+def test_an_unconstrained_system_is_a_value_error():
+    with pytest.raises(ValueError, match="constrain"):
+        system_of(zoo.chain()).set_dependent_initial_conditions()
+
+
+@pytest.mark.parametrize(
+    ("name", "count"), [("fourbar", 3), ("fourbar", 5), ("disc", 1), ("gyro", 2)]
+)
+def test_a_wrong_number_of_dep_vars_is_a_value_error(name, count):
+    model = zoo.MODELS[name]()
+    with pytest.raises(ValueError, match="dep_vars"):
+        system_of(model).set_dependent_initial_conditions(dep_vars=model.states[-count:])
+
+
+def test_a_wrong_split_of_dep_vars_is_a_value_error():
+    model = zoo.fourbar()
+    with pytest.raises(ValueError, match=r"coordinate|speed"):
+        system_of(model).set_dependent_initial_conditions(dep_vars=model.states[:4])
+
+
+def test_an_unknown_dep_var_is_named():
+    model = zoo.gyro()
+    with pytest.raises(ValueError, match="nope"):
+        system_of(model).set_dependent_initial_conditions(dep_vars=[me.dynamicsymbols("nope")])
+
+
+def test_a_dep_var_given_twice_is_named():
+    model = zoo.fourbar()
+    _, q2, _, _, u2, u3 = model.states
+    with pytest.raises(ValueError, match=r"q2\(t\)"):
+        system_of(model).set_dependent_initial_conditions(dep_vars=[q2, q2, u2, u3])
+
+
+def test_the_function_generated_before_still_serves():
+    model = zoo.fourbar()
+    system = system_of(model, initial_conditions=near(model), times=[0.0, 0.1])
+    system.generate_ode_function(generator="lambdify")
+    system.set_dependent_initial_conditions()
+    close(system.integrate()[0], model.x0, 1e-8)

@@ -1,0 +1,266 @@
+"""evaluate_ode and its sisters: states, times, shapes and overrides."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import zoo
+from cases import close, system_of, wide
+from oracle import oracle
+
+GENERATORS = ["llvm", "lambdify"]
+A = sm.Symbol("a")
+
+
+@pytest.mark.parametrize("generator", GENERATORS)
+@pytest.mark.parametrize("name", zoo.MODELS)
+def test_evaluate_ode_agrees_with_sympy(name, generator):
+    model = zoo.MODELS[name]()
+    system = system_of(model)
+    system.generate_ode_function(generator=generator)
+    n = len(model.states)
+    for seed in range(3):
+        x, t = model.sample(seed)
+        got = system.evaluate_ode(wide(system, x), t)
+        close(got[:n], oracle(model).xdot(x, t))
+
+
+@pytest.mark.parametrize("generator", GENERATORS)
+@pytest.mark.parametrize("name", zoo.MODELS)
+def test_a_sweep_equals_its_rows(name, generator):
+    model = zoo.MODELS[name]()
+    system = system_of(model)
+    system.generate_ode_function(generator=generator)
+    xs, ts = model.sample(1, 11)
+    xs = wide(system, xs)
+    rows = [system.evaluate_ode(x, t) for x, t in zip(xs, ts, strict=True)]
+    close(system.evaluate_ode(xs, ts), rows, 1e-12)
+
+
+@pytest.mark.parametrize("generator", GENERATORS)
+@pytest.mark.parametrize("m", [1, 2, 7, 8, 9, 100])
+def test_a_sweep_of_any_length_equals_its_rows(m, generator):
+    model = zoo.track()
+    system = system_of(model, outputs={A: model.states[0] * model.states[3]})
+    system.generate_ode_function(generator=generator)
+    xs, ts = model.sample(2, m)
+    for method in ("evaluate_ode", "evaluate_outputs"):
+        rows = [getattr(system, method)(x, t) for x, t in zip(xs, ts, strict=True)]
+        close(getattr(system, method)(xs, ts), rows, 1e-12)
+
+
+@pytest.mark.parametrize("method", ["evaluate_ode", "evaluate_outputs"])
+def test_a_sweep_calls_specified_functions_at_every_row(method):
+    model = zoo.pendulum()
+    force = me.dynamicsymbols("F")
+    seen = []
+
+    def push(x, t):
+        seen.append((np.array(x), float(t)))
+        return t * x[1]
+
+    system = system_of(model, specifieds={force: push}, outputs={A: force**2})
+    xs, ts = model.sample(3, 5)
+    rows = [getattr(system, method)(x, t) for x, t in zip(xs, ts, strict=True)]
+    seen.clear()
+    close(getattr(system, method)(xs, ts), rows, 1e-12)
+    close([t for _, t in seen], ts)
+    close([x for x, _ in seen], xs)
+
+
+def test_a_sweep_may_have_no_rows():
+    assert system_of(zoo.timed()).evaluate_ode(np.zeros((0, 2)), []).shape == (0, 2)
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        lambda x: x.tolist(),
+        lambda x: tuple(x),
+        lambda x: np.repeat(x, 2)[::2],
+        lambda x: np.asarray(x, dtype=object),
+    ],
+    ids=["list", "tuple", "strided", "objects"],
+)
+def test_a_state_may_be_any_array_like(kind):
+    model = zoo.timed()
+    x, t = model.sample()
+    close(system_of(model).evaluate_ode(kind(x), t), oracle(model).xdot(x, t))
+
+
+@pytest.mark.parametrize("dtype", [np.int64, np.int8, np.float32])
+def test_a_state_may_have_another_type(dtype):
+    model = zoo.timed()
+    x = np.array([2, 3], dtype=dtype)
+    close(system_of(model).evaluate_ode(x, 1), oracle(model).xdot([2.0, 3.0], 1.0))
+
+
+def test_a_series_may_be_in_fortran_order():
+    model = zoo.pendulum()
+    xs, ts = model.sample(4, 6)
+    system = system_of(model)
+    close(system.evaluate_ode(np.asfortranarray(xs), ts), system.evaluate_ode(xs, ts), 1e-15)
+    close(system.evaluate_ode(xs[::-2], ts[::-2]), system.evaluate_ode(xs, ts)[::-2], 1e-15)
+
+
+def test_the_arguments_are_left_alone():
+    model = zoo.pendulum()
+    xs, ts = model.sample(4, 6)
+    kept = xs.copy(), ts.copy()
+    system_of(model).evaluate_ode(xs, ts)
+    np.testing.assert_array_equal(xs, kept[0])
+    np.testing.assert_array_equal(ts, kept[1])
+
+
+def test_results_are_fresh_arrays():
+    model = zoo.timed()
+    system = system_of(model)
+    first = system.evaluate_ode([0.1, 0.2], 0.3)
+    kept = first.copy()
+    second = system.evaluate_ode([0.7, 0.2], 0.4)
+    assert not np.shares_memory(first, second)
+    np.testing.assert_array_equal(first, kept)
+
+
+# defaults
+
+
+def test_the_default_state_is_the_initial_condition():
+    model = zoo.timed()
+    x, v = model.states
+    system = system_of(model, initial_conditions={v: 0.7, x: 0.4})
+    close(system.evaluate_ode(), oracle(model).xdot([0.4, 0.7], 0.0))
+
+
+def test_the_default_time_is_the_first_of_times():
+    model = zoo.timed()
+    system = system_of(model, times=[1.5, 2.0], initial_conditions={model.states[0]: 0.4})
+    close(system.evaluate_ode(), oracle(model).xdot([0.4, 0.0], 1.5))
+    close(system.evaluate_ode([0.1, 0.2]), oracle(model).xdot([0.1, 0.2], 1.5))
+    close(system.evaluate_ode(t=0.3), oracle(model).xdot([0.4, 0.0], 0.3))
+
+
+def test_the_default_time_is_zero_without_times():
+    model = zoo.timed()
+    close(system_of(model).evaluate_ode([0.1, 0.2]), oracle(model).xdot([0.1, 0.2], 0.0))
+
+
+def test_the_default_times_of_a_series_are_times():
+    model = zoo.timed()
+    xs, ts = model.sample(5, 4)
+    system = system_of(model, times=ts)
+    close(system.evaluate_ode(xs), system.evaluate_ode(xs, ts), 1e-15)
+
+
+def test_the_default_times_of_a_series_are_zeros_without_times():
+    model = zoo.timed()
+    xs, _ = model.sample(5, 4)
+    system = system_of(model)
+    close(system.evaluate_ode(xs), system.evaluate_ode(xs, np.zeros(4)), 1e-15)
+
+
+# shapes
+
+METHODS = [
+    "evaluate_ode",
+    "evaluate_outputs",
+    "evaluate_constraints",
+    "evaluate_holonomic_constraints",
+    "evaluate_velocity_constraints",
+]
+WRONG = {
+    "a short state": (np.zeros(5), 0.0, r"\(5,\).*6|6.*\(5,\)"),
+    "a long state": (np.zeros(7), 0.0, r"\(7,\).*6|6.*\(7,\)"),
+    "a series of short states": (np.zeros((4, 5)), np.zeros(4), r"\(4, 5\).*6|6.*\(4, 5\)"),
+    "a transposed series": (np.zeros((6, 4)), np.zeros(4), r"\(6, 4\)"),
+    "a scalar state": (1.0, 0.0, r"\(\)"),
+    "a cube": (np.zeros((2, 3, 6)), np.zeros(2), r"\(2, 3, 6\)"),
+    "a state with times": (np.zeros(6), np.zeros(4), r"\(6,\).*\(4,\)|\(4,\).*\(6,\)"),
+    "a series with a time": (np.zeros((4, 6)), 0.5, r"\(4, 6\).*\(\)|\(\).*\(4, 6\)"),
+    "a series with other times": (
+        np.zeros((4, 6)),
+        np.zeros(3),
+        r"\(4, 6\).*\(3,\)|\(3,\).*\(4, 6\)",
+    ),
+}
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_shapes_are_refused_with_both(name, method):
+    x, t, message = WRONG[name]
+    with pytest.raises(ValueError, match=message):
+        getattr(system_of(zoo.track()), method)(x, t)
+
+
+def test_a_series_of_another_length_than_times_is_refused():
+    system = system_of(zoo.track(), times=[0.0, 1.0, 2.0])
+    with pytest.raises(ValueError, match=r"\(4, 6\).*\(3,\)|\(3,\).*\(4, 6\)"):
+        system.evaluate_ode(np.zeros((4, 6)))
+
+
+@pytest.mark.parametrize("x", [["a", "b"], [1j, 2.0]])
+def test_a_state_that_is_not_numbers_is_refused(x):
+    with pytest.raises((TypeError, ValueError), match=r"`?x`?"):
+        system_of(zoo.timed()).evaluate_ode(x)
+
+
+# overrides
+
+
+@pytest.mark.parametrize("kind", [dict, list, np.array, tuple])
+def test_p_overrides_the_constants_for_this_call(kind):
+    model = zoo.timed()
+    x, t = model.sample()
+    system = system_of(model)
+    other = {s: 2 * v for s, v in model.constants.items()}
+    values = other if kind is dict else kind([other[s] for s in system.constants_symbols])
+    close(system.evaluate_ode(x, t, p=values), oracle(model).xdot(x, t, other))
+    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t))
+    assert system.constants == model.constants
+
+
+@pytest.mark.parametrize("kind", [dict, list, np.array, "function"])
+def test_r_overrides_the_specifieds_for_this_call(kind):
+    model = zoo.pendulum()
+    x, t = model.sample()
+    system = system_of(model)
+    other = {s: 2 * v for s, v in model.specifieds.items()}
+    values = [other[s] for s in system.specifieds_symbols]
+    if kind is dict:
+        values = other
+    elif kind == "function":
+        values = (lambda v: lambda x, t: np.array(v))(values)
+    else:
+        values = kind(values)
+    close(system.evaluate_ode(x, t, r=values), oracle(model).xdot(x, t, other))
+    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t))
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_overrides_reach_every_evaluation(method):
+    model = zoo.lifted()
+    x, t = model.sample()
+    twice = {s: 2 * v for s, v in model.constants.items()}
+    thrice = {s: 3 * v for s, v in model.specifieds.items()}
+    outputs = {A: sm.Symbol("m") * me.dynamicsymbols("s")}
+    system = system_of(model, outputs=outputs)
+    got = getattr(system, method)(x, t, r=thrice, p=twice)
+    reference = system_of(model, constants=twice, specifieds=thrice, outputs=outputs)
+    close(got, getattr(reference, method)(x, t), 1e-13)
+    assert np.any(got != getattr(system, method)(x, t))
+
+
+def test_an_override_of_the_wrong_length_is_refused():
+    system = system_of(zoo.pendulum())
+    with pytest.raises(ValueError, match=r"`?p`?.*6|constants.*6"):
+        system.evaluate_ode(np.zeros(6), 0.0, p=np.ones(5))
+    with pytest.raises(ValueError, match=r"`?r`?.*3|specifieds.*3"):
+        system.evaluate_ode(np.zeros(6), 0.0, r=np.ones(4))
+
+
+def test_an_unknown_symbol_in_an_override_is_named():
+    system = system_of(zoo.timed())
+    with pytest.raises(ValueError, match="nope"):
+        system.evaluate_ode([0.0, 0.0], 0.0, p={**system.constants, sm.Symbol("nope"): 1.0})

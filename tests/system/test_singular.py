@@ -1,0 +1,52 @@
+"""A singular mass matrix is reported with its time and state."""
+
+import numpy as np
+import pytest
+import sympy as sm
+
+import zoo
+from cases import system_of
+
+GENERATORS = ["llvm", "lambdify"]
+
+
+@pytest.mark.parametrize("generator", GENERATORS)
+@pytest.mark.parametrize("name", ["chain", "added_mass"])
+def test_a_singular_mass_matrix_is_reported_with_time_and_state(name, generator):
+    model = zoo.MODELS[name]()
+    system = system_of(model)
+    zeros = [s for s in model.constants if s.name in {"m2", "a2"}]
+    if name == "added_mass":
+        zeros = [s for s in model.constants if s.name[0] in "ma"]
+    system.constants.update(dict.fromkeys(zeros, 0.0))
+    system.generate_ode_function(generator=generator)
+    x = np.full(len(model.states), 0.0)
+    x[0] = 0.125
+    with pytest.raises(np.linalg.LinAlgError, match=r"(?s)3\.25.*0\.125|0\.125.*3\.25") as info:
+        system.evaluate_ode(x, 3.25)
+    assert info.value.time == 3.25
+    np.testing.assert_array_equal(info.value.state, x)
+
+
+@pytest.mark.parametrize("generator", GENERATORS)
+def test_a_singular_mass_matrix_in_a_sweep_is_reported_at_its_row(generator):
+    model = zoo.added_mass()
+    system = system_of(model)
+    # With a1 = -m1 and a2 = -m2, the determinant is m1 cos(x2) v2: singular where v2 = 0.
+    for i in "12":
+        system.constants[sm.Symbol(f"a{i}")] = -model.constants[sm.Symbol(f"m{i}")]
+    system.generate_ode_function(generator=generator)
+    xs, ts = model.sample(0, 9)
+    assert np.all(np.isfinite(system.evaluate_ode(xs, ts)))
+    xs[6, 3] = 0.0
+    with pytest.raises(np.linalg.LinAlgError) as info:
+        system.evaluate_ode(xs, ts)
+    assert info.value.time == ts[6]
+    np.testing.assert_array_equal(info.value.state, xs[6])
+
+
+def test_a_singular_mass_matrix_comes_out_of_integrate():
+    system = system_of(zoo.chain(), times=[0.5, 1.0])
+    system.constants[sm.Symbol("m2")] = 0.0
+    with pytest.raises(np.linalg.LinAlgError, match=r"0\.5"):
+        system.integrate()

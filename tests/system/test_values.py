@@ -1,0 +1,225 @@
+"""What constants, initial conditions, times and the solver may be."""
+
+import numpy as np
+import pytest
+import sympy as sm
+from scipy.integrate import odeint
+
+import zoo
+from cases import close, system_of
+from oracle import oracle
+from pydy.system import System
+
+NOPE = sm.Symbol("nope")
+
+
+# constants
+
+
+def test_constants_show_only_what_was_set():
+    m1 = sm.Symbol("m1")
+    system = System(zoo.pendulum().kane, constants={m1: 2.0})
+    assert system.constants == {m1: 2.0}
+
+
+def test_constants_default_to_one():
+    model = zoo.timed()
+    x, t = model.sample()
+    m = sm.Symbol("m")
+    system = System(model.kane, constants={m: 2.5})
+    numbers = dict.fromkeys(model.constants, 1.0) | {m: 2.5}
+    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t, numbers))
+
+
+def test_a_constant_edited_in_place_counts():
+    model = zoo.timed()
+    x, t = model.sample()
+    system = system_of(model)
+    system.evaluate_ode(x, t)
+    system.constants[sm.Symbol("k")] = 7.5
+    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t, {sm.Symbol("k"): 7.5}))
+
+
+def test_a_constant_taken_out_in_place_is_one_again():
+    model = zoo.timed()
+    x, t = model.sample()
+    system = system_of(model)
+    system.evaluate_ode(x, t)
+    del system.constants[sm.Symbol("k")]
+    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t, {sm.Symbol("k"): 1.0}))
+
+
+@pytest.mark.parametrize("value", [3, np.float32(3.0), np.int64(3), sm.Integer(3), sm.Float(3.0)])
+def test_a_constant_may_be_any_real_number(value):
+    model = zoo.timed()
+    x, t = model.sample()
+    system = system_of(model)
+    system.constants = {**model.constants, sm.Symbol("k"): value}
+    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t, {sm.Symbol("k"): 3.0}))
+
+
+def test_an_unknown_constant_is_named_by_the_constructor():
+    with pytest.raises(ValueError, match="nope"):
+        System(zoo.timed().kane, constants={NOPE: 1.0})
+
+
+def test_an_unknown_constant_is_named_when_set():
+    system = System(zoo.timed().kane)
+    with pytest.raises(ValueError, match="nope"):
+        system.constants = {NOPE: 1.0}
+    assert system.constants == {}
+
+
+def test_a_state_is_not_a_constant():
+    system = System(zoo.timed().kane)
+    with pytest.raises(ValueError, match=r"x\(t\)"):
+        system.constants = {system.states[0]: 1.0}
+
+
+@pytest.mark.parametrize("action", ["evaluate_ode", "integrate"])
+def test_an_unknown_constant_put_in_the_dict_is_named_at_the_next(action):
+    system = System(zoo.timed().kane, times=[0.0, 1.0])
+    getattr(system, action)()
+    system.constants[NOPE] = 1.0
+    with pytest.raises(ValueError, match="nope"):
+        getattr(system, action)()
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_a_constant_that_is_not_finite_is_named(value):
+    with pytest.raises(ValueError, match=r"\bk\b"):
+        System(zoo.timed().kane, constants={sm.Symbol("k"): value})
+
+
+@pytest.mark.parametrize("value", ["a", None, [1.0, 2.0], 1j, sm.Symbol("z")])
+def test_a_constant_that_is_not_a_number_is_named(value):
+    with pytest.raises((TypeError, ValueError), match=r"\bk\b"):
+        System(zoo.timed().kane, constants={sm.Symbol("k"): value})
+
+
+def test_a_nan_put_in_the_constants_is_named_at_the_next_evaluation():
+    system = System(zoo.timed().kane)
+    system.constants[sm.Symbol("k")] = np.nan
+    with pytest.raises(ValueError, match=r"\bk\b"):
+        system.evaluate_ode()
+
+
+def test_constants_must_be_a_dict():
+    with pytest.raises((TypeError, ValueError), match="constants"):
+        System(zoo.timed().kane, constants=[1.0, 2.0])
+
+
+@pytest.mark.parametrize("generator", ["llvm", "lambdify"])
+def test_a_system_without_constants_works(generator):
+    model = zoo.bare()
+    system = System(model.kane, times=[0.0, 0.5], initial_conditions=model.start)
+    rhs = system.generate_ode_function(generator=generator)
+    assert system.constants_symbols == set()
+    assert repr(system.constants_symbols) == repr(set())
+    expected = oracle(model).xdot(model.x0)
+    close(system.evaluate_ode(), expected)
+    close(rhs(model.x0, 0.0, np.array([])), expected)
+    close(rhs(model.x0, 0.0, {}), expected)
+    assert system.integrate().shape == (2, 2)
+
+
+# initial conditions
+
+
+def test_initial_conditions_default_to_zero():
+    system = System(zoo.timed().kane, times=[0.0, 1.0])
+    assert system.initial_conditions == {}
+    x = system.states[0]
+    system.initial_conditions[x] = 0.5
+    close(system.integrate()[0], [0.5, 0.0])
+
+
+def test_an_unknown_initial_condition_is_named():
+    with pytest.raises(ValueError, match="nope"):
+        System(zoo.timed().kane, initial_conditions={NOPE: 1.0})
+
+
+@pytest.mark.parametrize("action", ["evaluate_ode", "integrate"])
+def test_an_unknown_initial_condition_put_in_the_dict_is_named_at_the_next(action):
+    system = System(zoo.timed().kane, times=[0.0, 1.0])
+    getattr(system, action)()
+    system.initial_conditions[NOPE] = 1.0
+    with pytest.raises(ValueError, match="nope"):
+        getattr(system, action)()
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_an_initial_condition_that_is_not_finite_is_named(value):
+    system = System(zoo.timed().kane)
+    with pytest.raises(ValueError, match=r"x\(t\)"):
+        system.initial_conditions = {system.states[0]: value}
+
+
+def test_an_initial_condition_that_is_not_a_number_is_named():
+    system = System(zoo.timed().kane)
+    with pytest.raises((TypeError, ValueError), match=r"x\(t\)"):
+        system.initial_conditions = {system.states[0]: "a"}
+
+
+# times
+
+
+def test_times_become_an_array_of_floats():
+    system = System(zoo.timed().kane, times=[0, 1, 3])
+    assert isinstance(system.times, np.ndarray)
+    close(system.times, [0.0, 1.0, 3.0])
+
+
+def test_integer_times_integrate_as_floats_do():
+    system = system_of(zoo.timed(), times=np.arange(4))
+    whole = system.integrate()
+    system.times = np.arange(4.0)
+    close(whole, system.integrate(), 1e-14)
+
+
+def test_equal_neighbours_are_allowed_in_times():
+    system = System(zoo.timed().kane, times=[0.0, 1.0, 1.0, 2.0])
+    assert system.integrate().shape == (4, 2)
+
+
+@pytest.mark.parametrize(
+    ("times", "message"),
+    [
+        ([0.0, 5.0, 3.0], r"times.*3"),
+        ([-1.0, 0.0], r"times.*-1"),
+        ([[0.0, 1.0]], r"times"),
+        ([0.0, np.nan], r"times"),
+        ([0.0, np.inf], r"times"),
+    ],
+)
+def test_wrong_times_are_refused(times, message):
+    with pytest.raises(ValueError, match=message):
+        System(zoo.timed().kane, times=times)
+
+
+def test_wrong_times_are_refused_when_set():
+    system = System(zoo.timed().kane, times=[0.0, 1.0])
+    with pytest.raises(ValueError, match="times"):
+        system.times = [1.0, 0.0]
+    close(system.times, [0.0, 1.0])
+
+
+@pytest.mark.parametrize("times", [5.0, 3])
+def test_a_scalar_for_times_is_a_type_error(times):
+    with pytest.raises(TypeError, match="times"):
+        System(zoo.timed().kane, times=times)
+
+
+# ode_solver
+
+
+def test_ode_solver_must_be_callable():
+    with pytest.raises(ValueError, match="ode_solver"):
+        System(zoo.timed().kane, ode_solver=5)
+
+
+def test_ode_solver_is_refused_when_set():
+    system = System(zoo.timed().kane)
+    with pytest.raises(ValueError, match="ode_solver"):
+        system.ode_solver = [odeint]
+    assert system.ode_solver is odeint

@@ -1,0 +1,243 @@
+"""The import rules of docs/design.md, checked from the code's own imports."""
+
+from __future__ import annotations
+
+import ast
+import graphlib
+import subprocess
+import sys
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+SRC = Path(__file__).parents[1] / "src"
+
+# Every room of the house: room -> floor. A room is the first component of a module's path below
+# `pydy`; it imports only from strictly lower floors, or from itself.
+FLOORS = {
+    "cli": 8,
+    "models": 7,
+    "examples": 7,
+    "system": 6,
+    "_system": 5,
+    "codegen": 4,
+    "linearize": 4,
+    "sensitivity": 4,
+    "ensemble": 4,
+    "viz": 4,
+    "_programs": 3,
+    "_backends": 3,
+    "solvers": 3,
+    "_eom": 2,
+    "_kernel": 2,
+    "plot": 2,
+    "_graph": 1,  # below _eom, which classifies constraints numerically
+    "trajectory": 1,
+    "_errors": 0,
+    "_version": 0,
+}
+# Files that share a room with another: `pydy` itself holds the version and no more.
+SHARED_ROOMS = {"__main__": "cli", "": "_version"}
+
+# room -> what it never imports, whatever the floors say.
+NEVER = {
+    "_graph": ("pydy.system", "sympy"),
+    "_backends": ("pydy.system", "sympy"),
+    "solvers": ("pydy.system", "sympy", "pydy._graph"),
+    "_kernel": ("pydy.system", "sympy"),
+    "plot": ("pydy.system",),
+    "viz": ("pydy.system",),
+}
+# The one place where SymPy becomes a graph: expressions only, no mechanics.
+NEVER_BY_MODULE = {"pydy._graph.from_sympy": ("pydy.system", "sympy.physics")}
+
+# Imported inside the function that needs them, never when a module loads.
+LATE = {"numba", "matplotlib", "xarray", "dask", "distributed", "tqdm", "Cython", "setuptools"}
+
+KANE_MODULE = "pydy._eom.kane"
+# KanesMethod's underscore attributes, but for `_q`, `_u`, `_km` and their like, which any class of
+# ours may have as well.
+KANE_PRIVATE = {
+    *("_f_h", "_f_nh", "_k_nh", "_f_dnh", "_k_dnh", "_f_d", "_k_d", "_f_k", "_k_ku", "_k_kqdot"),
+    *("_f_k_implicit", "_k_ku_implicit", "_k_kqdot_implicit", "_qdot_u_map", "_Ars"),
+    *("_qdep", "_udep", "_uaux", "_aux_eq", "_fr", "_frstar", "_form_fr", "_form_frstar"),
+    *("_bodylist", "_forcelist", "_inertial", "_constraint_solver"),
+}
+
+
+class Import(NamedTuple):
+    """One imported module, absolute, and whether loading the file runs the import."""
+
+    target: str
+    line: int
+    at_load: bool
+
+
+def module_name(path: Path) -> str:
+    parts = path.relative_to(SRC).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+MODULES = {module_name(path): path for path in sorted((SRC / "pydy").rglob("*.py"))}
+
+
+def room(module: str) -> str:
+    head = module.removeprefix("pydy").removeprefix(".").split(".")[0]
+    return SHARED_ROOMS.get(head, head)
+
+
+def within(module: str, packages: tuple[str, ...]) -> bool:
+    return any(module == package or module.startswith(package + ".") for package in packages)
+
+
+@cache
+def tree(module: str) -> ast.Module:
+    return ast.parse(MODULES[module].read_text(encoding="utf-8"))
+
+
+@cache
+def imports(module: str) -> tuple[Import, ...]:
+    is_package = MODULES[module].name == "__init__.py"
+    package = module if is_package else module.rpartition(".")[0]
+    return tuple(find_imports(tree(module), package, at_load=True))
+
+
+def find_imports(node: ast.AST, package: str, *, at_load: bool) -> Iterator[Import]:
+    if isinstance(node, ast.Import):
+        for alias in node.names:
+            yield Import(alias.name, node.lineno, at_load)
+    elif isinstance(node, ast.ImportFrom):
+        base = absolute(node, package)
+        for alias in node.names:
+            # `from package import name` meets either a module or something inside `package`.
+            full = f"{base}.{alias.name}"
+            target = full if full in MODULES or not within(base, ("pydy",)) else base
+            yield Import(target, node.lineno, at_load)
+    elif isinstance(node, ast.Call) and (name := dynamic_import(node)):
+        yield Import(name, node.lineno, at_load)
+    if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+        for child in node.body:
+            yield from find_imports(child, package, at_load=False)
+        for child in node.orelse:
+            yield from find_imports(child, package, at_load=at_load)
+        return
+    if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
+        at_load = False
+    for child in ast.iter_child_nodes(node):
+        yield from find_imports(child, package, at_load=at_load)
+
+
+def absolute(node: ast.ImportFrom, package: str) -> str:
+    if not node.level:
+        return node.module or ""
+    above = package.split(".")[: len(package.split(".")) - node.level + 1]
+    return ".".join([*above, *([node.module] if node.module else [])])
+
+
+def dynamic_import(node: ast.Call) -> str | None:
+    """Return the module named in ``import_module("...")`` or ``__import__("...")``."""
+    function = ast.unparse(node.func).rpartition(".")[2]
+    if function in {"import_module", "__import__"} and node.args:
+        name = node.args[0]
+        if isinstance(name, ast.Constant) and isinstance(name.value, str):
+            return name.value
+    return None
+
+
+def everywhere() -> Iterator[tuple[str, Import]]:
+    for module in MODULES:
+        for imported in imports(module):
+            yield module, imported
+
+
+def no_offences(offences: list[str]) -> None:
+    assert not offences, "\n" + "\n".join(offences)
+
+
+def test_every_module_has_a_floor():
+    no_offences([f"{m}: add its room to FLOORS" for m in MODULES if room(m) not in FLOORS])
+
+
+def test_modules_import_only_from_lower_floors_or_their_own_package():
+    offences = []
+    for module, (target, line, _) in everywhere():
+        here, there = room(module), room(target)
+        if not within(target, ("pydy",)) or here == there:
+            continue
+        if FLOORS.get(there, 99) >= FLOORS.get(here, -1):
+            offences.append(
+                f"{module}:{line} (floor {FLOORS.get(here)}) imports {target} "
+                f"(floor {FLOORS.get(there)})"
+            )
+    no_offences(offences)
+
+
+def test_there_are_no_import_circles():
+    graph = {m: {i.target for i in imports(m)} & MODULES.keys() - {m} for m in MODULES}
+    try:
+        graphlib.TopologicalSorter(graph).prepare()
+    except graphlib.CycleError as error:
+        pytest.fail("imports go in a circle: " + " <- ".join(error.args[1]))
+
+
+def test_rooms_never_import_what_they_must_not_know():
+    no_offences(
+        [
+            f"{module}:{line} imports {target}"
+            for module, (target, line, _) in everywhere()
+            if within(target, NEVER_BY_MODULE.get(module, NEVER.get(room(module), ())))
+        ]
+    )
+
+
+def test_optional_and_slow_libraries_are_imported_inside_functions():
+    no_offences(
+        [
+            f"{module}:{line} imports {target} when the module loads"
+            for module, (target, line, at_load) in everywhere()
+            if at_load and target.split(".")[0] in LATE
+        ]
+    )
+
+
+def test_only_the_kane_extractor_touches_kanesmethods_underscore_attributes():
+    offences = []
+    for module in MODULES.keys() - {KANE_MODULE}:
+        for node in ast.walk(tree(module)):
+            # A string is `getattr(kane, "_f_h")`.
+            name = getattr(node, "attr", None) or getattr(node, "value", None)
+            if isinstance(node, ast.Attribute | ast.Constant) and name in KANE_PRIVATE:
+                offences.append(f"{module}:{node.lineno} touches {name}")
+    no_offences(sorted(offences))
+
+
+def modules_loaded_by(statement: str) -> set[str]:
+    """Return `sys.modules` of a fresh interpreter after `statement`."""
+    code = f"{statement}; import sys; print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return set(done.stdout.split())
+
+
+def test_importing_pydy_loads_neither_sympy_nor_numpy():
+    heavy = {"sympy", "numpy", "scipy", "llvmlite", *LATE}
+    assert not modules_loaded_by("import pydy") & heavy
+
+
+def test_a_worker_that_receives_a_kernel_never_loads_sympy():
+    loaded = modules_loaded_by("import pydy._backends.registry, pydy._kernel")
+    assert "sympy" not in loaded
+
+
+@pytest.mark.skipif("pydy.solvers" not in MODULES, reason="there are no native solvers yet")
+def test_importing_the_solvers_never_loads_sympy():
+    assert "sympy" not in modules_loaded_by("import pydy.solvers")
+
+
+def test_importing_system_loads_no_optional_library():
+    # SciPy and SymPy load Cython's shadow module and its version; the compiler is what costs.
+    late = (LATE - {"Cython"}) | {"Cython.Compiler.Main"}
+    assert not modules_loaded_by("import pydy.system") & late
