@@ -1,6 +1,7 @@
 """Linear solves in LLVM IR: LU with partial pivoting lane by lane, and LDLᵀ in a vectorised loop.
 
-Every array is laid out ``[item][lane]``. A matrix is singular when a pivot is not above n·eps of
+These routines are compiled once, not with every model; a kernel knows them by name. Every array is
+laid out ``[item][lane]``. A matrix is singular when a pivot is not above n·eps of
 its row's and column's scale; the lane's bit is then set and its solution is NaN. A NaN in the
 matrix is not a failure: it comes out as NaN.
 """
@@ -9,16 +10,41 @@ from __future__ import annotations
 
 from pydy._backends.ir import Function, hex_double, literal, vector_type
 
-__all__ = ["solver_functions"]
+__all__ = ["mask", "solver_declarations", "solver_functions", "solver_names"]
 
 _FAST = "contract nsz"
 _INTERNAL = "internal|nounwind"
+_PUBLIC = "|nounwind"
+
+
+def solver_names(lanes: int) -> tuple[str, ...]:
+    """Return the routines that a kernel of `lanes` lanes may call."""
+    return tuple(f"pydy_{name}_{lanes}" for name in ("lu", "ldl_factor", "ldl_solve", "guard"))
+
+
+def solver_declarations(lanes: int) -> str:
+    """Return their IR declarations."""
+    lu, factor, solve, guard = solver_names(lanes)
+    return (
+        f"declare i32 @{lu}(ptr, ptr, ptr, ptr, i64, i32)\n"
+        f"declare i32 @{factor}(ptr, ptr, i64)\n"
+        f"declare void @{solve}(ptr, ptr, ptr, i64)\n"
+        f"declare i32 @{guard}(ptr, ptr, ptr, i64, i32)\n"
+    )
 
 
 def solver_functions(lanes: int) -> str:
-    """Return the IR of the routines that a kernel of `lanes` lanes calls."""
+    """Return the IR module of the routines."""
     return "\n".join(
-        [_lu_factor(), _lu_solve(), _lu_lanes(lanes), _ldl_factor(lanes), _ldl_solve(lanes)]
+        [
+            "declare double @llvm.fabs.f64(double)",
+            _lu_factor(),
+            _lu_solve(),
+            _lu_lanes(lanes),
+            _ldl_factor(lanes),
+            _ldl_solve(lanes),
+            _guard(lanes),
+        ]
     )
 
 
@@ -152,10 +178,10 @@ def _lu_lanes(lanes: int) -> str:
     with it gives NaN.
     """
     f = Function(
-        "lu_lanes",
+        f"pydy_lu_{lanes}",
         "i32",
         "ptr %a, ptr %pivots, ptr %scales, ptr %b, i64 %n, i32 %mask",
-        "internal|noinline nounwind",
+        _PUBLIC,
     )
     bad = f.variable("i32", "0")
     factorise = f.let("icmp eq ptr %b, null")
@@ -189,7 +215,8 @@ def _ldl_factor(lanes: int) -> str:
     """
     v = vector_type("double", lanes)
     b = vector_type("i1", lanes)
-    f = Function("ldl_factor", "i32", "ptr %a, ptr %inverse, i64 %n, ptr %weak", _INTERNAL)
+    f = Function(f"pydy_ldl_factor_{lanes}", "i32", "ptr %a, ptr %inverse, i64 %n", _PUBLIC)
+    flags = f.slot(b)
     size = f.let("sitofp i64 %n to double")
     tolerance = f.let(f"fmul double {size}, {hex_double(2.0**-52)}")
     if lanes > 1:
@@ -198,14 +225,13 @@ def _ldl_factor(lanes: int) -> str:
     with f.loop("0", "%n") as k:  # the original diagonal is the scale
         diagonal = f.load(v, "%a", _index(f, k, k, "%n", "1"))
         f.store(v, f.let(f"fmul {v} {diagonal}, {tolerance}"), "%inverse", k)
-    f.do(f"store {b} {'false' if lanes == 1 else 'zeroinitializer'}, ptr %weak")
+    f.set(b, flags, "false" if lanes == 1 else "zeroinitializer")
     with f.loop("0", "%n") as k:
         pivot = f.load(v, "%a", _index(f, k, k, "%n", "1"))
         limit = f.load(v, "%inverse", k)
         sound = f.let(f"fcmp ogt {v} {pivot}, {limit}")
         weak = f.let(f"xor {b} {sound}, {'true' if lanes == 1 else 'splat (i1 true)'}")
-        before = f.get(b, "%weak")
-        f.do(f"store {b} {f.let(f'or {b} {before}, {weak}')}, ptr %weak")
+        f.set(b, flags, f.let(f"or {b} {f.get(b, flags)}, {weak}"))
         inverse = f.let(f"fdiv {v} {literal(1.0, lanes)}, {pivot}")
         f.store(v, inverse, "%inverse", k)
         after = f.let(f"add nsw i64 {k}, 1")
@@ -217,14 +243,14 @@ def _ldl_factor(lanes: int) -> str:
                 product = f.let(f"fmul {_FAST} {v} {factor}, {f.load(v, row, j)}")
                 place = f.at(target, j, v)
                 f.store(v, f.let(f"fsub {_FAST} {v} {f.load(v, place)}, {product}"), place)
-    f.do(f"ret i32 {mask(f, f.get(b, '%weak'), lanes)}")
+    f.do(f"ret i32 {mask(f, f.get(b, flags), lanes)}")
     return f.text()
 
 
 def _ldl_solve(lanes: int) -> str:
     """Solve all lanes in place of x."""
     v = vector_type("double", lanes)
-    f = Function("ldl_solve", "void", "ptr %a, ptr %inverse, ptr %x, i64 %n", _INTERNAL)
+    f = Function(f"pydy_ldl_solve_{lanes}", "void", "ptr %a, ptr %inverse, ptr %x, i64 %n", _PUBLIC)
     with f.loop("0", "%n") as k:
         value = f.let(f"fmul {v} {f.load(v, '%x', k)}, {f.load(v, '%inverse', k)}")
         row = f.at("%a", _index(f, k, "0", "%n", "1"), v)
@@ -245,6 +271,33 @@ def _ldl_solve(lanes: int) -> str:
         step = f.let(f"fmul {v} {f.get(v, total)}, {f.load(v, '%inverse', k)}")
         f.store(v, f.let(f"fsub {v} {f.load(v, '%x', k)}, {step}"), "%x", k)
     f.do("ret void")
+    return f.text()
+
+
+def _guard(lanes: int) -> str:
+    """Solve again, by LU, the lanes in %mask of a symmetric system that LDL^T could not.
+
+    lower: the lower triangle row by row; b: the right-hand sides, solved in place; scratch: room
+    for n*n + 3n items, of which the LU uses all. Gives the mask of the singular lanes.
+    """
+    v = vector_type("double", lanes)
+    f = Function(
+        f"pydy_guard_{lanes}", "i32", "ptr %lower, ptr %b, ptr %a, i64 %n, i32 %mask", _PUBLIC
+    )
+    place = f.variable("i64", "0")
+    with f.loop("0", "%n") as i, f.loop("0", f.let(f"add nsw i64 {i}, 1")) as j:
+        k = f.get("i64", place)
+        value = f.load(v, "%lower", k)
+        f.set("i64", place, f.let(f"add nsw i64 {k}, 1"))
+        f.store(v, value, "%a", _index(f, i, j, "%n", "1"))
+        f.store(v, value, "%a", _index(f, j, i, "%n", "1"))
+    square = f.let("mul nsw i64 %n, %n")
+    pivots = f.at("%a", square, v)
+    scales = f.at(pivots, "%n", v)
+    call = f"ptr %a, ptr {pivots}, ptr {scales}"
+    bad = f.let(f"call i32 @pydy_lu_{lanes}({call}, ptr null, i64 %n, i32 %mask)")
+    f.let(f"call i32 @pydy_lu_{lanes}({call}, ptr %b, i64 %n, i32 %mask)")
+    f.do(f"ret i32 {bad}")
     return f.text()
 
 

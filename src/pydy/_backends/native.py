@@ -48,9 +48,13 @@ def native_kernel(
     return Kernel(program, sweep, call, rebuild, recipe, addresses, lanes, (owner, runtime))
 
 
+def _text() -> str:
+    return _sweep_text() + _gate_text()
+
+
 class _Runtime:
     def __init__(self) -> None:
-        self.code = jit.load(_sweep_text() + _gate_text(), ("sweep", "gate"))
+        self.code = jit.load("runtime", _text, ("sweep", "gate"), loops=True)
         prototype = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 2, ctypes.c_int64)
         self.sweep = prototype(self.code.addresses["sweep"])
         self.gate_name = b"native_call"

@@ -210,7 +210,7 @@ class Program:
     ) -> Program:
         """Take from a tape what the blocks need, renumbered."""
         roots = [n for _, _, nodes in blocks for n in nodes]
-        order = _reachable(tape, roots)
+        order = _in_order_of_need(tape, roots)
         new = {old: k for k, old in enumerate(order)}
         ops = tuple(tape.ops[n] for n in order)
         args = tuple(_renumber(tape.ops[n], tape.args[n], new) for n in order)
@@ -277,16 +277,60 @@ class Program:
         return state
 
 
-def _reachable(tape: Tape, roots: Iterable[int]) -> list[int]:
+def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
+    """Return what the roots need, each value as late as possible before its first use.
+
+    Few values are then alive at a time: machine code keeps them in registers, and the register
+    allocator, whose time grows with the values alive, is done sooner.
+    """
+    order: list[int] = []
+    done: set[int] = set()
+    roots = list(roots)
+    # All angles whose sine or cosine is taken come first: a back end can then do several at once.
+    stack = [*roots[::-1], *_angles_first(tape, roots)[::-1]]
+    while stack:
+        node = stack.pop()
+        if node < 0:
+            order.append(~node)
+            continue
+        if node in done:
+            continue
+        done.add(node)
+        stack.append(~node)
+        op, args = tape.ops[node], tape.args[node]
+        if op == "guard":
+            # Row by row of the elimination; matrix and column come along where they are needed.
+            _, entries, column, pivots, fast = args
+            needs: Sequence[int] = (*pivots, *fast, *column, *entries)
+        else:
+            needs = operands(op, args)
+        stack.extend(n for n in reversed(needs) if n not in done)
+    return order
+
+
+def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
+    """Return the arguments of sines and cosines and then those, innermost first."""
     seen = set(roots)
-    stack = list(seen)
+    stack = list(roots)
     while stack:
         node = stack.pop()
         for other in operands(tape.ops[node], tape.args[node]):
             if other not in seen:
                 seen.add(other)
                 stack.append(other)
-    return sorted(seen)
+    depth: dict[int, int] = {}
+    levels: dict[int, list[int]] = {}
+    for node in sorted(seen):
+        inner = max((depth[k] for k in operands(tape.ops[node], tape.args[node])), default=0)
+        if tape.ops[node] in ("sin", "cos"):
+            levels.setdefault(inner, []).append(node)
+            inner += 1
+        depth[node] = inner
+    order: list[int] = []
+    for level in sorted(levels):
+        order += dict.fromkeys(tape.args[node][0] for node in levels[level])
+        order += levels[level]
+    return order
 
 
 def _renumber(op: str, args: tuple[Any, ...], new: dict[int, int]) -> tuple[Any, ...]:

@@ -258,7 +258,21 @@ class _Generated:
             function = self._alive.get(name)
         if function is None:
             raise AttributeError(f"there is no generated function {name!r}")
-        return function
+        return _Handle(function)
+
+
+class _Handle:
+    """Where a function's qualified name ends; old pickle protocols take the function from here."""
+
+    def __init__(self, rhs: Any) -> None:
+        self.rhs = rhs
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_handle, (self.rhs.__qualname__.implementation,))
+
+
+def _handle(implementation: RightHandSide) -> _Handle:
+    return _Handle(make_function(implementation))
 
 
 generated = _Generated()
@@ -275,7 +289,7 @@ class _Name(str):
 
 def _restore(implementation: RightHandSide) -> str:
     name = str.__str__(make_function(implementation).__qualname__)
-    generated.restore(name.partition(".")[2])
+    generated.restore(name.split(".")[1])
     return name
 
 
@@ -283,7 +297,7 @@ def make_function(implementation: RightHandSide) -> FunctionType:
     """Wrap an implementation as the function that users see."""
     rhs: FunctionType = implementation.function()
     name = f"rhs_{next(_COUNTER)}"
-    qualified = _Name(f"generated.{name}")
+    qualified = _Name(f"generated.{name}.rhs")
     qualified.implementation = implementation
     rhs.__name__ = "rhs"
     rhs.__qualname__ = qualified

@@ -1,0 +1,169 @@
+"""Sine and cosine in LLVM IR, together, written in line and the same in every lane.
+
+The argument is reduced by multiples of π/2 in three parts (Cody & Waite, Software Manual for the
+Elementary Functions, 1980, ch. 8) with fused multiply-adds, and kept as head and tail. Up to 1e5
+the first product cancels exactly; the second one's rounding errors are carried in the tail, so
+that the doubles nearest to multiples of π/2 come out right too. The polynomials on [−π/4, π/4] are
+those of fdlibm (k_sin.c and k_cos.c, Sun Microsystems 1993), of degree 13 and 14. Lanes beyond
+1e5, infinities and NaN go to libm.
+"""
+
+from __future__ import annotations
+
+from pydy._backends.ir import Function, literal, vector_type
+
+__all__ = ["LIMIT", "sincos", "sincos_slow"]
+
+LIMIT = 1e5
+
+# π/2 as the exact sum of three doubles, to about 1e-49.
+PI_2 = (
+    float.fromhex("0x1.921fb54442d18p+0"),
+    float.fromhex("0x1.1a62633145c07p-54"),
+    float.fromhex("-0x1.f1976b7ed8fbcp-110"),
+)
+_TWO_OVER_PI = float.fromhex("0x1.45f306dc9c883p-1")
+_ROUND = 1.5 * 2.0**52  # adding and subtracting it rounds to an integer, which its low bits hold
+
+SIN = (
+    -1.66666666666666324348e-01,
+    8.33333333332248946124e-03,
+    -1.98412698298579493134e-04,
+    2.75573137070700676789e-06,
+    -2.50507602534068634195e-08,
+    1.58969099521155010221e-10,
+)
+COS = (
+    4.16666666666666019037e-02,
+    -1.38888888888741095749e-03,
+    2.48015872894767294178e-05,
+    -2.75573143513906633035e-07,
+    2.08757232129817482790e-09,
+    -1.13596475577881948265e-11,
+)
+
+
+class _Arithmetic:
+    """Double arithmetic without any fast-math flag."""
+
+    def __init__(self, f: Function, lanes: int) -> None:
+        self.f = f
+        self.lanes = lanes
+        self.v = vector_type("double", lanes)
+        self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+
+    def number(self, value: float) -> str:
+        return literal(value, self.lanes)
+
+    def add(self, a: str, b: str) -> str:
+        return self.f.let(f"fadd {self.v} {a}, {b}")
+
+    def sub(self, a: str, b: str) -> str:
+        return self.f.let(f"fsub {self.v} {a}, {b}")
+
+    def mul(self, a: str, b: str) -> str:
+        return self.f.let(f"fmul {self.v} {a}, {b}")
+
+    def neg(self, a: str) -> str:
+        return self.f.let(f"fneg {self.v} {a}")
+
+    def fma(self, a: str, b: str, c: str) -> str:
+        v = self.v
+        return self.f.let(f"call {v} @llvm.fma.{self.suffix}({v} {a}, {v} {b}, {v} {c})")
+
+    def horner(self, z: str, coefficients: tuple[float, ...]) -> str:
+        result = self.number(coefficients[-1])
+        for c in reversed(coefficients[:-1]):
+            result = self.fma(result, z, self.number(c))
+        return result
+
+
+def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
+    """Write sin(x) and cos(x) and return their names."""
+    m = _Arithmetic(f, lanes)
+    v, bits, flag = m.v, vector_type("i64", lanes), vector_type("i1", lanes)
+    # The quadrant, as a number and as an integer.
+    shifted = m.fma(x, m.number(_TWO_OVER_PI), m.number(_ROUND))
+    quadrant = f.let(f"bitcast {v} {shifted} to {bits}")
+    k = m.sub(shifted, m.number(_ROUND))
+    minus_k = m.neg(k)
+    # Head and tail of x − k·π/2.
+    r = m.fma(minus_k, m.number(PI_2[0]), x)  # exact
+    w = m.mul(k, m.number(PI_2[1]))
+    w_error = m.fma(k, m.number(PI_2[1]), m.neg(w))
+    head = m.sub(r, w)
+    back = m.sub(head, r)  # two-sum: r and w can be of any relative size
+    error = m.sub(m.sub(r, m.sub(head, back)), m.add(w, back))
+    tail = m.fma(minus_k, m.number(PI_2[2]), m.sub(error, w_error))
+    # sin(head + tail) and cos(head + tail), as fdlibm's kernels.
+    z = m.mul(head, head)
+    cube = m.mul(z, head)
+    half = m.number(0.5)
+    s = m.horner(z, SIN[1:])
+    inner = m.fma(z, m.fma(half, tail, m.neg(m.mul(cube, s))), m.neg(tail))
+    sine = m.sub(head, m.fma(cube, m.number(-SIN[0]), inner))
+    c = m.mul(z, m.horner(z, COS))
+    half_z = m.mul(half, z)
+    one = m.number(1.0)
+    lead = m.sub(one, half_z)
+    rest = m.sub(m.sub(one, lead), half_z)
+    cosine = m.add(lead, m.add(rest, m.fma(z, c, m.neg(m.mul(head, tail)))))
+    # Quadrants 1 and 3 swap them; signs follow from the quadrant's bits.
+    splat = (lambda n: str(n)) if lanes == 1 else (lambda n: f"splat (i64 {n})")
+    odd = f.let(f"trunc {bits} {quadrant} to {flag}")
+    sin_core = f.let(f"select {flag} {odd}, {v} {cosine}, {v} {sine}")
+    cos_core = f.let(f"select {flag} {odd}, {v} {sine}, {v} {cosine}")
+    sign = -(2**63)
+    sin_sign = f.let(f"and {bits} {f.let(f'shl {bits} {quadrant}, {splat(62)}')}, {splat(sign)}")
+    ahead = f.let(f"add {bits} {quadrant}, {splat(1)}")
+    cos_sign = f.let(f"and {bits} {f.let(f'shl {bits} {ahead}, {splat(62)}')}, {splat(sign)}")
+
+    def signed(value: str, flip: str) -> str:
+        as_bits = f.let(f"bitcast {v} {value} to {bits}")
+        return f.let(f"bitcast {bits} {f.let(f'xor {bits} {as_bits}, {flip}')} to {v}")
+
+    fast = signed(sin_core, sin_sign), signed(cos_core, cos_sign)
+    # −0 must stay −0, and tiny arguments lose nothing: head is then x itself.
+    size = f.let(f"call {v} @llvm.fabs.{m.suffix}({v} {x})")
+    near = f.let(f"fcmp ole {v} {size}, {m.number(LIMIT)}")
+    if lanes == 1:
+        every = near
+    else:
+        word = f.let(f"bitcast {flag} {near} to i{lanes}")
+        every = f.let(f"icmp eq i{lanes} {word}, -1")
+    slow, join = f.name("far"), f.name("angle")
+    before = f.current
+    f.do(f"br i1 {every}, label {join}, label {slow}, !prof !1")
+    f.label(slow)
+    room = f.slot(v, 2)
+    f.do(f"call void @sincos.far.{lanes}({v} {x}, ptr {room})")
+    chosen = []
+    for index, quick in enumerate(fast):
+        value = f.load(v, room, str(index))
+        chosen.append(f.let(f"select {flag} {near}, {v} {quick}, {v} {value}"))
+    end = f.current
+    f.do(f"br label {join}")
+    f.label(join)
+    sin_x, cos_x = (
+        f.let(f"phi {v} [ {a}, %{before} ], [ {b}, %{end} ]")
+        for a, b in zip(fast, chosen, strict=True)
+    )
+    return sin_x, cos_x
+
+
+def sincos_slow(lanes: int) -> str:
+    """Return the function for arguments beyond the limit: libm, lane by lane."""
+    v = vector_type("double", lanes)
+    f = Function(f"sincos.far.{lanes}", "void", f"{v} %x, ptr %out", "internal|noinline nounwind")
+    for index, name in enumerate(("sin", "cos")):
+        result = "poison"
+        for lane in range(lanes):
+            x = "%x" if lanes == 1 else f.let(f"extractelement {v} %x, i32 {lane}")
+            value = f.let(f"call double @{name}(double {x})")
+            if lanes == 1:
+                result = value
+            else:
+                result = f.let(f"insertelement {v} {result}, double {value}, i32 {lane}")
+        f.store(v, result, "%out", str(index))
+    f.do("ret void")
+    return f.text()
