@@ -9,15 +9,19 @@ PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 # The released PyDy that benchmarks compare with; it needs an environment of its own.
 REFERENCE := .venv-reference
 REFERENCE_PY := $(REFERENCE)/bin/python
+# heyoka, CasADi and JAX, whose generated code is compared with ours.
+PEERS := .venv-peers
+PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test bench clean
+.PHONY: help demo test bench bench-peers clean
 
 help:
-	@echo "make demo   install into $(VENV) and run the bicycle demo"
+	@echo "make demo   install into $(VENV), run the bicycle demo, plot it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
 	@echo "make bench  ratios against the released pydy 0.9.4"
+	@echo "make bench-peers  ratios against heyoka, CasADi and JAX; operation counts"
 	@echo "make clean  remove the environments and caches"
 
 demo: $(VENV)/.installed-plot
@@ -31,9 +35,14 @@ test: $(VENV)/.installed-test
 
 bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 	$(PY) benchmarks/run.py --reference $(REFERENCE_PY)
+	$(PY) benchmarks/imports.py
+
+bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
+	$(PY) benchmarks/operations.py
+	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 
 clean:
-	rm -rf $(VENV) $(REFERENCE) build .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(REFERENCE) $(PEERS) build .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # A stamp for each extra, older than pyproject.toml when the dependencies may have changed.
 $(VENV)/.installed-%: pyproject.toml | $(PY)
@@ -44,6 +53,10 @@ $(REFERENCE)/.installed: | $(REFERENCE_PY)
 	$(REFERENCE_PY) $(PIP_INSTALL) 'pydy==0.9.4' Cython setuptools
 	@touch $@
 
-$(PY) $(REFERENCE_PY): %/bin/python:
+$(PEERS)/.installed: benchmarks/requirements.txt | $(PEERS_PY)
+	$(PEERS_PY) $(PIP_INSTALL) --requirement benchmarks/requirements.txt
+	@touch $@
+
+$(PY) $(REFERENCE_PY) $(PEERS_PY): %/bin/python:
 	@$(PYTHON) -c 'import sys; v = sys.version.split()[0]; sys.version_info >= (3, 11) or sys.exit("pydy needs Python 3.11 or newer, $(PYTHON) is " + v + "; try make PYTHON=python3.12")'
 	$(PYTHON) -m venv $*

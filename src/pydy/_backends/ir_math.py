@@ -109,7 +109,10 @@ def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
     rest = m.sub(m.sub(one, lead), half_z)
     cosine = m.add(lead, m.add(rest, m.fma(z, c, m.neg(m.mul(head, tail)))))
     # Quadrants 1 and 3 swap them; signs follow from the quadrant's bits.
-    splat = (lambda n: str(n)) if lanes == 1 else (lambda n: f"splat (i64 {n})")
+
+    def splat(n: int) -> str:
+        return str(n) if lanes == 1 else f"splat (i64 {n})"
+
     odd = f.let(f"trunc {bits} {quadrant} to {flag}")
     sin_core = f.let(f"select {flag} {odd}, {v} {cosine}, {v} {sine}")
     cos_core = f.let(f"select {flag} {odd}, {v} {sine}, {v} {cosine}")

@@ -6,14 +6,14 @@ and signed zeros are not kept; NaN and infinity are (never ``nnan`` or ``ninf``)
 
 from __future__ import annotations
 
-from collections import Counter
 from functools import cache
 from typing import Any
 
 from pydy._backends import jit
 from pydy._backends.ir import Function, literal, vector_type
-from pydy._backends.ir_math import sincos, sincos_slow
-from pydy._backends.ir_solve import mask, solver_declarations, solver_functions, solver_names
+from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, TRUTHS, Emitter
+from pydy._backends.ir_math import sincos_slow
+from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.native import native_kernel
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program, operands
@@ -21,21 +21,7 @@ from pydy._kernel import Kernel
 
 __all__ = ["LLVMBackend", "kernel_text"]
 
-_FLAGS = "nsz"
-_INTRINSICS = {"sqrt": "sqrt", "abs": "fabs", "floor": "floor", "ceil": "ceil"}
-_INTRINSICS |= {"min": "minimum", "max": "maximum"}
-_LIBM = (
-    *("exp", "log", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"),
-    *("asinh", "acosh", "atanh", "pow", "atan2"),
-)
-_ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
-# Hints for the two kinds of branches: to a fallback when true, and when false.
-_WEIGHTS = (
-    '!0 = !{!"branch_weights", i32 1, i32 2000}',
-    '!1 = !{!"branch_weights", i32 2000, i32 1}',
-)
-_SOLVES = {"factor", "solve", "guard"}
-_COMPARISONS = {"lt": "olt", "le": "ole", "eq": "oeq", "ne": "une"}
+_SOLVES = frozenset({"factor", "solve", "guard"})
 
 
 class LLVMBackend:
@@ -79,7 +65,7 @@ def kernel_text(program: Program, lanes: int) -> str:
     """Return the module of a Program, with the functions `kernel` and `prepare`."""
     parts = [_declarations(program, lanes)]
     if lanes > 1:
-        parts += [_lane_by_lane(name, lanes) for name in _used(program) if name in _LIBM]
+        parts += [_lane_by_lane(name, lanes) for name in _used(program) if name in LIBM]
     if {"sin", "cos"} & set(program.ops):
         parts += [sincos_slow(w) for w in ((1, 2, 4, 8) if lanes == 1 else (lanes,))]
     parts += [_prepare(program, lanes), _kernel(program, lanes)]
@@ -96,7 +82,7 @@ def _declarations(program: Program, lanes: int) -> str:
     lines = [
         f"declare double @{name}({'double, double' if name in ('pow', 'atan2') else 'double'})"
         " nounwind willreturn memory(none)"
-        for name in _LIBM
+        for name in LIBM
     ]
     if _SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
@@ -105,7 +91,7 @@ def _declarations(program: Program, lanes: int) -> str:
         w, end = vector_type("double", width), "f64" if width == 1 else f"v{width}f64"
         lines.append(f"declare {w} @llvm.fma.{end}({w}, {w}, {w})")
         lines.append(f"declare {w} @llvm.fabs.{end}({w})")
-    for name in sorted(set(_INTRINSICS.values()) - {"fabs"}):
+    for name in sorted(set(INTRINSICS.values()) - {"fabs"}):
         two = name in ("minimum", "maximum")
         lines.append(f"declare {v} @llvm.{name}.{suffix}({v}{', ' + v if two else ''})")
     return "\n".join(lines) + "\n"
@@ -128,369 +114,12 @@ def _lane_by_lane(name: str, lanes: int) -> str:
     return f.text()
 
 
-_Place = str | tuple[str, int]
-
-
-class _Names:
-    """What values are called; those that wait in memory are loaded where they are first used."""
-
-    def __init__(self, f: Function, v: str) -> None:
-        self._f = f
-        self._v = v
-        self._known: dict[int, _Place] = {}
-
-    def later(self, node: int, place: _Place) -> None:
-        """Name a value, or say where in memory it lies."""
-        self._known[node] = place
-
-    def __contains__(self, node: int) -> bool:
-        return node in self._known
-
-    def __setitem__(self, node: int, name: str) -> None:
-        self._known[node] = name
-
-    def __getitem__(self, node: int) -> str:
-        place = self._known[node]
-        if isinstance(place, tuple):
-            place = self._known[node] = self._f.load(self._v, place[0], str(place[1]))
-        return place
-
-
-def _fusion(program: Program) -> tuple[set[int], set[int]]:
-    """Return the sums that take a product along, and the products that vanish in them.
-
-    Decided here and not by LLVM, so that the last bit is the same for any number of lanes and at
-    any level of its effort.
-    """
-    uses = Counter(
-        k for op, a in zip(program.ops, program.args, strict=True) for k in operands(op, a)
-    )
-    uses.update(program.outputs)
-    uses.update(program.carried)
-    fused: set[int] = set()
-    swallowed: set[int] = set()
-    for node, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
-        if op in ("add", "sub"):
-            for k in reversed(args):
-                same_stage = program.setup[k] == program.setup[node]
-                if program.ops[k] == "mul" and uses[k] == 1 and same_stage:
-                    fused.add(node)
-                    swallowed.add(k)
-                    break
-    return fused, swallowed
-
-
-class _Emitter:
-    """Writes the operations of one stage."""
-
-    def __init__(self, f: Function, program: Program, lanes: int) -> None:
-        self.f = f
-        self.program = program
-        self.lanes = lanes
-        self.v = vector_type("double", lanes)
-        self.b = vector_type("i1", lanes)
-        self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
-        self.names = _Names(f, self.v)
-        self.factors: dict[int, dict[str, str]] = {}
-        self.vectors: dict[int, list[str]] = {}
-        self.kept: dict[int, str] = {}
-        self.places: dict[int, list[tuple[str, int]]] = {}
-        self.status = ""
-        self.routines = solver_names(lanes)
-        self.angles: dict[int, tuple[_Place, _Place]] = {}
-        self.fused, self.swallowed = _fusion(program)
-
-    def constants(self) -> None:
-        """Name the numbers, which need no instruction."""
-        for k, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
-            if op == "const":
-                self.names[k] = literal(args[0], self.lanes)
-            elif op == "bool":
-                text = "true" if args[0] else "false"
-                self.names[k] = text if self.lanes == 1 else f"splat (i1 {text})"
-
-    def load(self, node: int, pointer: str, index: int) -> None:
-        """Read an input or a carried value."""
-        self.names[node] = self.f.load(self.v, pointer, str(index))
-        self._keep(node)
-
-    def reserve(self) -> None:
-        """Make room for the matrices that a guard's fallback needs.
-
-        They are written as soon as they are computed: kept alive in registers until the guard,
-        they would crowd out what the elimination works with.
-        """
-        for k, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
-            if op == "guard":
-                n, entries = args[:2]
-                lower = [entries[i * n + j] for i in range(n) for j in range(i + 1)]
-                self.kept[k] = self.f.slot(self.v, len(lower))
-                for place, node in enumerate(lower):
-                    if node in self.names:  # a number
-                        self.f.store(self.v, self.names[node], self.kept[k], str(place))
-                    else:
-                        self.places.setdefault(node, []).append((self.kept[k], place))
-
-    def _keep(self, node: int) -> None:
-        for pointer, place in self.places.get(node, ()):
-            self.f.store(self.v, self.names[node], pointer, str(place))
-
-    def node(self, node: int) -> None:
-        """Write one operation."""
-        self._write(node)
-        self._keep(node)
-
-    def _write(self, node: int) -> None:
-        op, args = self.program.ops[node], self.program.args[node]
-        f, v, names = self.f, self.v, self.names
-        if node in self.fused:
-            names[node] = self._fused(op, *args)
-        elif op in _ARITHMETIC:
-            if op == "mul" and node in self.swallowed:
-                return
-            a, b = (names[k] for k in args)
-            names[node] = f.let(f"{_ARITHMETIC[op]} {_FLAGS} {v} {a}, {b}")
-        elif op == "neg":
-            names[node] = f.let(f"fneg {_FLAGS} {v} {names[args[0]]}")
-        elif op in _INTRINSICS:
-            text = ", ".join(f"{v} {names[k]}" for k in args)
-            names[node] = f.let(f"call {v} @llvm.{_INTRINSICS[op]}.{self.suffix}({text})")
-        elif op in ("sin", "cos"):
-            angle = args[0]
-            if angle not in self.angles:
-                self._take_angles(node)
-            names.later(node, self.angles[angle][op == "cos"])
-        elif op in _LIBM:
-            text = ", ".join(f"{v} {names[k]}" for k in args)
-            name = op if self.lanes == 1 else f"{op}.lanes"
-            names[node] = f.let(f"call {v} @{name}({text})")
-        elif op in _COMPARISONS:
-            a, b = (names[k] for k in args)
-            names[node] = f.let(f"fcmp {_COMPARISONS[op]} {v} {a}, {b}")
-        elif op in ("and", "or"):
-            a, b = (names[k] for k in args)
-            names[node] = f.let(f"{op} {self.b} {a}, {b}")
-        elif op == "not":
-            true = "true" if self.lanes == 1 else "splat (i1 true)"
-            names[node] = f.let(f"xor {self.b} {names[args[0]]}, {true}")
-        elif op == "select":
-            c, yes, no = (names[k] for k in args)
-            names[node] = f.let(f"select {self.b} {c}, {v} {yes}, {v} {no}")
-        elif op == "sign":
-            names[node] = self._sign(names[args[0]])
-        elif op == "factor":
-            self._factor(node, *args)
-        elif op == "solve":
-            self._solve(node, *args)
-        elif op == "guard":
-            self._guard(node, *args)
-        elif op == "item":
-            names[node] = self.vectors[args[0]][args[1]]
-        else:
-            raise AssertionError(f"no IR for {op!r}")
-
-    def _fused(self, op: str, a: int, b: int) -> str:
-        """Write a sum with a product as one fused multiply-add."""
-        f, v, names = self.f, self.v, self.names
-        product, other = (b, a) if b in self.swallowed else (a, b)
-        x, y = (names[k] for k in self.program.args[product])
-        z = names[other]
-        if op == "sub":
-            if product == b:
-                x = f.let(f"fneg {v} {x}")
-            else:
-                z = f.let(f"fneg {v} {z}")
-        return f.let(f"call {v} @llvm.fma.{self.suffix}({v} {x}, {v} {y}, {v} {z})")
-
-    def _take_angles(self, node: int) -> None:
-        """Write the sine and cosine of an angle, and of those that are known by now, side by side."""
-        f, program = self.f, self.program
-        if self.lanes > 1:
-            angle = program.args[node][0]
-            self.angles[angle] = sincos(f, self.names[angle], self.lanes)
-            return
-        waiting = dict.fromkeys(
-            program.args[k][0]
-            for k in range(node, len(program.ops))
-            if program.ops[k] in ("sin", "cos") and program.setup[k] == program.setup[node]
-        )
-        ready = [k for k in waiting if k in self.names and k not in self.angles]
-        while ready:
-            width = next(w for w in (8, 4, 2, 1) if w <= len(ready) or w == 1)
-            if len(ready) > width:
-                width = min(8, 2 * width)
-            group, ready = ready[:width], ready[width:]
-            self._side_by_side(group, width)
-
-    def _side_by_side(self, group: list[int], width: int) -> None:
-        f = self.f
-        if width == 1:
-            self.angles[group[0]] = sincos(f, self.names[group[0]], 1)
-            return
-        v = vector_type("double", width)
-        packed = "poison"
-        for lane in range(width):
-            value = self.names[group[min(lane, len(group) - 1)]]
-            packed = f.let(f"insertelement {v} {packed}, double {value}, i32 {lane}")
-        sine, cosine = sincos(f, packed, width)
-        room = f.slot(v, 2)
-        f.store(v, sine, room)
-        f.store(v, cosine, room, "1")
-        for lane, angle in enumerate(group):
-            self.angles[angle] = ((room, lane), (room, width + lane))
-
-    def _sign(self, x: str) -> str:
-        f, v, n = self.f, self.v, self.lanes
-        above = f.let(f"fcmp ogt {v} {x}, {literal(0.0, n)}")
-        below = f.let(f"fcmp olt {v} {x}, {literal(0.0, n)}")
-        inner = f.let(f"select {self.b} {below}, {v} {literal(-1.0, n)}, {v} {x}")
-        return f.let(f"select {self.b} {above}, {v} {literal(1.0, n)}, {v} {inner}")
-
-    # -- solves ---------------------------------------------------------------------------------
-
-    def _buffer(self, nodes: tuple[int, ...]) -> str:
-        pointer = self.f.slot(self.v, len(nodes))
-        for k, node in enumerate(nodes):
-            self.f.store(self.v, self.names[node], pointer, str(k))
-        return pointer
-
-    def _report(self, bad: str) -> None:
-        f = self.f
-        f.set("i32", self.status, f.let(f"or i32 {f.get('i32', self.status)}, {bad}"))
-
-    def _lu(self, a: str, n: int, lanes: str) -> tuple[str, str, str]:
-        """Factorise the lanes named by the mask in place; gives buffers and who is singular."""
-        f = self.f
-        pivots = f.slot(vector_type("i64", self.lanes), n)
-        scales = f.slot("double", 2 * n)
-        bad = f.let(
-            f"call i32 @{self.routines[0]}(ptr {a}, ptr {pivots}, ptr {scales}, ptr null, "
-            f"i64 {n}, i32 {lanes})"
-        )
-        return pivots, scales, bad
-
-    def _factor(self, node: int, kind: str, n: int, entries: tuple[int, ...]) -> None:
-        f = self.f
-        a = self._buffer(entries)
-        every = str((1 << self.lanes) - 1)
-        if kind == "lu":
-            pivots, scales, bad = self._lu(a, n, every)
-            self._report(bad)
-            self.factors[node] = {
-                "a": a,
-                "pivots": pivots,
-                "scales": scales,
-                "mask": every,
-                "n": str(n),
-            }
-            return
-        spd = self._buffer(entries)
-        inverse = f.slot(self.v, n)
-        need = f.let(f"call i32 @{self.routines[1]}(ptr {spd}, ptr {inverse}, i64 {n})")
-        # With an empty mask this call returns at once.
-        pivots, scales, bad = self._lu(a, n, need)
-        self._report(bad)
-        self.factors[node] = {
-            "a": a, "pivots": pivots, "scales": scales, "mask": need, "n": str(n),
-            "spd": spd, "inverse": inverse,
-        }  # fmt: skip
-
-    def _solve(self, node: int, factor: int, column: tuple[int, ...]) -> None:
-        f = self.f
-        data = self.factors[factor]
-        n = len(column)
-        b = self._buffer(column)
-        call = (
-            f"call i32 @{self.routines[0]}(ptr {data['a']}, ptr {data['pivots']}, ptr {data['scales']}, "
-            f"ptr {b}, i64 {n}, i32 {data['mask']})"
-        )
-        if "spd" not in data:
-            f.let(call)
-            self.vectors[node] = [f.load(self.v, b, str(k)) for k in range(n)]
-            return
-        x = self._buffer(column)
-        f.do(
-            f"call void @{self.routines[2]}(ptr {data['spd']}, ptr {data['inverse']}, ptr {x}, "
-            f"i64 {n})"
-        )
-        fast = [f.load(self.v, x, str(k)) for k in range(n)]
-        weak = f.let(f"icmp ne i32 {data['mask']}, 0")
-        slow = f.name("weak")
-        join = f.name("solved")
-        before = f.current
-        f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
-        f.label(slow)
-        f.let(call)
-        chosen = self._choose(data["mask"], b, fast)
-        end = f.current
-        f.do(f"br label {join}")
-        f.label(join)
-        self.vectors[node] = [
-            f.let(f"phi {self.v} [ {a}, %{before} ], [ {c}, %{end} ]")
-            for a, c in zip(fast, chosen, strict=True)
-        ]
-
-    def _choose(self, lanes: str, slow: str, fast: list[str]) -> list[str]:
-        """Take the lanes named by the mask from memory, the others as they are."""
-        f = self.f
-        if self.lanes == 1:
-            return [f.load(self.v, slow, str(k)) for k in range(len(fast))]
-        bits = f.let(f"trunc i32 {lanes} to i{self.lanes}")
-        flags = f.let(f"bitcast i{self.lanes} {bits} to {self.b}")
-        return [
-            f.let(f"select {self.b} {flags}, {self.v} {f.load(self.v, slow, str(k))}, {self.v} {x}")
-            for k, x in enumerate(fast)
-        ]
-
-    def _guard(
-        self,
-        node: int,
-        n: int,
-        entries: tuple[int, ...],
-        column: tuple[int, ...],
-        pivots: tuple[int, ...],
-        fast: tuple[int, ...],
-    ) -> None:
-        f, v, names = self.f, self.v, self.names
-        tolerance = literal(n * 2.0**-52, self.lanes)
-        sound = ""
-        for k, pivot in enumerate(pivots):
-            diagonal = entries[k * (n + 1)]
-            if pivot == diagonal:
-                limit = literal(0.0, self.lanes)
-            else:
-                limit = f.let(f"fmul {v} {names[diagonal]}, {tolerance}")
-            flag = f.let(f"fcmp ogt {v} {names[pivot]}, {limit}")
-            sound = flag if not sound else f.let(f"and {self.b} {sound}, {flag}")
-        every = (1 << self.lanes) - 1
-        need = f.let(f"xor i32 {mask(f, sound, self.lanes)}, {every}")
-        weak = f.let(f"icmp ne i32 {need}, 0")
-        slow, join = f.name("weak"), f.name("solved")
-        before = f.current
-        f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
-        f.label(slow)
-        lower = self.kept[node]
-        b = self._buffer(column)
-        scratch = f.slot(v, n * n + 3 * n)
-        bad = f.let(
-            f"call i32 @{self.routines[3]}(ptr {lower}, ptr {b}, ptr {scratch}, i64 {n}, i32 {need})"
-        )
-        self._report(bad)
-        quick = [names[k] for k in fast]
-        chosen = self._choose(need, b, quick)
-        end = f.current
-        f.do(f"br label {join}")
-        f.label(join)
-        self.vectors[node] = [
-            f.let(f"phi {v} [ {x}, %{before} ], [ {y}, %{end} ]")
-            for x, y in zip(quick, chosen, strict=True)
-        ]
-
-
 def _prepare(program: Program, lanes: int) -> str:
     f = Function("prepare", "void", "ptr noalias readonly %p, ptr noalias %c", "|nounwind")
-    e = _Emitter(f, program, lanes)
+    e = Emitter(f, program, lanes)
     e.constants()
+    e.blocks(True, "%p")
+    carried = {node: index for index, node in enumerate(program.carried)}
     for k, op in enumerate(program.ops):
         if not program.setup[k] or op in ("const", "bool"):
             continue
@@ -498,11 +127,13 @@ def _prepare(program: Program, lanes: int) -> str:
             e.load(k, "%p", program.args[k][1])
         else:
             e.node(k)
-    for index, k in enumerate(program.carried):
-        value = e.names[k]
-        if program.ops[k] in _COMPARISONS or program.ops[k] in ("and", "or", "not"):
-            value = f.let(f"uitofp {e.b} {value} to {e.v}")
-        f.store(e.v, value, "%c", str(index))
+        if k in carried:
+            value = e.names[k]
+            if op in TRUTHS:
+                value = f.let(f"uitofp {e.b} {value} to {e.v}")
+            f.store(e.v, value, "%c", str(carried[k]))
+    f.do("ret void")
+    f.label("%bail")
     f.do("ret void")
     return f.text()
 
@@ -515,8 +146,9 @@ def _kernel(program: Program, lanes: int) -> str:
         "ptr noalias readonly %c, ptr noalias %out",
         "|nounwind",
     )
-    e = _Emitter(f, program, lanes)
+    e = Emitter(f, program, lanes)
     e.constants()
+    e.blocks(False, "%t")
     e.reserve()
     e.status = f.variable("i32", "0")
     places = {node: index for index, node in enumerate(program.carried)}
@@ -538,11 +170,13 @@ def _kernel(program: Program, lanes: int) -> str:
             _load_carried(e, k, places[k])
         f.store(e.v, e.names[k], "%out", str(index))
     f.do(f"ret i32 {f.get('i32', e.status)}")
-    return "\n".join([f.text(), *_WEIGHTS, ""])
+    f.label("%bail")
+    f.do("ret i32 0")
+    return "\n".join([f.text(), *BRANCH_WEIGHTS, ""])
 
 
-def _load_carried(e: _Emitter, node: int, index: int) -> None:
+def _load_carried(e: Emitter, node: int, index: int) -> None:
     e.load(node, "%c", index)
     op = e.program.ops[node]
-    if op in _COMPARISONS or op in ("and", "or", "not"):
+    if op in TRUTHS:
         e.names[node] = e.f.let(f"fcmp une {e.v} {e.names[node]}, {literal(0.0, e.lanes)}")

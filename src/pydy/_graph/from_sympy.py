@@ -104,6 +104,13 @@ def _xor(graph: Graph, expr: Any, args: list[int]) -> int:
     return node
 
 
+def _if_then_else(graph: Graph, expr: Any, args: list[int]) -> int:
+    # Of truth values; SymPy makes it of a Piecewise inside a condition.
+    condition, yes, no = args
+    otherwise = graph.call("and", graph.call("not", condition), no)
+    return graph.call("or", graph.call("and", condition, yes), otherwise)
+
+
 def _log(graph: Graph, expr: Any, args: list[int]) -> int:
     node = graph.call("log", args[0])
     return node if len(args) == 1 else graph.div(node, graph.call("log", args[1]))
@@ -164,7 +171,7 @@ HANDLERS: dict[Any, Handler] = {
     sm.Or: _same("or"),
     sm.Not: _same("not"),
     sm.Xor: _xor,
-    sm.ITE: _same("select"),
+    sm.ITE: _if_then_else,
     # Everything here is real, so these are what SymPy could not simplify for want of assumptions.
     sm.re: lambda graph, expr, args: args[0],
     sm.conjugate: lambda graph, expr, args: args[0],

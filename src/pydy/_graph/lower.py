@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from typing import Any
 
 from pydy._graph.linsolve import LoopFactor, UnrolledLDL
 from pydy._graph.node import Graph
 from pydy._graph.program import Program, Tape
+from pydy._graph.share import is_pair, share_products
 
 __all__ = ["UNROLL_LIMIT", "lower"]
 
@@ -51,6 +53,9 @@ class _Lowering:
         self.new: dict[int, int] = {}
         self.factors: dict[int, UnrolledLDL | LoopFactor] = {}
         self.divided: Counter[int] = Counter()
+        self.products: dict[tuple[int, float], list[Any]] = {}
+        self.below: dict[int, list[tuple[int, int]]] = {}
+        self.pairs: dict[int, int] = {}  # by identity: the plan keeps them alive
 
     def run(
         self,
@@ -61,6 +66,8 @@ class _Lowering:
         for node in order:
             if self.graph.ops[node] == "prod":
                 self.divided.update(n for n, e in self.graph.args[node] if e < 0)
+        self._constant = constant_nodes(self.graph, order)
+        self._plan_products(order)
         for node in order:
             self.new[node] = self._node(node)
         return self.tape, sizes, [(n, s, [self.new[k] for k in nodes]) for n, s, nodes in blocks]
@@ -71,7 +78,7 @@ class _Lowering:
         if op == "sum":
             return self._sum(*args)
         if op == "prod":
-            return self._product(args, 1.0)
+            return self._product(node, 1.0)
         if op == "const":
             return tape.const(args[0])
         if op in ("bool", "input"):
@@ -120,8 +127,8 @@ class _Lowering:
         size = abs(coefficient)
         if size == 1.0:
             value = self.new[node]
-        elif self.graph.ops[node] == "prod":
-            value = self._product(self.graph.args[node], size)
+        elif (node, size) in self.products:
+            value = self._product(node, size)
         else:
             value = tape.mul(tape.const(size), self.new[node])
         positive = coefficient > 0.0
@@ -129,27 +136,74 @@ class _Lowering:
             return tape.args[value][0], not positive
         return value, positive
 
-    def _product(self, pairs: tuple[tuple[int, int], ...], coefficient: float) -> int:
+    # -- products ---------------------------------------------------------------------------------
+
+    def _plan_products(self, order: list[int]) -> None:
+        """Decide in which order the factors of each product are multiplied.
+
+        The factors that depend on constants alone are one factor, with the coefficient of the sum
+        in which the product stands: all that is a matter of the setup stage.
+        """
+        graph = self.graph
+        constant = self._constant
+        wanted: dict[tuple[int, float], None] = {}
+        for node in order:
+            if graph.ops[node] == "prod":
+                wanted[node, 1.0] = None
+            elif graph.ops[node] == "sum":
+                for term, coefficient in graph.args[node][1]:
+                    size = abs(coefficient)
+                    product = size != 1.0 and graph.ops[term] == "prod"
+                    if product and any(constant[n] for n, _ in graph.args[term]):
+                        wanted[term, size] = None
+        factors: list[list[Any]] = []
+        for node, size in wanted:
+            fixed = tuple(pair for pair in graph.args[node] if constant[pair[0]])
+            moving = [pair for pair in graph.args[node] if not constant[pair[0]]]
+            above = [("power", *pair) for pair in moving if self._multiplies(*pair)]
+            self.below[node] = [pair for pair in moving if not self._multiplies(*pair)]
+            if fixed or size != 1.0:
+                above.insert(0, ("fixed", fixed, size))
+            factors.append(above)
+        for key, shared in zip(wanted, share_products(factors), strict=True):
+            self.products[key] = shared
+
+    def _multiplies(self, node: int, exponent: int) -> bool:
+        # A denominator that occurs more than once becomes a reciprocal.
+        return exponent > 0 or self.divided[node] > 1
+
+    def _product(self, node: int, size: float) -> int:
         tape = self.tape
-        above: list[int] = []
-        below: list[int] = []
-        for node, exponent in pairs:
-            base = self.new[node]
-            if exponent > 0:
-                above.append(tape.power(base, exponent))
-            elif self.divided[node] > 1:
-                reciprocal = tape.div(tape.const(1.0), base)
-                above.append(tape.power(reciprocal, -exponent))
-            else:
-                below.append(tape.power(base, -exponent))
-        if coefficient != 1.0:
-            above.append(tape.const(coefficient))
-        top = self._chain(above)
-        if not below:
-            return top if top is not None else tape.const(1.0)
+        top = self._chain([self._factor(tree) for tree in self.products[node, size]])
+        below = [tape.power(self.new[n], -e) for n, e in self.below[node]]
         bottom = self._chain(below)
-        assert bottom is not None
+        if bottom is None:
+            return tape.const(1.0) if top is None else top
         return tape.div(tape.const(1.0) if top is None else top, bottom)
+
+    def _factor(self, tree: Any) -> int:
+        tape = self.tape
+        if is_pair(tree):
+            known = self.pairs.get(id(tree))
+            if known is None:
+                known = tape.mul(self._factor(tree[0]), self._factor(tree[1]))
+                self.pairs[id(tree)] = known
+            return known
+        if tree[0] == "power":
+            return self._power(tree[1], tree[2])
+        _, fixed, size = tree
+        values = [self._power(n, e) for n, e in fixed]
+        if size != 1.0:
+            values.append(tape.const(size))
+        result = self._chain(values)
+        assert result is not None
+        return result
+
+    def _power(self, node: int, exponent: int) -> int:
+        tape, base = self.tape, self.new[node]
+        if exponent < 0:
+            base = tape.div(tape.const(1.0), base)
+        return tape.power(base, abs(exponent))
 
     def _chain(self, factors: list[int]) -> int | None:
         tape = self.tape
@@ -158,3 +212,17 @@ class _Lowering:
         for node in ordered:
             result = node if result is None else tape.mul(result, node)
         return result
+
+
+def constant_nodes(graph: Graph, order: Sequence[int]) -> dict[int, bool]:
+    """Tell for the nodes in `order` which depend on constants (inputs 'p') and numbers alone."""
+    flags: dict[int, bool] = {}
+    for node in order:
+        op = graph.ops[node]
+        if op == "input":
+            flags[node] = graph.args[node][0] == "p"
+        elif op in ("factor", "solve", "item"):
+            flags[node] = False
+        else:
+            flags[node] = all(flags[n] for n in graph.operands(node))
+    return flags

@@ -1,0 +1,462 @@
+"""The operations of a Program as LLVM instructions, one stage at a time.
+
+Instructions keep NaN and infinity but not the sign of zero. Products go into sums as fused
+multiply-adds here, not in LLVM, so that the last bit depends neither on its level of effort nor on
+how many states are taken at once.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from pydy._backends.ir import Function, literal, vector_type
+from pydy._backends.ir_math import sincos
+from pydy._backends.ir_solve import mask, solver_names
+from pydy._graph.program import Program, operands
+
+__all__ = ["BRANCH_WEIGHTS", "INTRINSICS", "LIBM", "TRUTHS", "Emitter"]
+
+_FLAGS = "nsz"
+INTRINSICS = {"sqrt": "sqrt", "abs": "fabs", "floor": "floor", "ceil": "ceil"}
+INTRINSICS |= {"min": "minimum", "max": "maximum"}
+LIBM = (
+    *("exp", "log", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"),
+    *("asinh", "acosh", "atanh", "pow", "atan2"),
+)
+_ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
+# Hints for the two kinds of branches: to a fallback when true, and when false.
+BRANCH_WEIGHTS = (
+    '!0 = !{!"branch_weights", i32 1, i32 2000}',
+    '!1 = !{!"branch_weights", i32 2000, i32 1}',
+)
+_COMPARISONS = {"lt": "olt", "le": "ole", "eq": "oeq", "ne": "une"}
+
+
+TRUTHS = frozenset({*_COMPARISONS, "and", "or", "not"})
+
+
+# Operations in one basic block. LLVM's time grows faster than a block's length; values that are
+# needed in a later block wait in memory, so that no register has to be kept for them meanwhile.
+BLOCK = 200
+
+_Place = str | tuple[str, int]
+
+
+class _Names:
+    """What values are called in the block that is being written, and where in memory they wait."""
+
+    def __init__(self, f: Function, v: str) -> None:
+        self._f = f
+        self._v = v
+        self._known: dict[int, tuple[str, int]] = {}  # name, and the block it was made in
+        self._homes: dict[int, tuple[str, int]] = {}
+        self._needed_later: set[int] = set()
+        self._block = 0
+
+    def keep(self, nodes: set[int]) -> None:
+        """Say which values are needed in a later block than the one they are made in."""
+        self._needed_later = nodes
+
+    def new_block(self) -> None:
+        """Forget the names of all values that wait in memory."""
+        self._block += 1
+
+    def at(self, node: int, place: _Place) -> None:
+        """Name a value, or say where in memory it lies."""
+        if isinstance(place, tuple):
+            self._homes[node] = place
+        else:
+            self[node] = place
+
+    def __contains__(self, node: int) -> bool:
+        return node in self._known or node in self._homes
+
+    def __setitem__(self, node: int, name: str) -> None:
+        self._known[node] = (name, self._block)
+        if node in self._needed_later and node not in self._homes:
+            slot = self._f.slot(self._v)
+            self._f.store(self._v, name, slot)
+            self._homes[node] = (slot, 0)
+
+    def __getitem__(self, node: int) -> str:
+        name, block = self._known.get(node, ("", -1))
+        home = self._homes.get(node)
+        if home is not None and block != self._block:
+            name = self._f.load(self._v, home[0], str(home[1]))
+            self._known[node] = (name, self._block)
+        return name
+
+
+def _needed_later(program: Program, swallowed: set[int], setup: bool) -> set[int]:
+    """Return the numbers of a stage that are used in a later block than their own."""
+    block = {}
+    count = 0
+    later: set[int] = set()
+    for k, op in enumerate(program.ops):
+        if program.setup[k] != setup or op in ("const", "bool", "input") or k in swallowed:
+            continue
+        block[k] = count // BLOCK
+        count += 1
+        stack = list(operands(op, program.args[k]))
+        while stack:
+            other = stack.pop()
+            if other in swallowed:
+                stack.extend(program.args[other])
+            elif other in block and block[other] != block[k]:
+                later.add(other)
+    if not setup:
+        later.update(k for k in program.outputs if k in block and block[k] != count // BLOCK)
+    kinds = TRUTHS | {"factor", "solve", "guard"}
+    return {k for k in later if program.ops[k] not in kinds}
+
+
+def _fusion(program: Program) -> tuple[set[int], set[int]]:
+    """Return the sums that take a product along, and the products that vanish in them.
+
+    Decided here and not by LLVM, so that the last bit is the same for any number of lanes and at
+    any level of its effort.
+    """
+    uses = Counter(
+        k for op, a in zip(program.ops, program.args, strict=True) for k in operands(op, a)
+    )
+    uses.update(program.outputs)
+    uses.update(program.carried)
+    fused: set[int] = set()
+    swallowed: set[int] = set()
+    for node, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
+        if op in ("add", "sub"):
+            for k in reversed(args):
+                same_stage = program.setup[k] == program.setup[node]
+                if program.ops[k] == "mul" and uses[k] == 1 and same_stage:
+                    fused.add(node)
+                    swallowed.add(k)
+                    break
+    return fused, swallowed
+
+
+class Emitter:
+    """Writes the operations of one stage."""
+
+    def __init__(self, f: Function, program: Program, lanes: int) -> None:
+        self.f = f
+        self.program = program
+        self.lanes = lanes
+        self.v = vector_type("double", lanes)
+        self.b = vector_type("i1", lanes)
+        self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+        self.names = _Names(f, self.v)
+        self.written = 0
+        self.pointer = "null"
+        self.factors: dict[int, dict[str, str]] = {}
+        self.vectors: dict[int, list[str]] = {}
+        self.kept: dict[int, str] = {}
+        self.places: dict[int, list[tuple[str, int]]] = {}
+        self.status = ""
+        self.routines = solver_names(lanes)
+        self.angles: dict[int, tuple[_Place, _Place]] = {}
+        self.fused, self.swallowed = _fusion(program)
+
+    def constants(self) -> None:
+        """Name the numbers, which need no instruction."""
+        for k, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
+            if op == "const":
+                self.names[k] = literal(args[0], self.lanes)
+            elif op == "bool":
+                text = "true" if args[0] else "false"
+                self.names[k] = text if self.lanes == 1 else f"splat (i1 {text})"
+
+    def load(self, node: int, pointer: str, index: int) -> None:
+        """Read an input or a carried value."""
+        self.names.at(node, (pointer, index))
+        self._keep(node)
+
+    def reserve(self) -> None:
+        """Make room for the matrices that a guard's fallback needs.
+
+        They are written as soon as they are computed: kept alive in registers until the guard,
+        they would crowd out what the elimination works with.
+        """
+        for k, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
+            if op == "guard":
+                n, entries = args[:2]
+                lower = [entries[i * n + j] for i in range(n) for j in range(i + 1)]
+                self.kept[k] = self.f.slot(self.v, len(lower))
+                for place, node in enumerate(lower):
+                    if node in self.names:  # a number
+                        self.f.store(self.v, self.names[node], self.kept[k], str(place))
+                    else:
+                        self.places.setdefault(node, []).append((self.kept[k], place))
+
+    def _keep(self, node: int) -> None:
+        for pointer, place in self.places.get(node, ()):
+            self.f.store(self.v, self.names[node], pointer, str(place))
+
+    def node(self, node: int) -> None:
+        """Write one operation."""
+        if self.written and self.written % BLOCK == 0:
+            self._next_block()
+        self.written += node not in self.swallowed
+        self._write(node)
+        self._keep(node)
+
+    def blocks(self, setup: bool, pointer: str) -> None:
+        """Write in blocks of limited length; `pointer` is a parameter that is never null."""
+        self.names.keep(_needed_later(self.program, self.swallowed, setup))
+        self.pointer = pointer
+
+    def _next_block(self) -> None:
+        """Begin another basic block, in a way that LLVM does not see through."""
+        self.written = 0
+        f = self.f
+        block = f.name("block")
+        f.do(f"br i1 {f.let(f'icmp ne ptr {self.pointer}, null')}, label {block}, label %bail")
+        f.label(block)
+        self.names.new_block()
+
+    def _write(self, node: int) -> None:
+        op, args = self.program.ops[node], self.program.args[node]
+        f, v, names = self.f, self.v, self.names
+        if node in self.fused:
+            names[node] = self._fused(op, *args)
+        elif op in _ARITHMETIC:
+            if op == "mul" and node in self.swallowed:
+                return
+            a, b = (names[k] for k in args)
+            names[node] = f.let(f"{_ARITHMETIC[op]} {_FLAGS} {v} {a}, {b}")
+        elif op == "neg":
+            names[node] = f.let(f"fneg {_FLAGS} {v} {names[args[0]]}")
+        elif op in INTRINSICS:
+            text = ", ".join(f"{v} {names[k]}" for k in args)
+            names[node] = f.let(f"call {v} @llvm.{INTRINSICS[op]}.{self.suffix}({text})")
+        elif op in ("sin", "cos"):
+            angle = args[0]
+            if angle not in self.angles:
+                self._take_angles(node)
+            names.at(node, self.angles[angle][op == "cos"])
+        elif op in LIBM:
+            text = ", ".join(f"{v} {names[k]}" for k in args)
+            name = op if self.lanes == 1 else f"{op}.lanes"
+            names[node] = f.let(f"call {v} @{name}({text})")
+        elif op in _COMPARISONS:
+            a, b = (names[k] for k in args)
+            names[node] = f.let(f"fcmp {_COMPARISONS[op]} {v} {a}, {b}")
+        elif op in ("and", "or"):
+            a, b = (names[k] for k in args)
+            names[node] = f.let(f"{op} {self.b} {a}, {b}")
+        elif op == "not":
+            true = "true" if self.lanes == 1 else "splat (i1 true)"
+            names[node] = f.let(f"xor {self.b} {names[args[0]]}, {true}")
+        elif op == "select":
+            c, yes, no = (names[k] for k in args)
+            names[node] = f.let(f"select {self.b} {c}, {v} {yes}, {v} {no}")
+        elif op == "sign":
+            names[node] = self._sign(names[args[0]])
+        elif op == "factor":
+            self._factor(node, *args)
+        elif op == "solve":
+            self._solve(node, *args)
+        elif op == "guard":
+            self._guard(node, *args)
+        elif op == "item":
+            names[node] = self.vectors[args[0]][args[1]]
+        else:
+            raise AssertionError(f"no IR for {op!r}")
+
+    def _fused(self, op: str, a: int, b: int) -> str:
+        """Write a sum with a product as one fused multiply-add."""
+        f, v, names = self.f, self.v, self.names
+        product, other = (b, a) if b in self.swallowed else (a, b)
+        x, y = (names[k] for k in self.program.args[product])
+        z = names[other]
+        if op == "sub":
+            if product == b:
+                x = f.let(f"fneg {v} {x}")
+            else:
+                z = f.let(f"fneg {v} {z}")
+        return f.let(f"call {v} @llvm.fma.{self.suffix}({v} {x}, {v} {y}, {v} {z})")
+
+    def _take_angles(self, node: int) -> None:
+        """Write sine and cosine of an angle and of all others known by now, side by side."""
+        f, program = self.f, self.program
+        if self.lanes > 1:
+            angle = program.args[node][0]
+            self.angles[angle] = sincos(f, self.names[angle], self.lanes)
+            return
+        waiting = dict.fromkeys(
+            program.args[k][0]
+            for k in range(node, len(program.ops))
+            if program.ops[k] in ("sin", "cos") and program.setup[k] == program.setup[node]
+        )
+        ready = [k for k in waiting if k in self.names and k not in self.angles]
+        while ready:
+            width = next(w for w in (8, 4, 2, 1) if w <= len(ready) or w == 1)
+            if len(ready) > width:
+                width = min(8, 2 * width)
+            group, ready = ready[:width], ready[width:]
+            self._side_by_side(group, width)
+
+    def _side_by_side(self, group: list[int], width: int) -> None:
+        f = self.f
+        if width == 1:
+            self.angles[group[0]] = sincos(f, self.names[group[0]], 1)
+            return
+        v = vector_type("double", width)
+        packed = "poison"
+        for lane in range(width):
+            value = self.names[group[min(lane, len(group) - 1)]]
+            packed = f.let(f"insertelement {v} {packed}, double {value}, i32 {lane}")
+        sine, cosine = sincos(f, packed, width)
+        room = f.slot(v, 2)
+        f.store(v, sine, room)
+        f.store(v, cosine, room, "1")
+        for lane, angle in enumerate(group):
+            self.angles[angle] = ((room, lane), (room, width + lane))
+
+    def _sign(self, x: str) -> str:
+        f, v, n = self.f, self.v, self.lanes
+        above = f.let(f"fcmp ogt {v} {x}, {literal(0.0, n)}")
+        below = f.let(f"fcmp olt {v} {x}, {literal(0.0, n)}")
+        inner = f.let(f"select {self.b} {below}, {v} {literal(-1.0, n)}, {v} {x}")
+        return f.let(f"select {self.b} {above}, {v} {literal(1.0, n)}, {v} {inner}")
+
+    # -- solves ---------------------------------------------------------------------------------
+
+    def _buffer(self, nodes: tuple[int, ...]) -> str:
+        pointer = self.f.slot(self.v, len(nodes))
+        for k, node in enumerate(nodes):
+            self.f.store(self.v, self.names[node], pointer, str(k))
+        return pointer
+
+    def _report(self, bad: str) -> None:
+        f = self.f
+        f.set("i32", self.status, f.let(f"or i32 {f.get('i32', self.status)}, {bad}"))
+
+    def _lu(self, a: str, n: int, lanes: str) -> tuple[str, str, str]:
+        """Factorise the lanes named by the mask in place; gives buffers and who is singular."""
+        f = self.f
+        pivots = f.slot(vector_type("i64", self.lanes), n)
+        scales = f.slot("double", 2 * n)
+        bad = f.let(
+            f"call i32 @{self.routines[0]}(ptr {a}, ptr {pivots}, ptr {scales}, ptr null, "
+            f"i64 {n}, i32 {lanes})"
+        )
+        return pivots, scales, bad
+
+    def _factor(self, node: int, kind: str, n: int, entries: tuple[int, ...]) -> None:
+        f = self.f
+        a = self._buffer(entries)
+        every = str((1 << self.lanes) - 1)
+        if kind == "lu":
+            pivots, scales, bad = self._lu(a, n, every)
+            self._report(bad)
+            self.factors[node] = {
+                "a": a,
+                "pivots": pivots,
+                "scales": scales,
+                "mask": every,
+                "n": str(n),
+            }
+            return
+        spd = self._buffer(entries)
+        inverse = f.slot(self.v, n)
+        need = f.let(f"call i32 @{self.routines[1]}(ptr {spd}, ptr {inverse}, i64 {n})")
+        # With an empty mask this call returns at once.
+        pivots, scales, bad = self._lu(a, n, need)
+        self._report(bad)
+        self.factors[node] = {
+            "a": a, "pivots": pivots, "scales": scales, "mask": need, "n": str(n),
+            "spd": spd, "inverse": inverse,
+        }  # fmt: skip
+
+    def _solve(self, node: int, factor: int, column: tuple[int, ...]) -> None:
+        f = self.f
+        data = self.factors[factor]
+        n = len(column)
+        b = self._buffer(column)
+        call = (
+            f"call i32 @{self.routines[0]}(ptr {data['a']}, ptr {data['pivots']}, "
+            f"ptr {data['scales']}, ptr {b}, i64 {n}, i32 {data['mask']})"
+        )
+        if "spd" not in data:
+            f.let(call)
+            self.vectors[node] = [f.load(self.v, b, str(k)) for k in range(n)]
+            return
+        x = self._buffer(column)
+        f.do(
+            f"call void @{self.routines[2]}(ptr {data['spd']}, ptr {data['inverse']}, ptr {x}, "
+            f"i64 {n})"
+        )
+        fast = [f.load(self.v, x, str(k)) for k in range(n)]
+        weak = f.let(f"icmp ne i32 {data['mask']}, 0")
+        slow = f.name("weak")
+        join = f.name("solved")
+        before = f.current
+        f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
+        f.label(slow)
+        f.let(call)
+        chosen = self._choose(data["mask"], b, fast)
+        end = f.current
+        f.do(f"br label {join}")
+        f.label(join)
+        self.vectors[node] = [
+            f.let(f"phi {self.v} [ {a}, %{before} ], [ {c}, %{end} ]")
+            for a, c in zip(fast, chosen, strict=True)
+        ]
+
+    def _choose(self, lanes: str, slow: str, fast: list[str]) -> list[str]:
+        """Take the lanes named by the mask from memory, the others as they are."""
+        f = self.f
+        if self.lanes == 1:
+            return [f.load(self.v, slow, str(k)) for k in range(len(fast))]
+        bits = f.let(f"trunc i32 {lanes} to i{self.lanes}")
+        flags = f.let(f"bitcast i{self.lanes} {bits} to {self.b}")
+        return [
+            f.let(f"select {self.b} {flags}, {self.v} {f.load(self.v, slow, str(k))}, {self.v} {x}")
+            for k, x in enumerate(fast)
+        ]
+
+    def _guard(
+        self,
+        node: int,
+        n: int,
+        entries: tuple[int, ...],
+        column: tuple[int, ...],
+        pivots: tuple[int, ...],
+        fast: tuple[int, ...],
+    ) -> None:
+        f, v, names = self.f, self.v, self.names
+        tolerance = literal(n * 2.0**-52, self.lanes)
+        sound = ""
+        for k, pivot in enumerate(pivots):
+            diagonal = entries[k * (n + 1)]
+            if pivot == diagonal:
+                limit = literal(0.0, self.lanes)
+            else:
+                limit = f.let(f"fmul {v} {names[diagonal]}, {tolerance}")
+            flag = f.let(f"fcmp ogt {v} {names[pivot]}, {limit}")
+            sound = flag if not sound else f.let(f"and {self.b} {sound}, {flag}")
+        quick = [names[k] for k in fast]
+        every = (1 << self.lanes) - 1
+        need = f.let(f"xor i32 {mask(f, sound, self.lanes)}, {every}")
+        weak = f.let(f"icmp ne i32 {need}, 0")
+        slow, join = f.name("weak"), f.name("solved")
+        before = f.current
+        f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
+        f.label(slow)
+        lower = self.kept[node]
+        b = self._buffer(column)
+        scratch = f.slot(v, n * n + 3 * n)
+        bad = f.let(
+            f"call i32 @{self.routines[3]}(ptr {lower}, ptr {b}, ptr {scratch}, "
+            f"i64 {n}, i32 {need})"
+        )
+        self._report(bad)
+        chosen = self._choose(need, b, quick)
+        end = f.current
+        f.do(f"br label {join}")
+        f.label(join)
+        names.new_block()  # what was loaded on the way to the fallback is not known here
+        self.vectors[node] = [
+            f.let(f"phi {v} [ {x}, %{before} ], [ {y}, %{end} ]")
+            for x, y in zip(quick, chosen, strict=True)
+        ]

@@ -1,0 +1,275 @@
+"""The demo: a bicycle without a rider's help is pushed sideways, and everything is checked.
+
+`ride` does the work and returns numbers, `draw` makes the figure; nothing is printed here.  Read
+`ride` from top to bottom to see each part of `pydy.system.System` at work: constants, consistent
+initial conditions, a force that is a Python function, outputs, constraint residuals, contact
+forces, and the exact linear model.
+
+Examples
+--------
+>>> from pydy.examples.bicycle_ride import push
+>>> push(1.1)
+300.0
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from math import pi, sin
+from pathlib import Path
+from time import perf_counter
+
+import numpy as np
+import sympy as sm
+
+from pydy.examples import whipple_bicycle
+from pydy.linearize import constrained_eigenvalues
+from pydy.system import System
+
+__all__ = ["Ride", "draw", "push", "ride"]
+
+SPEED = 5.0  # m/s; the riderless bicycle is stable between 4.29 and 6.02 m/s
+ROLL = STEER = 0.05  # rad at the start
+ROLL_RATE = 0.2  # rad/s at the start
+PUSH, PUSH_START, PUSH_END = 300.0, 1.0, 1.2  # N, s, s
+TIMES = np.linspace(0.0, 5.0, num=501)
+# odeint may step across a push that it has not felt yet, hence the longest step.
+SOLVER = {"rtol": 1e-10, "atol": 1e-10, "hmax": 0.02}
+MODES = ("weave", "weave", "capsize", "castering")  # in the order they were published
+
+
+@dataclass(frozen=True)
+class Ride:
+    """What the demo found.  Arrays over time have the shape (n,), n times.
+
+    Attributes
+    ----------
+    states : Mapping of str to int
+        How many coordinates, speeds and auxiliary states the system has.
+    dependent : Mapping of str to float
+        The initial conditions that the constraints determined, in rad, rad/s and m/s.
+    times, force, roll, steer, roll_rate : ndarray
+        In s, N, rad, rad and rad/s.
+    contact_forces : ndarray, shape (n, 2)
+        The ground's upward push on the rear and the front wheel, in N.
+    static_forces : ndarray, shape (2,)
+        The same when the bicycle rides straight ahead.
+    weight : float
+        In N.
+    holonomic, velocity : ndarray
+        The largest residual of the constraints, in m and m/s.
+    energy : float
+        In J, without the push, at the start.
+    energy_drift, drift_off_ground : float
+        Without the push: the largest change of energy relative to `energy`, and the largest
+        residual of the holonomic constraint relative to the wheel base.
+    eigenvalues, published : ndarray of complex, shape (4,)
+        Of the linear model at `SPEED`, in 1/s, in the order of `MODES`.
+    other_eigenvalues : ndarray of complex
+        Those of position, heading, wheel angles, speed and auxiliary states: zero.
+    seconds : Mapping of str to float
+        How long each stage took.
+    """
+
+    states: Mapping[str, int]
+    dependent: Mapping[str, float]
+    times: np.ndarray
+    force: np.ndarray
+    roll: np.ndarray
+    steer: np.ndarray
+    roll_rate: np.ndarray
+    contact_forces: np.ndarray
+    static_forces: np.ndarray
+    weight: float
+    holonomic: np.ndarray
+    velocity: np.ndarray
+    energy: float
+    energy_drift: float
+    drift_off_ground: float
+    eigenvalues: np.ndarray
+    published: np.ndarray
+    other_eigenvalues: np.ndarray
+    seconds: Mapping[str, float]
+
+    @property
+    def eigenvalue_error(self) -> float:
+        """The largest distance of an eigenvalue from the published one, in 1/s."""
+        return float(np.abs(self.eigenvalues - self.published).max())
+
+
+@dataclass
+class _Clock:
+    """Collects how long each stage takes."""
+
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @contextmanager
+    def stage(self, name: str) -> Iterator[None]:
+        start = perf_counter()
+        yield
+        self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - start
+
+
+def push(t: float) -> float:
+    """Return the sideways push on the rear frame at a time: a smooth pulse, in N.
+
+    Parameters
+    ----------
+    t : float
+        In s.
+
+    Returns
+    -------
+    float
+        Zero but between `PUSH_START` and `PUSH_END`.
+    """
+    if not PUSH_START < t < PUSH_END:
+        return 0.0
+    return PUSH * sin(pi * (t - PUSH_START) / (PUSH_END - PUSH_START)) ** 2
+
+
+def ride() -> Ride:
+    """Derive the bicycle, ride it with and without the push, and linearise it.
+
+    Returns
+    -------
+    Ride
+        It takes a few seconds, most of them to derive the equations.
+    """
+    clock = _Clock()
+    with clock.stage("derive"):
+        bicycle = whipple_bicycle.derive()
+        kinetic, potential = whipple_bicycle.energy(bicycle)
+    with clock.stage("extract"):
+        constants = whipple_bicycle.benchmark_parameters(bicycle)
+        system = System(
+            bicycle.kane,
+            constants=constants,
+            times=TIMES,
+            outputs={sm.Symbol("energy"): kinetic + potential},
+            noncontributing_forces=bicycle.contact_forces,
+        )
+    with clock.stage("generate"):
+        system.generate_ode_function()
+
+    straight = whipple_bicycle.equilibrium(bicycle, SPEED)
+    with clock.stage("linearise"):
+        system.initial_conditions = straight
+        static = system.evaluate_outputs()[-2:]
+        A = system.evaluate_jacobian()
+        C = np.vstack([system.evaluate_jacobian(of=kind) for kind in ("holonomic", "velocity")])
+        found = constrained_eigenvalues(A, C)
+    published = np.array(whipple_bicycle.PUBLISHED_EIGENVALUES[SPEED])
+    nearest = [int(np.abs(found - value).argmin()) for value in published]
+
+    with clock.stage("initial conditions"):
+        # Only what is free: where it is, how it leans, rolls and steers, and how fast it goes.
+        dependent = bicycle.coordinates[7:] + bicycle.speeds[3:]
+        start = {state: straight[state] for state in straight if state not in dependent}
+        start[bicycle["u_phi"]] = ROLL_RATE
+        start[bicycle["phi"]] = ROLL
+        start[bicycle["delta"]] = STEER
+        system.initial_conditions = start
+        system.set_dependent_initial_conditions(use_jac=True)
+
+    with clock.stage("simulate"):
+        free = system.integrate(**SOLVER)
+        system.specifieds = {bicycle.push: lambda x, t: push(t)}
+        pushed = system.integrate(**SOLVER)
+    with clock.stage("evaluate"):
+        energy = system.evaluate_outputs(x=free)[:, 0]
+        off_ground = np.abs(system.evaluate_holonomic_constraints(x=free)).max()
+        holonomic = np.abs(system.evaluate_holonomic_constraints(x=pushed)).max(axis=1)
+        velocity = np.abs(system.evaluate_velocity_constraints(x=pushed)).max(axis=1)
+        contact = system.evaluate_outputs(x=pushed)[:, -2:]
+
+    def history(name: str) -> np.ndarray:
+        column: np.ndarray = pushed[:, system.states.index(bicycle[name])]
+        return column
+
+    return Ride(
+        states={
+            "coordinates": system.num_coordinates,
+            "speeds": system.num_speeds,
+            "auxiliaries": system.num_auxiliaries,
+        },
+        dependent={state.name: system.initial_conditions[state] for state in dependent},
+        times=TIMES,
+        force=np.array([push(t) for t in TIMES]),
+        roll=history("phi"),
+        steer=history("delta"),
+        roll_rate=history("u_phi"),
+        contact_forces=contact,
+        static_forces=static,
+        weight=sum(constants[body.mass] for body in bicycle.bodies) * constants[bicycle["g"]],
+        holonomic=holonomic,
+        velocity=velocity,
+        energy=float(energy[0]),
+        energy_drift=float(np.abs(energy / energy[0] - 1).max()),
+        drift_off_ground=float(off_ground / constants[bicycle["w"]]),
+        eigenvalues=found[nearest],
+        published=published,
+        other_eigenvalues=np.delete(found, nearest),
+        seconds=clock.seconds,
+    )
+
+
+def draw(ride: Ride, path: Path) -> None:
+    """Save a figure of a ride: roll and steer, contact forces, residuals over time.
+
+    Parameters
+    ----------
+    ride : Ride
+        What `ride` returned.
+    path : Path
+        Where to; the suffix decides on the format.
+
+    Raises
+    ------
+    ImportError
+        Matplotlib is not installed.
+    """
+    # Not pyplot, which would start a window system where there is one.
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(8, 8.5), layout="constrained")
+    angles, forces, residuals = figure.subplots(3, 1, sharex=True)
+    figure.suptitle(
+        f"Carvallo–Whipple bicycle at {SPEED:g} m/s, hands off: it recovers from a push",
+        fontsize=12,
+    )
+
+    angles.plot(ride.times, np.degrees(ride.roll), color="tab:blue", label="roll")
+    angles.plot(ride.times, np.degrees(ride.steer), color="tab:orange", label="steer")
+    angles.axhline(0, color="0.6", linewidth=0.8, zorder=0)
+    angles.set_ylabel("angle [deg]")
+
+    for k, (name, colour) in enumerate((("rear", "tab:red"), ("front", "tab:green"))):
+        still = float(ride.static_forces[k])
+        label = f"{name} wheel (riding straight: {still:.1f} N)"
+        forces.plot(ride.times, ride.contact_forces[:, k] - still, color=colour, label=label)
+    forces.axhline(0, color="0.6", linewidth=0.8, zorder=0)
+    forces.set_ylabel("change of vertical contact force [N]")
+
+    # A residual of exactly zero has no place on a logarithmic axis.
+    for values, label, colour in (
+        (ride.holonomic, "holonomic [m]", "tab:purple"),
+        (ride.velocity, "velocity [m/s]", "tab:brown"),
+    ):
+        shown = np.where(values > 0, values, np.nan)
+        residuals.semilogy(ride.times, shown, color=colour, label=label)
+    residuals.set_ylabel("largest constraint residual")
+    residuals.set_xlabel("time [s]")
+    residuals.set_xlim(ride.times[0], ride.times[-1])
+
+    for axes, corner in (
+        (angles, "upper right"),
+        (forces, "upper right"),
+        (residuals, "lower right"),
+    ):
+        axes.axvspan(PUSH_START, PUSH_END, color="0.88", zorder=0, label=f"push, up to {PUSH:g} N")
+        axes.grid(alpha=0.3)
+        axes.legend(loc=corner, fontsize=9)
+    figure.savefig(path, dpi=150)
