@@ -132,9 +132,13 @@ def _inputs(
 
 def _substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
     """Replace input nodes by other nodes."""
+    if not set(mapping) & set(graph.reachable(roots)):
+        return list(roots)
 
     def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
-        return mapping[node] if node in mapping else again(graph, op, args)
+        if node in mapping:
+            return mapping[node]
+        return node if args == graph.args[node] else again(graph, op, args)
 
     return rebuild(graph, roots, rule)
 
@@ -144,7 +148,7 @@ def _substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) 
 
 def auxiliary_groups(equations: Equations, groups: Sequence[Group]) -> list[bool]:
     """Tell which groups are integrated: those with their own names and derivatives of speeds."""
-    rates = {u.diff(equations.time) for u in equations.speeds}
+    rates = set(equations.speed_rates)
     flags = []
     for group in groups:
         found = find_symbols(group.expressions)
@@ -191,10 +195,10 @@ def assemble_system(
     atoms.update((z, graph.zero) for z in equations.zeros)
     read = SymPyReader(graph, atoms, "the equations of motion")
     kinematics = read.all(equations.coordinate_derivatives)
-    for symbol, node in zip(q, kinematics, strict=True):
-        read.define(symbol.diff(t), node)
-    for symbol, node in zip(u, accelerations, strict=True):
-        read.define(symbol.diff(t), node)
+    for rate, node in zip(equations.coordinate_rates, kinematics, strict=True):
+        read.define(rate, node)
+    for rate, node in zip(equations.speed_rates, accelerations, strict=True):
+        read.define(rate, node)
     matrix = read.all(equations.mass_matrix)
     forcing = read.all(equations.forcing)
     matrix, forcing, moved = _collect_accelerations(
@@ -235,8 +239,7 @@ def assemble_system(
 
 def check_accelerations(equations: Equations) -> None:
     """Refuse equations of motion that are nonlinear in the derivatives of the speeds."""
-    rates = {u.diff(equations.time) for u in equations.speeds}
-    if any(s in rates for s in find_symbols((*equations.mass_matrix, *equations.forcing))):
+    if any(rate in equations.symbols for rate in equations.speed_rates):
         constants, specifieds = _other_symbols(equations)
         assemble_system(equations, (), (), specifieds, constants)
 
@@ -244,8 +247,9 @@ def check_accelerations(equations: Equations) -> None:
 def _other_symbols(equations: Equations) -> tuple[list[Any], list[Any]]:
     t = equations.time
     states = {*equations.coordinates, *equations.speeds}
-    known = {*states, *(s.diff(t) for s in states), *equations.zeros, t}
-    rest = [s for s in find_symbols(equations.expressions) if s not in known]
+    rates = (*equations.coordinate_rates, *equations.speed_rates)
+    known = {*states, *rates, *equations.zeros, t}
+    rest = [s for s in equations.symbols if s not in known]
     return [s for s in rest if s.is_Symbol], [s for s in rest if not s.is_Symbol]
 
 
@@ -264,7 +268,7 @@ def _collect_accelerations(
     rows = jacobian(graph, forcing, accelerations)
     cells = [d for row in rows for d in row.values()]
     if present & set(graph.reachable([*cells, *matrix])):
-        names = ", ".join(str(s.diff(equations.time)) for s in equations.speeds)
+        names = ", ".join(map(str, equations.speed_rates))
         raise ValueError(
             f"The equations of motion are nonlinear in the derivatives of the speeds ({names}) in "
             f"the term `{_nonlinear_term(equations)}`. Loads may depend on accelerations linearly "
@@ -280,7 +284,7 @@ def _collect_accelerations(
 
 def _nonlinear_term(equations: Equations) -> Any:
     """Return the first additive term that is not linear in the derivatives of the speeds."""
-    rates = [u.diff(equations.time) for u in equations.speeds]
+    rates = equations.speed_rates
     for expression in (*equations.forcing, *equations.mass_matrix):
         for term in expression.expand().as_ordered_terms():
             if any(term.diff(a).has(*rates) for a in rates):

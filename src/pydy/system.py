@@ -135,7 +135,7 @@ class System:
                 check_symbols("constants_symbols", constants, "constant"),
                 check_symbols("specifieds_symbols", specifieds, "specified"),
             )
-        found = sort_out(self._equations, self._equations.expressions)
+        found = sort_out(self._equations)
         check_accelerations(self._equations)
         if constants is not None:
             return check_symbols("constants_symbols", constants, "constant"), found[1]

@@ -14,10 +14,12 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
+import numpy as np
+
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["Backend"]
+__all__ = ["Backend", "strict"]
 
 
 class Backend(Protocol):
@@ -28,3 +30,15 @@ class Backend(Protocol):
     def compile(self, program: Program) -> Kernel:
         """Return the Kernel that computes `program`."""
         ...
+
+
+def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
+    """Tell whether arguments are float64 vectors of a Program's own lengths."""
+    sizes = (program.num_states, program.num_specifieds, program.num_constants)
+    return all(
+        type(a) is np.ndarray
+        and a.dtype == np.float64
+        and a.shape == (size,)
+        and a.flags.c_contiguous
+        for a, size in zip((x, r, p), sizes, strict=True)
+    )

@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 
 from pydy._backends import jit
+from pydy._backends.base import strict
 from pydy._backends.ir import Function
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -169,7 +170,7 @@ def _make_call(
 
     # Without the interpreter's lock the gate's shared binding of constants would be a race.
     def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
-        if not all(type(a) is np.ndarray for a in (x, r, p)):
+        if type(t) is not float or not strict(program, x, r, p):
             return -1
         values, failed = sweep(np.array([t], float), x[None, :], r[None, :], p)
         out[:] = values[0]

@@ -6,21 +6,13 @@ from typing import Any
 
 import numpy as np
 
+from pydy._backends.base import strict
 from pydy._backends.registry import compile_program
 from pydy._graph.interpret import run
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
 __all__ = ["NumPyBackend"]
-
-
-def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
-    """Tell whether arguments are float64 vectors of a Program's own lengths."""
-    sizes = (program.num_states, program.num_specifieds, program.num_constants)
-    return all(
-        type(a) is np.ndarray and a.dtype == np.float64 and a.shape == (size,)
-        for a, size in zip((x, r, p), sizes, strict=True)
-    )
 
 
 class NumPyBackend:

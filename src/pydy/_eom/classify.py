@@ -72,7 +72,7 @@ def _rows_program(equations: Equations) -> tuple[Program, tuple[int, int, int]]:
     states = [*q, *u]
     known = {*states, *equations.zeros, equations.time}
     expressions = (*equations.holonomic, *equations.velocity, *equations.coordinate_derivatives)
-    rates = {s.diff(equations.time) for s in q}
+    rates = set(equations.coordinate_rates)
     others = sort_symbols(s for s in find_symbols(expressions) if s not in known | rates)
     inputs = [graph.input("x", k) for k in range(len(states))]
     extra = [graph.input("r", k) for k in range(len(others))]
@@ -83,8 +83,8 @@ def _rows_program(equations: Equations) -> tuple[Program, tuple[int, int, int]]:
     atoms.update((z, graph.zero) for z in equations.zeros)
     read = SymPyReader(graph, atoms, "the constraints")
     derivatives = read.all(equations.coordinate_derivatives)
-    for symbol, node in zip(q, derivatives, strict=True):
-        read.define(symbol.diff(equations.time), node)
+    for rate, node in zip(equations.coordinate_rates, derivatives, strict=True):
+        read.define(rate, node)
     residuals = read.all(equations.holonomic)
     moving = inputs[: len(q)]
     # A prescribed motion y(t) moves a constraint through y'(t).

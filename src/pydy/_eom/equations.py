@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import sympy as sm
+
+from pydy._eom.symbols import find_symbols
 
 __all__ = ["Equations"]
 
@@ -18,6 +21,8 @@ class Equations:
     ----------
     time : sympy.Symbol
     coordinates, speeds : tuple of functions of time
+    coordinate_rates, speed_rates : tuple of derivatives
+        The symbols q' and u'.
     coordinate_derivatives : tuple of expressions
         q' in terms of q, u and t.
     mass_matrix : sympy.Matrix, shape (o, o)
@@ -41,6 +46,8 @@ class Equations:
     time: sm.Symbol
     coordinates: tuple[Any, ...]
     speeds: tuple[Any, ...]
+    coordinate_rates: tuple[Any, ...]
+    speed_rates: tuple[Any, ...]
     coordinate_derivatives: tuple[Any, ...]
     mass_matrix: Any
     forcing: tuple[Any, ...]
@@ -54,6 +61,11 @@ class Equations:
     auxiliary_speeds: tuple[Any, ...] = ()
     auxiliary_equations: tuple[Any, ...] = ()
     zeros: tuple[Any, ...] = field(default=(), repr=False)
+
+    @cached_property
+    def symbols(self) -> dict[Any, None]:
+        """The symbols, functions of time and derivatives that occur in `expressions`."""
+        return find_symbols(self.expressions)
 
     @property
     def expressions(self) -> tuple[Any, ...]:

@@ -217,7 +217,7 @@ class SymPyReader:
         UnsupportedFunctionError
             A function without a numerical counterpart here.
         """
-        root = sm.sympify(expression)
+        root = expression if isinstance(expression, sm.Basic) else sm.sympify(expression)
         seen, alive = self._seen, self._alive
         stack = [(root, False)]
         while stack:

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._graph.node import BINARY, COMPARISONS, UNARY
 from pydy._graph.program import Program
 
 __all__ = ["run"]
@@ -24,33 +25,9 @@ OPERATIONS: dict[str, Callable[..., Any]] = {
     "mul": np.multiply,
     "div": np.divide,
     "neg": np.negative,
-    "sqrt": np.sqrt,
-    "exp": np.exp,
-    "log": np.log,
-    "sin": np.sin,
-    "cos": np.cos,
-    "tan": np.tan,
-    "asin": np.arcsin,
-    "acos": np.arccos,
-    "atan": np.arctan,
-    "sinh": np.sinh,
-    "cosh": np.cosh,
-    "tanh": np.tanh,
-    "asinh": np.arcsinh,
-    "acosh": np.arccosh,
-    "atanh": np.arctanh,
-    "abs": np.abs,
-    "sign": np.sign,
-    "floor": np.floor,
-    "ceil": np.ceil,
-    "pow": np.power,
-    "atan2": np.arctan2,
-    "min": np.minimum,
-    "max": np.maximum,
-    "lt": np.less,
-    "le": np.less_equal,
-    "eq": np.equal,
-    "ne": np.not_equal,
+    **UNARY,
+    **BINARY,
+    **COMPARISONS,
     "and": np.logical_and,
     "or": np.logical_or,
     "not": np.logical_not,
@@ -135,12 +112,13 @@ def _solve(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> np.nda
     if n == 0:
         return x
     bad = singular(matrix)
-    if not bad.any():
+    # LAPACK passes over a NaN that it does not meet as a pivot.
+    good = ~bad & np.isfinite(matrix).all(axis=(1, 2))
+    if good.all():
         x[:] = np.linalg.solve(matrix, column[:, :, None])[:, :, 0]
         return x
-    good = ~bad
     x[good] = np.linalg.solve(matrix[good], column[good][:, :, None])[:, :, 0]
-    x[bad] = np.nan
+    x[~good] = np.nan
     failed |= bad
     return x
 

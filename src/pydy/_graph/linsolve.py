@@ -14,11 +14,18 @@ from pydy._graph.program import Tape
 __all__ = ["LoopFactor", "UnrolledLDL"]
 
 
+def symmetric(n: int, entries: list[int]) -> list[int]:
+    """Return the matrix that the lower triangle stands for, whatever the upper one holds."""
+    return [entries[max(i, j) * n + min(i, j)] for i in range(n) for j in range(n)]
+
+
 class LoopFactor:
     """A factorisation that the back end does in a loop."""
 
     def __init__(self, tape: Tape, kind: str, n: int, entries: list[int]) -> None:
         self.tape = tape
+        if kind == "ldl":
+            entries = symmetric(n, entries)
         self.node = tape.make("factor", kind, n, tuple(entries))
 
     def solve(self, column: list[int]) -> int:
@@ -32,8 +39,7 @@ class UnrolledLDL:
     def __init__(self, tape: Tape, n: int, entries: list[int]) -> None:
         self.tape = tape
         self.n = n
-        # The fallback must see a symmetric matrix too, whatever stands in the upper triangle.
-        self.entries = [entries[max(i, j) * n + min(i, j)] for i in range(n) for j in range(n)]
+        self.entries = symmetric(n, entries)
         zero = tape.const(0.0)
         self.zero = zero
         lower: list[list[int]] = [[zero] * n for _ in range(n)]

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from pydy._graph.linsolve import LoopFactor, UnrolledLDL
-from pydy._graph.node import Graph
+from pydy._graph.node import BOOLEAN, Graph
 from pydy._graph.program import Program, Tape
 from pydy._graph.share import is_pair, share_products
 
@@ -70,7 +70,18 @@ class _Lowering:
         self._plan_products(order)
         for node in order:
             self.new[node] = self._node(node)
-        return self.tape, sizes, [(n, s, [self.new[k] for k in nodes]) for n, s, nodes in blocks]
+        return (
+            self.tape,
+            sizes,
+            [(n, s, [self._output(k) for k in nodes]) for n, s, nodes in blocks],
+        )
+
+    def _output(self, node: int) -> int:
+        """Return the value of an output; a truth value is 1 or 0."""
+        value = self.new[node]
+        if self.graph.ops[node] in BOOLEAN:
+            value = self.tape.make("select", value, self.tape.const(1.0), self.tape.const(0.0))
+        return value
 
     def _node(self, node: int) -> int:
         op, args = self.graph.ops[node], self.graph.args[node]

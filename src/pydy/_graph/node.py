@@ -20,41 +20,39 @@ import math
 from collections.abc import Callable, Iterable
 from typing import Any
 
+import numpy as np
+
 __all__ = ["BINARY", "BOOLEAN", "COMPARISONS", "UNARY", "Graph"]
 
 
-def _sign(x: float) -> float:
-    return 0.0 if x == 0.0 else math.copysign(1.0, x)
-
-
-# One table for constant folding; the keys are all real functions of one argument that the graph
-# knows, and every back end has an entry for each.
-UNARY: dict[str, Callable[[float], float]] = {
-    "sqrt": math.sqrt,
-    "exp": math.exp,
-    "log": math.log,
-    "sin": math.sin,
-    "cos": math.cos,
-    "tan": math.tan,
-    "asin": math.asin,
-    "acos": math.acos,
-    "atan": math.atan,
-    "sinh": math.sinh,
-    "cosh": math.cosh,
-    "tanh": math.tanh,
-    "asinh": math.asinh,
-    "acosh": math.acosh,
-    "atanh": math.atanh,
-    "abs": abs,
-    "sign": _sign,
-    "floor": lambda x: float(math.floor(x)),
-    "ceil": lambda x: float(math.ceil(x)),
+# Every real function of one argument that the graph knows; each back end has an entry for each.
+# Constants are folded by NumPy, which gives NaN and infinity where the machine would.
+UNARY: dict[str, Callable[..., Any]] = {
+    "sqrt": np.sqrt,
+    "exp": np.exp,
+    "log": np.log,
+    "sin": np.sin,
+    "cos": np.cos,
+    "tan": np.tan,
+    "asin": np.arcsin,
+    "acos": np.arccos,
+    "atan": np.arctan,
+    "sinh": np.sinh,
+    "cosh": np.cosh,
+    "tanh": np.tanh,
+    "asinh": np.arcsinh,
+    "acosh": np.arccosh,
+    "atanh": np.arctanh,
+    "abs": np.abs,
+    "sign": np.sign,
+    "floor": np.floor,
+    "ceil": np.ceil,
 }
-BINARY: dict[str, Callable[[float, float], float]] = {
-    "pow": math.pow,
-    "atan2": math.atan2,
-    "min": min,
-    "max": max,
+BINARY: dict[str, Callable[..., Any]] = {
+    "pow": np.power,
+    "atan2": np.arctan2,
+    "min": np.minimum,
+    "max": np.maximum,
 }
 COMPARISONS: dict[str, Callable[[float, float], bool]] = {
     "lt": lambda a, b: a < b,
@@ -245,7 +243,7 @@ class Graph:
             if op in ("min", "max") and a == b:
                 return a
             if values[0] is not None and values[1] is not None:
-                return self.const(_guarded(BINARY[op], values[0], values[1]))
+                return self.const(_folded(BINARY[op], values[0], values[1]))
             return self.make(op, nodes)
         if op in COMPARISONS:
             if values[0] is not None and values[1] is not None:
@@ -273,7 +271,7 @@ class Graph:
 
     def _unary(self, op: str, node: int) -> int:
         if self.ops[node] == "const":
-            return self.const(_guarded(UNARY[op], self.args[node][0]))
+            return self.const(_folded(UNARY[op], self.args[node][0]))
         if (op in _ODD or op in _EVEN) and self.ops[node] == "sum":
             c0, terms = self.args[node]
             if terms[0][1] < 0.0:
@@ -339,21 +337,9 @@ class Graph:
 
 
 def _powi(base: float, exponent: int) -> float:
-    try:
-        return base**exponent
-    except ZeroDivisionError:
-        return math.inf
-    except OverflowError:
-        return -math.inf if base < 0.0 and exponent % 2 else math.inf
+    return base if exponent == 1 else _folded(np.power, base, float(exponent))
 
 
-def _guarded(function: Callable[..., float], *values: float) -> float:
-    """Fold like the machine would: NaN outside the domain, infinity on overflow."""
-    try:
-        return function(*values)
-    except OverflowError:
-        return math.inf
-    except (ValueError, ZeroDivisionError):
-        if function is math.log and values[0] == 0.0:
-            return -math.inf
-        return math.nan
+def _folded(function: Callable[..., Any], *values: float) -> float:
+    with np.errstate(all="ignore"):
+        return float(function(*map(np.float64, values)))

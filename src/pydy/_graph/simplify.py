@@ -18,7 +18,9 @@ Term = tuple[dict[int, int], float]
 
 
 def rebuild(
-    graph: Graph, roots: Sequence[int], rule: Callable[[int, str, tuple[Any, ...]], int]
+    graph: Graph,
+    roots: Sequence[int],
+    rule: Callable[[int, str, tuple[Any, ...]], int],
 ) -> list[int]:
     """Return the roots with every node replaced by what `rule` makes of it.
 
@@ -79,7 +81,7 @@ def factor_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
 
     def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
         if op != "sum" or len(args[1]) < 2:
-            return again(graph, op, args)
+            return node if args == graph.args[node] else again(graph, op, args)
         return _factored(graph, flags, args)
 
     return rebuild(graph, roots, rule)

@@ -9,7 +9,7 @@ from typing import Any
 import sympy as sm
 
 from pydy._eom.equations import Equations
-from pydy._eom.symbols import find_symbols, sort_symbols
+from pydy._eom.symbols import sort_symbols
 from pydy._programs import Assembly, Group, assemble_system, auxiliary_groups
 from pydy._system.inputs import check_forces, output_groups, sort_out
 from pydy.codegen.right_hand_side import Layout
@@ -85,8 +85,7 @@ def define(
     """
     constants, specifieds = base
     groups = output_groups(outputs)
-    moving = find_symbols(equations.expressions)
-    names = check_forces(equations, forces, moving)
+    names = check_forces(equations, forces)
     if names:
         groups.append(Group(tuple(names), equations.auxiliary_equations))
     results = [n for group in groups for n in group.names]

@@ -106,7 +106,7 @@ def check_symbols(argument: str, symbols: Iterable[Any], kind: str) -> list[Any]
 
 
 def sort_out(
-    equations: Equations, expressions: Iterable[Any], known: Iterable[Any] = ()
+    equations: Equations, expressions: Iterable[Any] | None = None, known: Iterable[Any] = ()
 ) -> tuple[list[Any], list[Any]]:
     """Return the constants and the specifieds that occur in expressions, sorted.
 
@@ -114,7 +114,8 @@ def sort_out(
     ----------
     equations : Equations
         Tells what is a state.
-    expressions : iterable of expressions
+    expressions : iterable of expressions, optional
+        By default those of the equations.
     known : iterable of symbols
         Other names that are neither, such as those of outputs.
 
@@ -126,12 +127,16 @@ def sort_out(
         An undefined function that is not one of time alone, or a derivative of something else.
     """
     t = equations.time
-    expressions = list(expressions)
     states = {*equations.coordinates, *equations.speeds}
     skip = {*states, *equations.zeros, *known, t}
-    skip.update(s.diff(t) for s in states)
+    skip.update((*equations.coordinate_rates, *equations.speed_rates))
     constants, specifieds = [], []
-    for symbol in find_symbols(expressions):
+    if expressions is None:
+        expressions, found = equations.expressions, equations.symbols
+    else:
+        expressions = list(expressions)
+        found = find_symbols(expressions)
+    for symbol in found:
         if symbol in skip:
             continue
         if isinstance(symbol, sm.Symbol):
@@ -209,7 +214,7 @@ def _expression(names: Sequence[Any], value: Any) -> Any:
     return expression
 
 
-def check_forces(equations: Equations, forces: Any, eom_symbols: Iterable[Any]) -> list[Any]:
+def check_forces(equations: Equations, forces: Any) -> list[Any]:
     """Return the names of the noncontributing forces as a list."""
     if forces is None:
         return []
@@ -230,14 +235,13 @@ def check_forces(equations: Equations, forces: Any, eom_symbols: Iterable[Any]) 
     if len(set(names)) != len(names):
         raise ValueError(f"`noncontributing_forces` repeat a name: {describe(names)}.")
     present = find_symbols(equations.auxiliary_equations)
-    moving = set(eom_symbols)
     for name in names:
         if name not in present:
             raise ValueError(
                 f"`noncontributing_forces` has `{name}`, which does not occur in the auxiliary "
                 "equations of the KanesMethod."
             )
-        if name in moving:
+        if name in equations.symbols:
             raise ValueError(
                 f"`noncontributing_forces` has `{name}`, which still occurs in the equations of "
                 "motion: it contributes, and must be a specified."
