@@ -55,7 +55,7 @@ SOLVERS = ["numpy", "scipy", "sympy", "sympy:LU", "sympy:CRAMER", np.linalg.solv
 
 @pytest.mark.parametrize("generator", GENERATORS)
 @pytest.mark.parametrize("form", ["[2]", "[3]"])
-@pytest.mark.parametrize("solver", SOLVERS, ids=str)
+@pytest.mark.parametrize("solver", SOLVERS, ids=lambda s: getattr(s, "__name__", s))
 def test_every_linear_solver_gives_the_same(solver, form, generator):
     model = zoo.sleigh()
     rhs = generate_ode_function(generator=generator, linear_sys_solver=solver, **given(model, form))

@@ -1,0 +1,1 @@
+"""What the benchmark scripts share. Runs in every environment: nothing here imports pydy."""

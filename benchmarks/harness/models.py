@@ -1,0 +1,201 @@
+"""The benchmark set, derived with SymPy. Results are frozen; see `freeze.py`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import sympy as sm
+import sympy.physics.mechanics as me
+from sympy.physics.mechanics.models import n_link_pendulum_on_cart
+
+from harness.frozen import Model
+from harness.problems import BICYCLE
+from harness.serve import module_at
+
+
+def from_kane(name: str, kane: Any, values: Callable[[str], float], **about: Any) -> Model:
+    """Take M, F and q' out of a KanesMethod.
+
+    Parameters
+    ----------
+    name : str
+    kane : KanesMethod
+    values : callable
+        Gives the value of a constant by its name.
+    **about
+        What is to be remembered of the model.
+    """
+    t = me.dynamicsymbols._t
+    rates = kane.kindiffdict()
+    zero = dict.fromkeys((*kane._uaux, *(u.diff(t) for u in kane._uaux)), sm.S.Zero)
+    replace = {**rates, **zero}
+
+    def clean(expressions: Any) -> list[Any]:
+        found = _symbols(expressions)
+        if any(key in found for key in replace):
+            return [e.xreplace(replace) for e in expressions]
+        return list(expressions)
+
+    matrix, forcing = clean(kane.mass_matrix), clean(kane.forcing)
+    kinematics = clean([rates[q.diff(t)] for q in kane.q])
+    found = _symbols([*matrix, *forcing, *kinematics])
+    rest = [s for s in found if s not in {*kane.q, *kane.u, t}]
+    constants = sorted((s for s in rest if s.is_Symbol), key=sm.default_sort_key)
+    return Model(
+        name=name,
+        coordinates=list(kane.q),
+        speeds=list(kane.u),
+        specifieds=sorted((s for s in rest if not s.is_Symbol), key=sm.default_sort_key),
+        constants=constants,
+        mass_matrix=matrix,
+        forcing=forcing,
+        coordinate_derivatives=kinematics,
+        positive_definite=not kane._udep,
+        values=[float(values(s.name)) for s in constants],
+        about={"sympy": sm.__version__, **about},
+    )
+
+
+def pendulum(n: int) -> Model:
+    """Return a planar pendulum of n links on a cart that a force pushes."""
+    kane = n_link_pendulum_on_cart(n, cart_force=True, joint_torques=False)
+    return from_kane(
+        f"pendulum-{n}",
+        kane,
+        lambda name: 9.81 if name == "g" else 1.0 / n,
+        source="sympy.physics.mechanics.models.n_link_pendulum_on_cart",
+    )
+
+
+def rods(n: int) -> Model:
+    """Return a chain of n rods in space, hung up and joined by ball joints.
+
+    Each rod is a rigid body with its own three moments of inertia, turned against the one above by
+    body-fixed angles about x, y, z; its speeds are the components, along its own axes, of its
+    angular velocity against the one above.
+    """
+    m, l, ix, iy, iz = (sm.symbols(f"{name}0:{n}") for name in ("m", "l", "I_x", "I_y", "I_z"))
+    g = sm.Symbol("g")
+    ground = above = me.ReferenceFrame("N")
+    joint = me.Point("O")
+    joint.set_vel(ground, 0)
+    q, u, rates, bodies, loads = [], [], [], [], []
+    for k in range(n):
+        angles = me.dynamicsymbols(f"a{k} b{k} c{k}")
+        speeds = me.dynamicsymbols(f"u{k} v{k} w{k}")
+        frame = me.ReferenceFrame(f"B{k}")
+        frame.orient_body_fixed(above, angles, "123")
+        turning = frame.ang_vel_in(above)
+        rates += [turning.dot(axis) - s for axis, s in zip(frame, speeds, strict=True)]
+        frame.set_ang_vel(
+            above, sum((s * a for s, a in zip(speeds, frame, strict=True)), 0 * frame.x)
+        )
+        centre = joint.locatenew(f"C{k}", -l[k] / 2 * frame.z)
+        centre.v2pt_theory(joint, ground, frame)
+        below = joint.locatenew(f"O{k}", -l[k] * frame.z)
+        below.v2pt_theory(joint, ground, frame)
+        inertia = me.inertia(frame, ix[k], iy[k], iz[k])
+        bodies.append(me.RigidBody(f"rod{k}", centre, frame, m[k], (inertia, centre)))
+        loads.append((centre, -m[k] * g * ground.z))
+        q += angles
+        u += speeds
+        above, joint = frame, below
+    kane = me.KanesMethod(ground, q_ind=q, u_ind=u, kd_eqs=rates)
+    kane.kanes_equations(bodies, loads)
+    typical = {"m": 1.0, "l": 0.5, "I_x": 0.021, "I_y": 0.022, "I_z": 0.002}
+    return from_kane(
+        f"rods-{n}",
+        kane,
+        lambda name: 9.81 if name == "g" else typical[name.rstrip("0123456789")],
+        source="rigid rods in space with ball joints, body-fixed angular velocities",
+    )
+
+
+def bicycle() -> Model:
+    """Return the Carvallo–Whipple bicycle of the project's own examples."""
+    module = module_at(BICYCLE)
+    model = module.derive()
+    return from_kane(
+        "bicycle",
+        model.kane,
+        lambda name: module.BENCHMARK[name],
+        source="pydy.examples.whipple_bicycle",
+    )
+
+
+def spring_chain(n: int, *, absolute: bool) -> Model:
+    """Return n masses in a row, each joined to the one before by a spring and a damper.
+
+    Coordinates are the stretches of the springs, as in `pydy.models.multi_mass_spring_damper`,
+    whose mass matrix is full of constants; or the places of the masses, with a diagonal one.
+    """
+    m, k, c = (sm.symbols(f"{name}0:{n}") for name in "mkc")
+    g = sm.Symbol("g")
+    x, v, f = (me.dynamicsymbols(f"{name}0:{n}") for name in "xvf")
+    pull = [-k[i] * _stretch(x, i, absolute) - c[i] * _stretch(v, i, absolute) for i in range(n)]
+    # The force on each mass: its own spring, the next one, weight, and a specified force.
+    force = [pull[i] - (pull[i + 1] if i + 1 < n else 0) + m[i] * g + f[i] for i in range(n)]
+    if absolute:
+        matrix = [m[i] if i == j else sm.S.Zero for i in range(n) for j in range(n)]
+    else:
+        # Mass i moves with every stretch up to its own.
+        below = [sm.Add(*m[i:]) for i in range(n)]
+        matrix = [below[max(i, j)] for i in range(n) for j in range(n)]
+        force = [pull[i] + sm.Add(*(m[j] * g + f[j] for j in range(i, n))) for i in range(n)]
+    values = {"m": 1.0, "k": 100.0, "c": 0.5, "g": 9.81}
+    return Model(
+        name=f"springs-{n}-{'absolute' if absolute else 'stretch'}",
+        coordinates=list(x),
+        speeds=list(v),
+        specifieds=list(f),
+        constants=[*c, g, *k, *m],
+        mass_matrix=matrix,
+        forcing=force,
+        coordinate_derivatives=list(v),
+        positive_definite=True,
+        values=[values[s.name[0]] for s in (*c, g, *k, *m)],
+        about={"sympy": sm.__version__, "source": "masses in a row, written down by hand"},
+    )
+
+
+def _stretch(x: Any, i: int, absolute: bool) -> Any:
+    return x[i] - x[i - 1] if absolute and i else x[i]
+
+
+def rider_bicycle() -> Model:
+    """Return the rider-bicycle of the `symbrim` package, if it is installed."""
+    from harness.rider import derive
+
+    kane, values = derive()
+    return from_kane("rider-bicycle", kane, values, source="symbrim")
+
+
+def _symbols(expressions: Any) -> set[Any]:
+    """Return symbols, functions of time and derivatives; every distinct object is seen once."""
+    found, seen, stack = set(), set(), list(expressions)
+    while stack:
+        expr = stack.pop()
+        if id(expr) in seen:
+            continue
+        seen.add(id(expr))
+        if isinstance(expr, (sm.Symbol, sm.Derivative, sm.core.function.AppliedUndef)):
+            found.add(expr)
+        else:
+            stack.extend(expr.args)
+    return found
+
+
+MODELS: dict[str, Callable[[], Model]] = {
+    **{f"pendulum-{n}": lambda n=n: pendulum(n) for n in (1, 5, 10, 20)},
+    **{f"rods-{n}": lambda n=n: rods(n) for n in (3,)},
+    "bicycle": bicycle,
+    "springs-100-absolute": lambda: spring_chain(100, absolute=True),
+    "springs-100-stretch": lambda: spring_chain(100, absolute=False),
+    "rider-bicycle": rider_bicycle,
+    # On request only: `python benchmarks/freeze.py pendulum-50`.
+    "pendulum-50": lambda: pendulum(50),
+    "rods-5": lambda: rods(5),
+    "rods-10": lambda: rods(10),
+}
+STANDARD = tuple(MODELS)[:-3]

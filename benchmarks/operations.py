@@ -1,0 +1,62 @@
+"""Operations in M and F, set-up and at every call, against SymPy's `cse`.
+
+Needs neither peers nor a quiet machine: the counts are deterministic.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from typing import Any
+
+from harness import frozen
+from harness.program import assembly_of
+from harness.report import save, seconds, table
+
+
+def main() -> None:
+    """Count, print a table and write the results."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--models", nargs="+", default=frozen.names())
+    parser.add_argument("--kinds", action="store_true", help="print the run stage by kind")
+
+    options = parser.parse_args()
+
+    results = [_count(frozen.read(name)) for name in options.models]
+    rows = []
+    for line in results:
+        run, cse = sum(line["run"].values()), line["cse"]
+        ratio = f"{run / cse:.3f}" if cse else "–"
+        rates = sum(line["rates"]["run"].values())
+        setup = sum(line["setup"].values())
+        rows.append((line["model"], cse or "–", setup, run, ratio, rates, seconds(line["seconds"])))
+    header = ("model", "cse", "set-up", "run", "run / cse", "run with solve", "time")
+    table("Operations in M and F", header, rows)
+    if options.kinds:
+        for line in results:
+            kinds = ", ".join(f"{v} {k}" for k, v in sorted(line["run"].items()))
+            print(f"  {line['model']}: {kinds}")
+    save("operations", results)
+
+
+def _count(model: frozen.Model) -> dict[str, Any]:
+    start = time.perf_counter()
+    assembly = assembly_of(model)
+    program = assembly.program("mass_matrix", "forcing")
+    count = program.operation_count
+    elapsed = time.perf_counter() - start
+    whole = assembly.program("rates")
+    return {
+        "model": model.name,
+        "cse": model.about.get("cse_operations"),
+        "sympy": model.about["sympy"],
+        "setup": dict(count["setup"]),
+        "run": dict(count["run"]),
+        "rates": {stage: dict(c) for stage, c in whole.operation_count.items()},
+        "digest": program.digest,
+        "seconds": elapsed,
+    }
+
+
+if __name__ == "__main__":
+    main()

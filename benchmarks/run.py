@@ -1,0 +1,123 @@
+"""Ratios against the released pydy 0.9.4, measured side by side in one run: ``make bench``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from harness.driver import ROOT, Worker, WorkerError, in_turn
+from harness.report import pairwise, save, seconds, table
+
+MODELS = ("1", "5", "10", "20", "bicycle")
+
+
+def main() -> None:
+    """Measure every model and print a table for each kind of measure."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--reference", type=Path, default=ROOT / ".venv-reference/bin/python")
+    parser.add_argument("--python", type=Path, default=Path(sys.executable), help="ours")
+    parser.add_argument("--models", nargs="+", default=MODELS, choices=MODELS)
+    parser.add_argument("--budget", type=float, default=30.0, help="seconds for each line")
+    parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
+    parser.add_argument("--core", type=int, help="bind both to this processor")
+    options = parser.parse_args()
+    rounds = {"least": 1, "most": 1} if options.quick else {"least": 3, "budget": options.budget}
+    lines: list[dict[str, Any]] = []
+    for model in options.models:
+        print(f"measuring {model} …", file=sys.stderr)
+        with (
+            Worker("ours", options.python, "pydy_worker.py", core=options.core) as ours,
+            Worker("released", options.reference, "pydy_worker.py", core=options.core) as theirs,
+        ):
+            lines += _measure(model, ours, theirs, rounds)
+    lines.sort(key=lambda line: line["measure"])
+    _report(lines)
+    save("run", lines)
+
+
+def _measure(
+    model: str, ours: Worker, theirs: Worker, rounds: dict[str, Any]
+) -> list[dict[str, Any]]:
+    ours.ask("load", name=model)
+    note = theirs.ask("load", name=model)
+    lines: list[dict[str, Any]] = []
+
+    def line(measure: str, a: list[float], b: list[float]) -> None:
+        lines.append({"measure": measure, "model": model, "ours": a, "released": b, "note": note})
+
+    def compare(measure: str, request: Callable[[Worker], Any], **limits: Any) -> list[Any]:
+        try:
+            return in_turn(
+                {"ours": lambda: request(ours), "released": lambda: request(theirs)},
+                **{**rounds, **limits},
+            )
+        except WorkerError as error:
+            lines.append({"measure": measure, "model": model, "note": str(error)})
+            return []
+
+    # A pair at 20 links takes two minutes, nearly all of it in the released package.
+    few = {"least": 1} if model == "20" else {}
+    taken = compare("integrate", lambda w: w.ask("integrate", state="warm"), **few)
+    if taken:
+        for which in ("first", "second"):
+            a, b = ([pair[who][which] for pair in taken] for who in ("ours", "released"))
+            line(f"integrate, {which} call", a, b)
+    if model != "20":  # where starting up no longer shows
+        for state, what in (("process", "process"), ("machine", "machine, empty cache")):
+            taken = compare(
+                f"integrate, first call of a {what}",
+                lambda w, state=state: w.ask("integrate", state=state),
+            )
+            if taken:
+                a, b = ([pair[who]["first"] for pair in taken] for who in ("ours", "released"))
+                line(f"integrate, first call of a {what}", a, b)
+    if model in ("10", "20"):
+        generators = {ours.name: "llvm", theirs.name: "lambdify"}
+        measure = "generation, llvm : lambdify"
+        taken = compare(measure, lambda w: w.ask("generate", generator=generators[w.name]))
+        if taken:
+            line(measure, [p["ours"] for p in taken], [p["released"] for p in taken])
+    measure = "right-hand side, llvm : cython"
+    try:
+        values = ours.ask("prepare", generator="llvm"), theirs.ask("prepare", generator="cython")
+        _check(*values)
+    except WorkerError as error:
+        lines.append({"measure": measure, "model": model, "note": str(error)})
+    else:
+        taken = compare(measure, lambda w: w.ask("call"), most=25)
+        if taken:
+            line(measure, [p["ours"] for p in taken], [p["released"] for p in taken])
+    return lines
+
+
+def _check(ours: list[float], theirs: list[float]) -> None:
+    scale = max(map(abs, theirs))
+    worst = max(abs(a - b) for a, b in zip(ours, theirs, strict=True)) / scale
+    if not worst < 1e-9:
+        raise WorkerError(f"the derivatives differ by {worst:.1e} relative")
+
+
+def _report(lines: list[dict[str, Any]]) -> None:
+    rows = []
+    for line in lines:
+        if "ours" not in line:
+            rows.append((line["measure"], line["model"], "–", "–", "fails", 0))
+            continue
+        a, b = line["ours"], line["released"]
+        star = "*" if line["note"] else ""
+        ratio = f"{pairwise(b, a):.1f}{star}"
+        rows.append(
+            (line["measure"], line["model"], seconds(median(a)), seconds(median(b)), ratio, len(a))
+        )
+    header = ("measure", "model", "ours", "0.9.4", "0.9.4 / ours", "pairs")
+    table("Medians; the ratio is the median over pairs taken in turn", header, rows)
+    for note in sorted({f"{x['model']}: {x['note']}" for x in lines if x["note"]}):
+        print(f"  * {note}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,117 @@
+"""CasADi: its interpreted Function, and, by the argument "c", the C it generates, by gcc -O3."""
+
+from __future__ import annotations
+
+import ctypes
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+import casadi as ca
+import numpy as np
+from harness.convert import Algebra, translate
+from harness.elimination import choose_pivots, solve_general
+from harness.peer import Peer, serve_peer
+
+_LOOP = """
+void loop(const double *x, const double *r, const double *p, double *out,
+          casadi_int *iw, double *w, int count, int n, int s) {
+  for (int k = 0; k < count; k++) {
+    const double *arg[SZ_ARG] = {x + k * n, r + k * s, p};
+    double *res[SZ_RES] = {out + k * n};
+    f(arg, res, iw, w, 0);
+  }
+}
+"""
+
+
+class CasADi(Algebra):
+    def __init__(self) -> None:
+        super().__init__({name: getattr(ca, name) for name in ("sin", "cos", "tan", "sqrt")})
+
+    def number(self, value: float) -> Any:
+        return ca.SX(value)
+
+
+class CasADiPeer(Peer):
+    def build(self) -> Any:
+        x, r, p = (
+            ca.SX.sym(name, size)
+            for name, size in (
+                ("x", self.x.shape[1]),
+                ("r", self.r.shape[1]),
+                ("p", len(self.p)),
+            )
+        )
+        matrix, forcing, rates = translate(self.model, CasADi(), x, r, p)
+        n = len(forcing)
+        if self.model.positive_definite:
+            full = [k for k, entry in enumerate(matrix) if entry is not None]
+            pattern = ca.Sparsity.triplet(n, n, [k // n for k in full], [k % n for k in full])
+            m = ca.SX(pattern)
+            for k in full:
+                m[k // n, k % n] = matrix[k]
+            solution = ca.ldl_solve(ca.vertcat(*forcing), *ca.ldl(m))
+        else:
+            # CasADi's own `solve` is a QR here, half as fast as this on the bicycle.
+            typical = translate(self.model, Algebra(), self.x[0], self.r[0], self.p)[0]
+            solution = ca.vertcat(*solve_general(matrix, forcing, choose_pivots(typical, n)))
+        return ca.Function("f", [x, r, p], [ca.vertcat(*rates, solution)])
+
+    def _over_all(self, function: Any) -> Any:
+        arguments = [ca.DM(self.x.T), ca.DM(self.r.T), ca.DM(self.p)]
+        mapped = function.map("all", "serial", self.count, [2], [])
+
+        def evaluate() -> None:
+            self._result = mapped(*arguments)
+
+        return evaluate
+
+    def scalar(self) -> Any:
+        return self._over_all(self.build())
+
+    batched = scalar  # its virtual machine takes one state at a time
+
+    def values(self) -> np.ndarray:
+        return np.array(self._result).T
+
+
+class CasADiC(CasADiPeer):
+    """The C code in a loop of C, so that no call from Python is in the measure."""
+
+    def build(self) -> Any:
+        function = super().build()
+        sizes = {"SZ_ARG": function.sz_arg(), "SZ_RES": function.sz_res()}
+        self._work = np.empty(function.sz_w() + 1), np.empty(function.sz_iw() + 1, dtype=np.int64)
+        self._folder = tempfile.TemporaryDirectory()
+        folder = Path(self._folder.name)
+        generator = ca.CodeGenerator("f.c")
+        generator.add(function)
+        generator.generate(f"{folder}/")
+        with (folder / "f.c").open("a") as file:
+            file.write(_LOOP)
+        subprocess.run(
+            ["gcc", "-O3", "-march=native", "-shared", "-fPIC", "f.c", "-o", "f.so", "-lm"]
+            + [f"-D{key}={value}" for key, value in sizes.items()],
+            cwd=folder,
+            check=True,
+        )
+        return ctypes.CDLL(str(folder / "f.so"))
+
+    def _over_all(self, function: Any) -> Any:
+        out = np.empty_like(self.x)
+        w, iw = self._work
+        arrays = [ctypes.c_void_p(a.ctypes.data) for a in (self.x, self.r, self.p, out, iw, w)]
+        sizes = self.count, self.x.shape[1], self.r.shape[1]
+
+        def evaluate() -> None:
+            function.loop(*arrays, *sizes)
+            self._result = out.T
+
+        return evaluate
+
+
+if __name__ == "__main__":
+    serve_peer(CasADiC() if sys.argv[1:] == ["c"] else CasADiPeer())

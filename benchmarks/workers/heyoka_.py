@@ -1,0 +1,80 @@
+"""heyoka's `cfunc`, with the constants and specifieds as its run-time parameters."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import heyoka as hy
+import numpy as np
+from harness.convert import Algebra, translate
+from harness.elimination import choose_pivots, solve_definite, solve_general
+from harness.peer import Peer, serve_peer
+from harness.serve import time_of
+
+
+class Heyoka(Algebra):
+    def __init__(self) -> None:
+        super().__init__({name: getattr(hy, name) for name in ("sin", "cos", "tan", "sqrt")})
+
+    def number(self, value: float) -> Any:
+        return hy.expression(value)
+
+    def sum(self, terms: list[Any]) -> Any:
+        return hy.sum(terms)
+
+    def product(self, factors: list[Any]) -> Any:
+        return hy.prod(factors)
+
+
+class HeyokaPeer(Peer):
+    def warm_up(self) -> None:
+        hy.llvm_state.set_diskcache_enabled(False)
+        hy.llvm_state.set_memcache_limit(0)
+        x = hy.make_vars("x")
+        hy.cfunc([hy.sin(x)], [x])
+
+    def build(self, **options: Any) -> Any:
+        """One state at a time by default; `batch_size` and `force_avx512` are heyoka's own."""
+        model = self.model
+        states = hy.make_vars(*(f"x{k}" for k in range(self.x.shape[1])))
+        r = [hy.par[k] for k in range(self.r.shape[1])]
+        p = [hy.par[len(r) + k] for k in range(len(self.p))]
+        matrix, forcing, rates = translate(model, Heyoka(), states, r, p)
+        if model.positive_definite:
+            solution = solve_definite(matrix, forcing)
+        else:
+            typical = translate(model, Algebra(), self.x[0], self.r[0], self.p)[0]
+            pivots = choose_pivots(typical, len(forcing))
+            solution = solve_general(matrix, forcing, pivots)
+        return hy.cfunc([*rates, *solution], states, **({"batch_size": 1} | options))
+
+    def _over_all(self, function: Any) -> Any:
+        inputs = np.ascontiguousarray(self.x.T)
+        constants = np.repeat(self.p[:, None], self.count, axis=1)
+        pars = np.ascontiguousarray(np.vstack([self.r.T, constants]))
+        out = np.empty((len(inputs), self.count))
+
+        def evaluate() -> None:
+            function(inputs, pars=pars, outputs=out, batch_parallel=False)
+            self._out = out
+
+        return evaluate
+
+    def scalar(self) -> Any:
+        return self._over_all(self.build())
+
+    def batched(self) -> Any:
+        # heyoka avoids 512-bit vectors unless told otherwise; take what is faster here.
+        wide = hy.recommended_simd_size()
+        choices = [{"batch_size": wide, "force_avx512": flag} for flag in (False, True)]
+        functions = [self._over_all(self.build(**choice)) for choice in choices]
+        best = min(functions, key=lambda f: min(time_of(f) for _ in range(5)))
+        best()
+        return best
+
+    def values(self) -> np.ndarray:
+        return self._out.T
+
+
+if __name__ == "__main__":
+    serve_peer(HeyokaPeer())

@@ -1,0 +1,62 @@
+"""This project's kernels: one lane for scalar code, eight for batches."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import sympy as sm
+from harness.frozen import Model
+from harness.peer import Peer, serve_peer
+from harness.program import assembly_of
+from harness.serve import in_child, time_of
+from sympy.physics.mechanics import dynamicsymbols
+
+from pydy._backends.llvm import LLVMBackend
+
+
+class Ours(Peer):
+    def warm_up(self) -> None:
+        for definite in (True, False):
+            program = assembly_of(_small(definite)).program("rates")
+            for lanes in (1, 8):
+                LLVMBackend(lanes=lanes).compile(program)
+
+    def build(self) -> Any:
+        program = assembly_of(self.model).program("rates")
+        return LLVMBackend(lanes=1).compile(program)
+
+    def build_time(self) -> float:
+        # In a process of its own: what was compiled before must not count.
+        return in_child(lambda: time_of(self.build))
+
+    def _sweep(self, kernel: Any) -> Any:
+        t = np.zeros(self.count)
+
+        def sweep() -> None:
+            self._out, failed = kernel.evaluate(t, self.x, self.r, self.p)
+            assert not failed.any()
+
+        return sweep
+
+    def scalar(self) -> Any:
+        return self._sweep(self.build())
+
+    def batched(self) -> Any:
+        program = assembly_of(self.model).program("rates")
+        return self._sweep(LLVMBackend(lanes=8).compile(program))
+
+    def values(self) -> np.ndarray:
+        return self._out
+
+
+def _small(definite: bool) -> Model:
+    """Return a model of two speeds that uses the routines every model shares."""
+    q, u = (list(dynamicsymbols(f"{name}0:2")) for name in "qu")
+    m = sm.Symbol("m")
+    matrix = [m, sm.cos(q[0]), sm.cos(q[0]), 2 * m]
+    return Model("small", q, u, [], [m], matrix, [sm.sin(q[1]), u[0]], u, definite, [2.0], {})
+
+
+if __name__ == "__main__":
+    serve_peer(Ours())
