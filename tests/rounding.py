@@ -178,6 +178,10 @@ def _tan(argument):
     return _smooth(mp.tan)(argument)
 
 
+def _cot(argument):  # SymPy's tan(x + π/2); evaluated as 1 / tan(x)
+    return _power(*_tan(argument), sm.Integer(-1))
+
+
 def _atan2(y, x):
     (y, ey), (x, ex) = y, x
     radius, e = mp.hypot(y, x), mp.hypot(ey, ex)
@@ -214,6 +218,7 @@ _RULES = {
     sm.sin: _smooth(mp.sin),
     sm.cos: _smooth(mp.cos),
     sm.tan: _tan,
+    sm.cot: _cot,
     sm.asin: _between(mp.asin, -1, 1),
     sm.atan: _smooth(mp.atan),
     sm.sinh: _smooth(mp.sinh),

@@ -4,14 +4,14 @@ import inspect
 import pydoc
 
 import numpy as np
-import pydy.models
 import pytest
 import sympy as sm
-from pydy.system import System
 from scipy.integrate import odeint, solve_ivp
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 
+import pydy.models
 from pydy.codegen.ode_function_generators import generate_ode_function
+from pydy.system import System
 
 TIMES = np.linspace(0.0, 5.0, num=3)
 

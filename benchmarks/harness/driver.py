@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import select
+import signal
 import subprocess
 import time
 from collections.abc import Callable
@@ -57,6 +59,7 @@ class Worker:
             stdout=subprocess.PIPE,
             stderr=self._log,
             env={**os.environ, **one, "PYTHONPATH": str(BENCHMARKS), "PYTHONHASHSEED": "0"},
+            start_new_session=True,  # compilers that a worker has started end with it
         )
         if core is not None:
             os.sched_setaffinity(self._process.pid, {core})
@@ -74,10 +77,13 @@ class Worker:
 
     def close(self) -> None:
         """End the process."""
-        if self._process.poll() is None:
-            self._process.kill()
-        self._process.wait()
+        self._end()
         self._log.close()
+
+    def _end(self) -> None:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self._process.pid, signal.SIGKILL)
+        self._process.wait()
 
     def ask(self, do: str, **arguments: Any) -> Any:
         """Return the worker's answer to a request.
@@ -95,7 +101,7 @@ class Worker:
         process.stdin.flush()
         # Answers are one line to one request, so nothing else can be in the buffer.
         if not select.select([process.stdout], [], [], self.timeout)[0]:
-            process.kill()
+            self._end()
             raise WorkerError(f"no answer to `{do}` within {self.timeout:g} s")
         line = process.stdout.readline()
         if not line:

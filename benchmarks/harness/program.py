@@ -10,11 +10,11 @@ from pydy._eom.equations import Equations
 from pydy._programs import Assembly, assemble_system
 
 
-def assembly_of(model: Model) -> Assembly:
-    """Read a model into a graph, as System does with the equations of a KanesMethod."""
-    n = len(model.speeds)
+def equations_of(model: Model) -> Equations:
+    """Return a model as what is otherwise extracted from a KanesMethod."""
     t = dynamicsymbols._t
-    equations = Equations(
+    n = len(model.speeds)
+    return Equations(
         time=t,
         coordinates=tuple(model.coordinates),
         speeds=tuple(model.speeds),
@@ -25,4 +25,9 @@ def assembly_of(model: Model) -> Assembly:
         forcing=tuple(model.forcing),
         positive_definite=model.positive_definite,
     )
+
+
+def assembly_of(model: Model, equations: Equations | None = None) -> Assembly:
+    """Read a model into a graph, as System does."""
+    equations = equations or equations_of(model)
     return assemble_system(equations, (), (), model.specifieds, model.constants)

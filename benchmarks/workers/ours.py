@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sm
 from harness.frozen import Model
 from harness.peer import Peer, serve_peer
-from harness.program import assembly_of
+from harness.program import assembly_of, equations_of
 from harness.serve import in_child, time_of
 from sympy.physics.mechanics import dynamicsymbols
 
@@ -22,9 +22,14 @@ class Ours(Peer):
             for lanes in (1, 8):
                 LLVMBackend(lanes=lanes).compile(program)
 
-    def build(self) -> Any:
-        program = assembly_of(self.model).program("rates")
-        return LLVMBackend(lanes=1).compile(program)
+    def load(self, name: str) -> Any:
+        sizes = super().load(name)
+        self.equations = equations_of(self.model)
+        return sizes
+
+    def build(self, lanes: int = 1) -> Any:
+        program = assembly_of(self.model, self.equations).program("rates")
+        return LLVMBackend(lanes=lanes).compile(program)
 
     def build_time(self) -> float:
         # In a process of its own: what was compiled before must not count.
@@ -43,8 +48,7 @@ class Ours(Peer):
         return self._sweep(self.build())
 
     def batched(self) -> Any:
-        program = assembly_of(self.model).program("rates")
-        return self._sweep(LLVMBackend(lanes=8).compile(program))
+        return self._sweep(self.build(lanes=8))
 
     def values(self) -> np.ndarray:
         return self._out

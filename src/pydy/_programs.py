@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 from pydy._eom.equations import Equations
@@ -19,6 +20,7 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.simplify import again, rebuild, simplify
+from pydy._graph.structure import difference_basis
 
 __all__ = [
     "Assembly",
@@ -215,7 +217,7 @@ def assemble_system(
     else:
         kind = "ldl" if equations.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        solved = graph.solve(rows, [forcing], kind)[0]
+        solved = _accelerations(graph, rows, forcing, kind)
     read.what = "the outputs"
     values = _evaluate_groups(graph, read, groups, dict(zip(accelerations, solved, strict=True)))
     integrated = auxiliary_groups(equations, groups)
@@ -251,6 +253,15 @@ def _other_symbols(equations: Equations) -> tuple[list[Any], list[Any]]:
     known = {*states, *rates, *equations.zeros, t}
     rest = [s for s in equations.symbols if s not in known]
     return [s for s in rest if s.is_Symbol], [s for s in rest if not s.is_Symbol]
+
+
+def _accelerations(graph: Graph, rows: list[list[int]], forcing: list[int], kind: str) -> list[int]:
+    """Return the solution of the equations of motion."""
+    chain = difference_basis(graph, rows, forcing) if kind == "ldl" else None
+    if chain is None:
+        return graph.solve(rows, [forcing], kind)[0]
+    y = graph.solve(chain[0], [chain[1]], kind)[0]
+    return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
 
 
 def _collect_accelerations(

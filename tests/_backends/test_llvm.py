@@ -13,7 +13,6 @@ import sympy as sm
 from graphs import P, T, X, on_tape, program_of, solve_program
 from pydy._backends.llvm import LLVMBackend
 from pydy._graph.interpret import run
-from pydy._graph.linsolve import UnrolledLDL
 from pydy._graph.node import BINARY, COMPARISONS, UNARY, Graph
 from pydy._graph.program import ELEMENTARY, Program, Tape
 
@@ -221,6 +220,19 @@ def test_specifieds_may_be_given_for_each_sample_or_once_for_all(lanes):
     np.testing.assert_array_equal(each, np.column_stack([x[:, 0] * table[:, 0], table[:, 1]]))
 
 
+@every_width
+def test_a_condition_on_constants_is_known_at_both_ends_of_a_long_program(lanes):
+    x, condition = X[0], P[0] > P[1]
+    filling = [sm.sin(x + k) for k in range(300)]
+    choices = [sm.Piecewise((f(x), condition), (x, True)) for f in (sm.exp, sm.atan)]
+    program = program_of([choices[0], *filling, choices[1]])
+    kernel = LLVMBackend(lanes=lanes).compile(program)
+    arguments = samples("expressions", 5)
+    for p in (np.array([2.0, 1.0, 0.0]), np.array([1.0, 2.0, 0.0])):
+        expected, _ = run(program, *arguments[:3], p)
+        same(kernel.evaluate(*arguments[:3], p)[0], expected, ulps=4)
+
+
 # -- solves ---------------------------------------------------------------------------------------
 
 SINGULAR = np.outer([1.0, 2.0, -3.0], [1.0, 2.0, -3.0]).ravel()
@@ -270,12 +282,10 @@ def test_the_native_function_returns_a_bit_for_each_failed_lane(name, bad):
 
 
 def test_a_failure_in_one_of_two_solves_is_kept():
-    tape = Tape()
-    x = [tape.make("input", "x", k) for k in range(4)]
-    one = UnrolledLDL(tape, 1, [x[0]]).solve([x[1]])
-    two = UnrolledLDL(tape, 1, [x[2]]).solve([x[3]])
-    nodes = [tape.make("item", one, 0), tape.make("item", two, 0)]
-    program = Program.from_tape(tape, (4, 0, 0), [("v", (2,), nodes)])
+    graph = Graph()
+    x = [graph.input("x", k) for k in range(4)]
+    (one,), (two,) = (graph.solve([[x[k]]], [[x[k + 1]]], "ldl")[0] for k in (0, 2))
+    program = on_tape(graph, [one, two], (4, 0, 0))
     states = np.array([[2.0, 1, 4, 1], [0, 1, 4, 1], [2, 1, 0, 1], [0, 1, 0, 1]])
     for lanes in LANES:
         kernel = LLVMBackend(lanes=lanes).compile(program)

@@ -92,6 +92,8 @@ CONDITIONS = {
     sm.Not: sm.Not(sm.And(x > 0, y > 0), evaluate=False),
     sm.Xor: sm.Xor(x > 0, y > 0, x < y),
     sm.ITE: sm.ITE(x > 0, y > 0, x < y),
+    sm.Implies: sm.Implies(x > 0, y > 0, evaluate=False),
+    sm.Equivalent: sm.Equivalent(x > 0, y > 0, x < y),
 }
 ELSEWHERE = {sm.Pow, sm.Piecewise, ExprCondPair, sm.re, sm.im, sm.conjugate}
 

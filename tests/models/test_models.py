@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 import sympy as sm
-from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
-from pydy.system import System
 from sympy.physics.mechanics import models as sympy_models
 
 import zoo
 from cases import close
 from oracle import Oracle
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.system import System
 
 
 def numbered(system, seed=0):

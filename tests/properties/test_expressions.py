@@ -131,12 +131,21 @@ def expected(expressions, points):
     return table
 
 
+def real_after_all(expression, numbers, actual):
+    """Whether square roots of negative numbers met and made a real number, as √x · √x = x does."""
+    value = complex(expression.evalf(20, subs=numbers))
+    return abs(value - actual) <= 1e-9 * (1 + abs(value))
+
+
 def check(found, table, expressions, points, who):
     for (i, j), value, bound in table:
         actual = float(found[i, j])
         told = f"{who}: {expressions[j]} at {dict(zip(NAMES, points[i].tolist(), strict=True))}"
         if mp.isnan(value):
-            assert np.isnan(actual), f"{actual}, outside the domain: {told}"
+            numbers = dict(zip(NAMES, points[i], strict=True))
+            assert np.isnan(actual) or real_after_all(expressions[j], numbers, actual), (
+                f"{actual}, outside the domain: {told}"
+            )
         else:
             error = abs(mp.mpf(actual) - value)
             assert error <= SAFETY * bound, (
@@ -178,7 +187,7 @@ def test_the_bound_sees_a_switch_within_rounding():
 BACKENDS = {"lambdify": NumPyBackend(), "llvm": LLVMBackend()}
 
 
-@quiet(max_examples=120)
+@quiet(max_examples=80)
 @given(recipe=recipes, seed=seeds)
 def test_a_random_expression_stays_within_eight_times_its_rounding_bound(recipe, seed):
     expressions, points = expressions_of(recipe), points_of(seed)
@@ -189,7 +198,7 @@ def test_a_random_expression_stays_within_eight_times_its_rounding_bound(recipe,
         check(sweep(backend, program, points), table, expressions, points, name)
 
 
-@quiet(max_examples=120)
+@quiet(max_examples=80)
 @given(recipe=recipes, seed=seeds)
 def test_rewriting_moves_a_random_expression_by_no_more_than_that_bound(recipe, seed):
     expressions, points = expressions_of(recipe), points_of(seed)
@@ -205,7 +214,7 @@ def test_rewriting_moves_a_random_expression_by_no_more_than_that_bound(recipe, 
         )
 
 
-@quiet(max_examples=40)
+@quiet(max_examples=30)
 @given(recipe=recipes)
 def test_building_a_random_expression_twice_gives_the_same_digest(recipe):
     digests = []
@@ -215,7 +224,7 @@ def test_building_a_random_expression_twice_gives_the_same_digest(recipe):
     assert digests[0] == digests[1]
 
 
-@quiet(max_examples=40)
+@quiet(max_examples=30)
 @given(recipe=recipes, data=st.data())
 def test_the_order_in_which_expressions_are_read_moves_them_by_rounding_only(recipe, data):
     expressions, points = expressions_of(recipe), points_of(0)

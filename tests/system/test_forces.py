@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
-from pydy.system import System
 
 import zoo
 from cases import close, system_of
 from oracle import oracle
+from pydy.system import System
 
 GENERATORS = ["llvm", "lambdify"]
 NAMES = ["disc_contact", "skate"]

@@ -466,16 +466,11 @@ class _Stage:
         n: int,
         entries: tuple[int, ...],
         column: tuple[int, ...],
-        pivots: tuple[int, ...],
+        sound: int,
         fast: tuple[int, ...],
     ) -> None:
-        diagonal = [self.names[k] for k in entries[:: n + 1]]
-        sound = " && ".join(
-            f"{self.names[pivot]} > {n * _EPS!r} * {scale}"
-            for pivot, scale in zip(pivots, diagonal, strict=True)
-        )
         self._array(f"s{node}", fast, "    ")
-        self._line(f"if (!({sound or '1'})) {{", "    ")
+        self._line(f"if (!({self.names[sound]})) {{", "    ")
         inside = "        "
         self._factor("", n, entries, inside)
         for k, value in enumerate(column):

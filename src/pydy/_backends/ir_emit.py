@@ -421,23 +421,13 @@ class Emitter:
         n: int,
         entries: tuple[int, ...],
         column: tuple[int, ...],
-        pivots: tuple[int, ...],
+        sound: int,
         fast: tuple[int, ...],
     ) -> None:
         f, v, names = self.f, self.v, self.names
-        tolerance = literal(n * 2.0**-52, self.lanes)
-        sound = ""
-        for k, pivot in enumerate(pivots):
-            diagonal = entries[k * (n + 1)]
-            if pivot == diagonal:
-                limit = literal(0.0, self.lanes)
-            else:
-                limit = f.let(f"fmul {v} {names[diagonal]}, {tolerance}")
-            flag = f.let(f"fcmp ogt {v} {names[pivot]}, {limit}")
-            sound = flag if not sound else f.let(f"and {self.b} {sound}, {flag}")
         quick = [names[k] for k in fast]
         every = (1 << self.lanes) - 1
-        need = f.let(f"xor i32 {mask(f, sound, self.lanes)}, {every}")
+        need = f.let(f"xor i32 {mask(f, names[sound], self.lanes)}, {every}")
         weak = f.let(f"icmp ne i32 {need}, 0")
         slow, join = f.name("weak"), f.name("solved")
         before = f.current

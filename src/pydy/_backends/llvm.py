@@ -176,7 +176,8 @@ def _kernel(program: Program, lanes: int) -> str:
 
 
 def _load_carried(e: Emitter, node: int, index: int) -> None:
-    e.load(node, "%c", index)
-    op = e.program.ops[node]
-    if op in TRUTHS:
-        e.names[node] = e.f.let(f"fcmp une {e.v} {e.names[node]}, {literal(0.0, e.lanes)}")
+    if e.program.ops[node] in TRUTHS:
+        number = e.f.load(e.v, "%c", str(index))
+        e.names[node] = e.f.let(f"fcmp une {e.v} {number}, {literal(0.0, e.lanes)}")
+    else:
+        e.load(node, "%c", index)

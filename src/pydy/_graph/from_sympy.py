@@ -111,6 +111,11 @@ def _if_then_else(graph: Graph, expr: Any, args: list[int]) -> int:
     return graph.call("or", graph.call("and", condition, yes), otherwise)
 
 
+def _equivalent(graph: Graph, expr: Any, args: list[int]) -> int:
+    none = graph.call("and", *(graph.call("not", a) for a in args))
+    return graph.call("or", graph.call("and", *args), none)
+
+
 def _log(graph: Graph, expr: Any, args: list[int]) -> int:
     node = graph.call("log", args[0])
     return node if len(args) == 1 else graph.div(node, graph.call("log", args[1]))
@@ -171,6 +176,8 @@ HANDLERS: dict[Any, Handler] = {
     sm.Or: _same("or"),
     sm.Not: _same("not"),
     sm.Xor: _xor,
+    sm.Implies: lambda graph, expr, args: graph.call("or", graph.call("not", args[0]), args[1]),
+    sm.Equivalent: _equivalent,
     sm.ITE: _if_then_else,
     # Everything here is real, so these are what SymPy could not simplify for want of assumptions.
     sm.re: lambda graph, expr, args: args[0],

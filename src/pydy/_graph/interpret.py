@@ -92,11 +92,9 @@ def _stack(values: Values, nodes: tuple[int, ...], m: int) -> np.ndarray:
 
 def _guard(values: Values, args: tuple[Any, ...], m: int, failed: np.ndarray) -> np.ndarray:
     """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
-    n, entries, column, pivots, fast = args
-    diagonal = _stack(values, entries[:: n + 1], m)
-    sound = (_stack(values, pivots, m) > n * EPS * diagonal).all(axis=1)
+    n, entries, column, sound, fast = args
     x = _stack(values, fast, m)
-    weak = ~sound
+    weak = ~np.broadcast_to(values[sound], m)
     if weak.any():
         matrix = _stack(values, entries, m).reshape(m, n, n)[weak]
         bad = np.zeros(len(matrix), dtype=bool)

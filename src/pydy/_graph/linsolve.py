@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from pydy._graph.program import Tape
 
-__all__ = ["LoopFactor", "UnrolledLDL"]
+__all__ = ["LoopFactor", "UnrolledLDL", "symmetric"]
 
 
 def symmetric(n: int, entries: list[int]) -> list[int]:
@@ -34,33 +34,44 @@ class LoopFactor:
 
 
 class UnrolledLDL:
-    """L D Lᵀ of a symmetric matrix, of which the lower triangle is read."""
+    """L D Lᵀ of a symmetric matrix, of which the lower triangle is read, in a given order."""
 
-    def __init__(self, tape: Tape, n: int, entries: list[int]) -> None:
+    def __init__(
+        self, tape: Tape, n: int, entries: list[int], order: list[int] | None = None
+    ) -> None:
         self.tape = tape
         self.n = n
+        order = self.order = list(range(n)) if order is None else order
+        # The fallback must see a symmetric matrix too, whatever stands in the upper triangle.
         self.entries = symmetric(n, entries)
-        zero = tape.const(0.0)
-        self.zero = zero
+        zero = self.zero = tape.const(0.0)
+        cell = [[self.entries[i * n + j] for j in order] for i in order]
         lower: list[list[int]] = [[zero] * n for _ in range(n)]
         scaled: list[list[int]] = [[zero] * n for _ in range(n)]  # L · D
-        self.pivots: list[int] = []
         self.inverse: list[int] = []
-        one = tape.const(1.0)
+        one, tolerance = tape.const(1.0), tape.const(n * 2.0**-52)
+        self.sound = tape.make("bool", True)
         for j in range(n):
-            pivot = entries[j * n + j]
+            pivot = cell[j][j]
             for k in range(j):
                 pivot = self._minus(pivot, lower[j][k], scaled[j][k])
-            self.pivots.append(pivot)
+            # A pivot is judged by its own diagonal entry: units do not matter.
+            limit = zero if pivot == cell[j][j] else tape.mul(tolerance, cell[j][j])
+            self._require(tape.make("lt", limit, pivot))
             inverse = tape.make("div", one, pivot)
             self.inverse.append(inverse)
             for i in range(j + 1, n):
-                value = entries[i * n + j]
+                value = cell[i][j]
                 for k in range(j):
                     value = self._minus(value, lower[i][k], scaled[j][k])
                 scaled[i][j] = value
                 lower[i][j] = tape.mul(value, inverse)
         self.lower = lower
+
+    def _require(self, condition: int) -> None:
+        tape = self.tape
+        first = tape.ops[self.sound] == "bool"
+        self.sound = condition if first else tape.make("and", self.sound, condition)
 
     def _minus(self, value: int, a: int, b: int) -> int:
         if self.zero in (a, b):
@@ -70,7 +81,7 @@ class UnrolledLDL:
     def solve(self, column: list[int]) -> int:
         """Return the vector node of the guarded solution."""
         n, tape = self.n, self.tape
-        y = list(column)
+        y = [column[i] for i in self.order]
         for i in range(n):
             for k in range(i):
                 y[i] = self._minus(y[i], self.lower[i][k], y[k])
@@ -78,6 +89,7 @@ class UnrolledLDL:
         for i in reversed(range(n)):
             for k in range(i + 1, n):
                 x[i] = self._minus(x[i], self.lower[k][i], x[k])
-        return tape.make(
-            "guard", n, tuple(self.entries), tuple(column), tuple(self.pivots), tuple(x)
-        )
+        fast = [0] * n
+        for place, value in zip(self.order, x, strict=True):
+            fast[place] = value
+        return tape.make("guard", n, tuple(self.entries), tuple(column), self.sound, tuple(fast))

@@ -10,16 +10,19 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from pydy._graph.linsolve import LoopFactor, UnrolledLDL
+import numpy as np
+
+from pydy._graph.linsolve import LoopFactor, UnrolledLDL, symmetric
 from pydy._graph.node import BOOLEAN, Graph
 from pydy._graph.program import Program, Tape
-from pydy._graph.share import is_pair, share_products
+from pydy._graph.share import is_pair, share_pairs
+from pydy._graph.structure import elimination_order
 
 __all__ = ["UNROLL_LIMIT", "lower"]
 
-# LLVM's time grows faster than the code of an unrolled elimination, and from about here on the
-# vectorised loop is no slower to run.
-UNROLL_LIMIT = 24
+# Multiply-adds of an elimination that is written out, about those of a full 24 by 24 matrix. An
+# elimination of constants costs only code, since it runs once per binding.
+UNROLL_LIMIT = 3500
 
 
 def lower(
@@ -40,7 +43,7 @@ def lower(
     blocks : sequence of (name, shape, nodes)
         Row-major.
     unroll_limit : int
-        The largest LDLᵀ that is unrolled.
+        The most multiply-adds of an LDLᵀ and one solve that are written out.
     """
     return Program.from_tape(*_Lowering(graph, unroll_limit).run(blocks, sizes))
 
@@ -55,6 +58,8 @@ class _Lowering:
         self.divided: Counter[int] = Counter()
         self.products: dict[tuple[int, float], list[Any]] = {}
         self.below: dict[int, list[tuple[int, int]]] = {}
+        self.sums: dict[int, list[Any]] = {}
+        self.partial_sums: dict[int, tuple[int, bool]] = {}
         self.pairs: dict[int, int] = {}  # by identity: the plan keeps them alive
 
     def run(
@@ -68,6 +73,7 @@ class _Lowering:
                 self.divided.update(n for n, e in self.graph.args[node] if e < 0)
         self._constant = constant_nodes(self.graph, order)
         self._plan_products(order)
+        self._plan_sums(order)
         for node in order:
             self.new[node] = self._node(node)
         return (
@@ -87,7 +93,7 @@ class _Lowering:
         op, args = self.graph.ops[node], self.graph.args[node]
         tape, new = self.tape, self.new
         if op == "sum":
-            return self._sum(*args)
+            return self._sum(node)
         if op == "prod":
             return self._product(node, 1.0)
         if op == "const":
@@ -97,10 +103,7 @@ class _Lowering:
         if op == "factor":
             kind, n, entries = args
             cells = [new[e] for e in entries]
-            if kind == "ldl" and n <= self.unroll_limit:
-                self.factors[node] = UnrolledLDL(tape, n, cells)
-            else:
-                self.factors[node] = LoopFactor(tape, kind, n, cells)
+            self.factors[node] = self._factorise(kind, n, cells)
             return -1
         if op == "solve":
             return self.factors[args[0]].solve([new[b] for b in args[1]])
@@ -108,29 +111,58 @@ class _Lowering:
             return tape.make("item", new[args[0]], args[1])
         return tape.make(op, *(new[a] for a in args))
 
-    def _sum(self, c0: float, pairs: tuple[tuple[int, float], ...]) -> int:
+    def _factorise(self, kind: str, n: int, cells: list[int]) -> UnrolledLDL | LoopFactor:
+        """Unroll an elimination unless its operations, zeros left out, are too many."""
         tape = self.tape
-        terms = [self._scaled(n, c) for n, c in pairs]
-        # Constants first: their partial sum is then a value of the setup stage.
+        if kind == "ldl":
+            zero = tape.const(0.0)
+            filled = np.array(symmetric(n, cells)).reshape(n, n) != zero
+            order, cost = elimination_order(filled)
+            constant = all(tape.setup[c] for c in cells)
+            if cost <= self.unroll_limit * (4 if constant else 1):
+                return UnrolledLDL(tape, n, cells, order)
+        return LoopFactor(tape, kind, n, cells)
+
+    # -- sums -------------------------------------------------------------------------------------
+
+    def _plan_sums(self, order: list[int]) -> None:
+        """Decide in which order the terms of each sum are added."""
+        graph, constant = self.graph, self._constant
+        sums = [node for node in order if graph.ops[node] == "sum"]
+        rows = []
+        for node in sums:
+            # Constants first: their partial sum is then a value of the setup stage.
+            pairs = graph.args[node][1]
+            rows.append(sorted(pairs, key=lambda pair: (not constant[pair[0]], pair[0])))
+        self.sums = dict(zip(sums, share_pairs(rows), strict=True))
+
+    def _sum(self, node: int) -> int:
+        tape = self.tape
+        c0 = self.graph.args[node][0]
+        terms = [self._term(tree) for tree in self.sums[node]]
         terms.sort(key=lambda item: not tape.setup[item[0]])
         if c0:
             terms.insert(0, (tape.const(abs(c0)), c0 > 0))
-        total: int | None = None
-        negative: int | None = None  # a leading run of negative terms, while there is no positive
-        for value, positive in terms:
-            if positive:
-                if total is None:
-                    total = value if negative is None else tape.sub(value, negative)
-                else:
-                    total = tape.add(total, value)
-            elif total is None:
-                negative = value if negative is None else tape.add(negative, value)
-            else:
-                total = tape.sub(total, value)
-        if total is None:
-            assert negative is not None
-            return tape.neg(negative)
-        return total
+        value, positive = terms[0]
+        for other, sign in terms[1:]:
+            value, positive = self._joined((value, positive), (other, sign))
+        return value if positive else tape.neg(value)
+
+    def _term(self, tree: Any) -> tuple[int, bool]:
+        """Return a term as a value to add (True) or to subtract (False)."""
+        if not is_pair(tree):
+            return self._scaled(*tree)
+        known = self.partial_sums.get(id(tree))
+        if known is None:
+            known = self._joined(self._term(tree[0]), self._term(tree[1]))
+            self.partial_sums[id(tree)] = known
+        return known
+
+    def _joined(self, a: tuple[int, bool], b: tuple[int, bool]) -> tuple[int, bool]:
+        tape = self.tape
+        if a[1] == b[1]:
+            return tape.add(a[0], b[0]), a[1]
+        return (tape.sub(a[0], b[0]), True) if a[1] else (tape.sub(b[0], a[0]), True)
 
     def _scaled(self, node: int, coefficient: float) -> tuple[int, bool]:
         """Return a term of a sum as a value to add (True) or to subtract (False)."""
@@ -176,7 +208,7 @@ class _Lowering:
             if fixed or size != 1.0:
                 above.insert(0, ("fixed", fixed, size))
             factors.append(above)
-        for key, shared in zip(wanted, share_products(factors), strict=True):
+        for key, shared in zip(wanted, share_pairs(factors), strict=True):
             self.products[key] = shared
 
     def _multiplies(self, node: int, exponent: int) -> bool:

@@ -12,7 +12,7 @@ Operations and their arguments::
     neg not sqrt exp ... ceil (a,)            select (condition, a, b)
     factor (n, entries)                       LU factors with partial pivoting, or LDLᵀ in a loop
     solve  (factor, column)                   a vector
-    guard  (n, entries, column, pivots, fast) the vector `fast` where all pivots are sound, else LU
+    guard  (n, entries, column, sound, fast)  the vector `fast` where `sound` is true, else by LU
     item   (vector, k)                        one component of a vector
 """
 
@@ -43,7 +43,7 @@ def operands(op: str, args: tuple[Any, ...]) -> tuple[int, ...]:
     if op == "solve":
         return (args[0], *args[1])
     if op == "guard":
-        return (*args[1], *args[2], *args[3], *args[4])
+        return (*args[1], *args[2], args[3], *args[4])
     if op == "item":
         return (args[0],)
     return args
@@ -300,8 +300,8 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
         op, args = tape.ops[node], tape.args[node]
         if op == "guard":
             # Row by row of the elimination; matrix and column come along where they are needed.
-            _, entries, column, pivots, fast = args
-            needs: Sequence[int] = (*pivots, *fast, *column, *entries)
+            _, entries, column, sound, fast = args
+            needs: Sequence[int] = (sound, *fast, *column, *entries)
         else:
             needs = operands(op, args)
         stack.extend(n for n in reversed(needs) if n not in done)
@@ -341,7 +341,10 @@ def _renumber(op: str, args: tuple[Any, ...], new: dict[int, int]) -> tuple[Any,
     if op == "solve":
         return (new[args[0]], tuple(new[n] for n in args[1]))
     if op == "guard":
-        return (args[0], *(tuple(new[n] for n in part) for part in args[1:]))
+        n, entries, column, sound, fast = args
+        parts = (tuple(new[k] for k in part) for part in (entries, column, fast))
+        entries, column, fast = parts
+        return (n, entries, column, new[sound], fast)
     if op == "item":
         return (new[args[0]], args[1])
     return tuple(new[n] for n in args)

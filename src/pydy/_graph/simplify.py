@@ -161,21 +161,32 @@ def _extract(graph: Graph, flags: _Flags, terms: list[Term], c0: float) -> int:
         for factors, coefficient in terms:
             exponent = factors.get(factor, 0)
             (inside if exponent * sign > 0 else outside).append((factors, coefficient))
-        power = min(abs(f[factor]) for f, _ in inside) * sign
+        common = _common(inside)
         reduced: list[Term] = []
         for factors, coefficient in inside:
-            left = dict(factors)
-            left[factor] -= power
-            if left[factor] == 0:
-                del left[factor]
-            reduced.append((left, coefficient))
+            left = {n: e - common.get(n, 0) for n, e in factors.items()}
+            reduced.append(({n: e for n, e in left.items() if e}, coefficient))
         bracket = _extract(graph, flags, reduced, 0.0)
+        product = graph.product([*common.items(), (bracket, 1)])
         if not outside and not done and c0 == 0.0:
-            return graph.product([(factor, power), (bracket, 1)])
-        done.append((graph.product([(factor, power), (bracket, 1)]), 1.0))
+            return product
+        done.append((product, 1.0))
         terms = outside
     done.extend((graph.product(list(f.items())), c) for f, c in terms)
     return graph.sum(done, c0)
+
+
+def _common(terms: list[Term]) -> dict[int, int]:
+    """Return all powers that every term has, so that one step takes them out together."""
+    common = dict(terms[0][0])
+    for factors, _ in terms[1:]:
+        for n, e in list(common.items()):
+            other = factors.get(n, 0)
+            if e * other <= 0:
+                del common[n]
+            elif abs(other) < abs(e):
+                common[n] = other
+    return common
 
 
 def _most_frequent(flags: _Flags, terms: list[Term]) -> tuple[int, int] | None:

@@ -1,0 +1,9 @@
+"""Settings for all tests: compiled code goes to a folder of its own, not to the user's cache."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+
+_FOLDER = tempfile.TemporaryDirectory(prefix="pydy-tests-", ignore_cleanup_errors=True)
+os.environ["PYDY_CACHE_DIR"] = _FOLDER.name
