@@ -139,6 +139,8 @@ def _report(kind: str, lines: list[dict[str, Any]], peers: list[str]) -> None:
             if peer in times and ours:
                 ratios[peer] = pairwise(ours, times[peer])
                 cells.append(f"{seconds(median(times[peer]))} ({ratios[peer]:.2f})")
+            elif peer in times:
+                cells.append(seconds(median(times[peer])))
             else:
                 cells.append("fails")
         # The fastest peer is the one that ours looks worst against. Builds are not ranked: an

@@ -89,6 +89,8 @@ class Session:
         """Generate the right-hand side; returns the derivatives of one state."""
         system = self.system()
         rhs = system.generate_ode_function(generator=generator)
+        if not RELEASED:  # what is measured is the best code, not the first
+            assert system._current().kernel.addresses
         values = {s.name: v for s, v in system.constants.items()}
         p = np.array([values[name] for name in _order_of_constants(rhs)])
         r = np.zeros(len(system.specifieds_symbols))

@@ -34,8 +34,9 @@ class Kernel:
     rebuild : callable
         ``rebuild(program, *recipe)`` gives this Kernel again, where it is unpickled.
     recipe : tuple
-    addresses : (int, int) or None
-        Native entry points ``kernel`` and ``prepare``; None for a back end without any.
+    settled : callable or None
+        Returns the native entry points ``kernel`` and ``prepare`` of the best code, compiling it
+        first if it is not ready; None for a back end without native code.
     lanes : int
         How many states one native call takes.
     owner : object
@@ -47,7 +48,7 @@ class Kernel:
     call: Call
     rebuild: Callable[..., Kernel]
     recipe: tuple[Any, ...] = ()
-    addresses: tuple[int, int] | None = None
+    settled: Callable[[], tuple[int, int]] | None = None
     lanes: int = 1
     owner: Any = field(default=None, repr=False)
 
@@ -59,6 +60,11 @@ class Kernel:
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Kernel:
         return self  # a Kernel never changes
+
+    @property
+    def addresses(self) -> tuple[int, int] | None:
+        """Native entry points ``kernel`` and ``prepare``, or None."""
+        return None if self.settled is None else self.settled()
 
     def evaluate(
         self, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray

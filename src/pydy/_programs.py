@@ -14,6 +14,7 @@ from typing import Any
 
 from pydy._eom.equations import Equations
 from pydy._eom.symbols import find_symbols
+from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
@@ -107,15 +108,16 @@ class Assembly:
 
     def lowered(self, blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]]) -> Program:
         """Simplify and lower blocks of nodes."""
-        nodes = [n for _, _, part in blocks for n in part]
-        if self.simplified:
-            nodes = simplify(self.graph, nodes)
-        new = []
-        start = 0
-        for name, shape, part in blocks:
-            new.append((name, shape, nodes[start : start + len(part)]))
-            start += len(part)
-        return lower(self.graph, self.sizes, new)
+        with collector_paused():
+            nodes = [n for _, _, part in blocks for n in part]
+            if self.simplified:
+                nodes = simplify(self.graph, nodes)
+            new = []
+            start = 0
+            for name, shape, part in blocks:
+                new.append((name, shape, nodes[start : start + len(part)]))
+                start += len(part)
+            return lower(self.graph, self.sizes, new)
 
 
 def _inputs(
@@ -158,6 +160,7 @@ def auxiliary_groups(equations: Equations, groups: Sequence[Group]) -> list[bool
     return flags
 
 
+@collector_paused()
 def assemble_system(
     equations: Equations,
     groups: Sequence[Group],
@@ -371,6 +374,7 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
 # -- the forms of generate_ode_function -----------------------------------------------------------
 
 
+@collector_paused()
 def assemble_form(
     right_hand_side: Sequence[Any],
     coordinates: Sequence[Any],

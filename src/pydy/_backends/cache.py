@@ -68,6 +68,11 @@ def _path(key: str) -> Path | None:
     return None if place is None else place / f"{key}.code"
 
 
+def _head(key: str, content: bytes) -> bytes:
+    """Return what precedes the content: an entry under another entry's name is foreign too."""
+    return _MAGIC + hashlib.sha256(key.encode() + content).digest()
+
+
 def read(key: str) -> bytes | None:
     """Return the content of an entry, or None when there is no sound one."""
     path = _path(key)
@@ -79,10 +84,7 @@ def read(key: str) -> bytes | None:
         return None
     head = len(_MAGIC) + 32
     content = data[head:]
-    if (
-        data[: len(_MAGIC)] != _MAGIC
-        or hashlib.sha256(content).digest() != data[len(_MAGIC) : head]
-    ):
+    if data[:head] != _head(key, content):
         return None
     with contextlib.suppress(OSError):
         os.utime(path)  # the least recently used go first
@@ -101,7 +103,7 @@ def write(key: str, content: bytes) -> None:
         return
     try:
         with os.fdopen(handle, "wb") as file:
-            file.write(_MAGIC + hashlib.sha256(content).digest() + content)
+            file.write(_head(key, content) + content)
         os.replace(name, path)
     except OSError:
         with contextlib.suppress(OSError):

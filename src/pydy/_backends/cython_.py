@@ -23,7 +23,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from pydy._backends.native import native_kernel
+from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
 from pydy._errors import GeneratorError, MissingDependencyError
 from pydy._graph.node import BOOLEAN
@@ -97,7 +97,8 @@ class CythonBackend:
             # Windows keeps the file of a loaded module; its own cleaning takes what stays.
             shutil.rmtree(directory, ignore_errors=True)
         recipe = ("cython", self.options)
-        return native_kernel(program, module.addresses(), 1, module, compile_program, recipe)
+        entry = Entry(module.addresses(), module)
+        return native_kernel(program, entry, 1, compile_program, recipe)
 
     def _reserve(self, digest: str) -> tuple[str, Path]:
         """Return a module name that is new to this process, and a new directory for it.

@@ -16,7 +16,6 @@ from pydy._graph.program import Program, operands
 
 __all__ = ["BRANCH_WEIGHTS", "INTRINSICS", "LIBM", "TRUTHS", "Emitter"]
 
-_FLAGS = "nsz"
 INTRINSICS = {"sqrt": "sqrt", "abs": "fabs", "floor": "floor", "ceil": "ceil"}
 INTRINSICS |= {"min": "minimum", "max": "maximum"}
 LIBM = (
@@ -222,9 +221,9 @@ class Emitter:
             if op == "mul" and node in self.swallowed:
                 return
             a, b = (names[k] for k in args)
-            names[node] = f.let(f"{_ARITHMETIC[op]} {_FLAGS} {v} {a}, {b}")
+            names[node] = f.let(f"{_ARITHMETIC[op]} {v} {a}, {b}")
         elif op == "neg":
-            names[node] = f.let(f"fneg {_FLAGS} {v} {names[args[0]]}")
+            names[node] = f.let(f"fneg {v} {names[args[0]]}")
         elif op in INTRINSICS:
             text = ", ".join(f"{v} {names[k]}" for k in args)
             names[node] = f.let(f"call {v} @llvm.{INTRINSICS[op]}.{self.suffix}({text})")

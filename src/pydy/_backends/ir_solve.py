@@ -12,7 +12,6 @@ from pydy._backends.ir import Function, hex_double, literal, vector_type
 
 __all__ = ["mask", "solver_declarations", "solver_functions", "solver_names"]
 
-_FAST = "contract nsz"
 _INTERNAL = "internal|nounwind"
 _PUBLIC = "|nounwind"
 
@@ -38,6 +37,8 @@ def solver_functions(lanes: int) -> str:
     return "\n".join(
         [
             "declare double @llvm.fabs.f64(double)",
+            "declare double @llvm.fma.f64(double, double, double)",
+            *_wide_fma(lanes),
             _lu_factor(),
             _lu_solve(),
             _lu_lanes(lanes),
@@ -48,6 +49,11 @@ def solver_functions(lanes: int) -> str:
     )
 
 
+def _wide_fma(lanes: int) -> list[str]:
+    v = vector_type("double", lanes)
+    return [] if lanes == 1 else [f"declare {v} @llvm.fma.v{lanes}f64({v}, {v}, {v})"]
+
+
 def _index(f: Function, i: str, j: str, n: str, stride: str) -> str:
     row = f.let(f"mul nsw i64 {i}, {n}")
     cell = f.let(f"add nsw i64 {row}, {j}")
@@ -56,6 +62,14 @@ def _index(f: Function, i: str, j: str, n: str, stride: str) -> str:
 
 def _fabs(f: Function, x: str) -> str:
     return f.let(f"call double @llvm.fabs.f64(double {x})")
+
+
+def _less(f: Function, c: str, a: str, b: str, lanes: int = 1) -> str:
+    """Return ``c − a·b``, fused in so many words: the same bits at any level of LLVM's effort."""
+    v = vector_type("double", lanes)
+    suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+    minus = f.let(f"fneg {v} {a}")
+    return f.let(f"call {v} @llvm.fma.{suffix}({v} {minus}, {v} {b}, {v} {c})")
 
 
 def _lu_factor() -> str:
@@ -129,9 +143,7 @@ def _lu_factor() -> str:
             with f.loop(after, "%n") as j:
                 above = f.load("double", "%a", _index(f, k, j, "%n", "%s"))
                 place = f.at("%a", _index(f, i, j, "%n", "%s"))
-                product = f.let(f"fmul {_FAST} double {factor}, {above}")
-                value = f.let(f"fsub {_FAST} double {f.load('double', place)}, {product}")
-                f.store("double", value, place)
+                f.store("double", _less(f, f.load("double", place), factor, above), place)
     f.do(f"ret i1 {f.get('i1', singular)}")
     return f.text()
 
@@ -166,8 +178,7 @@ def _subtract_products(f: Function, i: str, start: str, stop: str) -> None:
     with f.loop(start, stop) as k:
         a = f.load("double", "%a", _index(f, i, k, "%n", "%s"))
         b = f.load("double", "%b", f.let(f"mul nsw i64 {k}, %s"))
-        product = f.let(f"fmul {_FAST} double {a}, {b}")
-        f.set("double", total, f.let(f"fsub {_FAST} double {f.get('double', total)}, {product}"))
+        f.set("double", total, _less(f, f.get("double", total), a, b))
     f.store("double", f.get("double", total), place)
 
 
@@ -240,9 +251,9 @@ def _ldl_factor(lanes: int) -> str:
             factor = f.let(f"fmul {v} {f.load(v, row, i)}, {inverse}")
             target = f.at("%a", _index(f, i, "0", "%n", "1"), v)
             with f.loop(i, "%n") as j:
-                product = f.let(f"fmul {_FAST} {v} {factor}, {f.load(v, row, j)}")
                 place = f.at(target, j, v)
-                f.store(v, f.let(f"fsub {_FAST} {v} {f.load(v, place)}, {product}"), place)
+                value = _less(f, f.load(v, place), factor, f.load(v, row, j), lanes)
+                f.store(v, value, place)
     f.do(f"ret i32 {mask(f, f.get(b, flags), lanes)}")
     return f.text()
 
@@ -256,9 +267,9 @@ def _ldl_solve(lanes: int) -> str:
         row = f.at("%a", _index(f, k, "0", "%n", "1"), v)
         after = f.let(f"add nsw i64 {k}, 1")
         with f.loop(after, "%n") as i:
-            product = f.let(f"fmul {_FAST} {v} {f.load(v, row, i)}, {value}")
             place = f.at("%x", i, v)
-            f.store(v, f.let(f"fsub {_FAST} {v} {f.load(v, place)}, {product}"), place)
+            less = _less(f, f.load(v, place), f.load(v, row, i), value, lanes)
+            f.store(v, less, place)
         f.store(v, value, "%x", k)
     with f.loop("0", "%n") as back:
         last = f.let("sub nsw i64 %n, 1")
@@ -266,10 +277,10 @@ def _ldl_solve(lanes: int) -> str:
         row = f.at("%a", _index(f, k, "0", "%n", "1"), v)
         total = f.variable(v, literal(0.0, lanes))
         with f.loop(f.let(f"add nsw i64 {k}, 1"), "%n") as i:
-            product = f.let(f"fmul reassoc {_FAST} {v} {f.load(v, row, i)}, {f.load(v, '%x', i)}")
-            f.set(v, total, f.let(f"fadd reassoc {_FAST} {v} {f.get(v, total)}, {product}"))
+            less = _less(f, f.get(v, total), f.load(v, row, i), f.load(v, "%x", i), lanes)
+            f.set(v, total, less)
         step = f.let(f"fmul {v} {f.get(v, total)}, {f.load(v, '%inverse', k)}")
-        f.store(v, f.let(f"fsub {v} {f.load(v, '%x', k)}, {step}"), "%x", k)
+        f.store(v, f.let(f"fadd {v} {f.load(v, '%x', k)}, {step}"), "%x", k)
     f.do("ret void")
     return f.text()
 

@@ -6,15 +6,14 @@ and signed zeros are not kept; NaN and infinity are (never ``nnan`` or ``ninf``)
 
 from __future__ import annotations
 
-from functools import cache
 from typing import Any
 
-from pydy._backends import jit
+from pydy._backends import background, jit
 from pydy._backends.ir import Function, literal, vector_type
 from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, TRUTHS, Emitter
 from pydy._backends.ir_math import sincos_slow
 from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
-from pydy._backends.native import native_kernel
+from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program, operands
 from pydy._kernel import Kernel
@@ -41,42 +40,81 @@ class LLVMBackend:
         self.options: dict[str, Any] = {"cse": cse, "lanes": lanes}
 
     def compile(self, program: Program) -> Kernel:
-        """Return the Kernel of a Program."""
+        """Return the Kernel of a Program.
+
+        Code that is not in the cache is compiled quickly first, so that a simulation can begin,
+        and at LLVM's best on the side, which takes its place when it is ready. Both compute the
+        same bits. Wide kernels are for long work and get the best at once.
+        """
         lanes: int = self.options["lanes"]
-        routines = _solvers(lanes) if _SOLVES & set(program.ops) else None
-        what = f"kernel {program.digest} {lanes}"
-        code = jit.load(what, lambda: kernel_text(program, lanes), ("kernel", "prepare"))
-        addresses = (code.addresses["kernel"], code.addresses["prepare"])
-        recipe = ("llvm", self.options)
-        return native_kernel(program, addresses, lanes, (code, routines), compile_program, recipe)
+        source = jit.Source(
+            f"kernel {program.digest} {lanes}",
+            lambda: kernel_text(program, lanes),
+            ("kernel", "prepare"),
+        )
+        solves = bool(_SOLVES & set(program.ops))
+        best = _solvers(lanes, at_best=False) if solves else None
+        code = jit.find(source, best.addresses if best else None)
+        task = None
+        if code is None and lanes > 1:
+            best = _solvers(lanes, at_best=True) if solves else None
+            code = jit.load(source, best.addresses if best else None)
+        elif code is None:
+            code = jit.load_quickly(source, best.addresses if best else None)
+        else:
+            task = background.Task(lambda: None)
+        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), (code, best))
+        if task is None and lanes == 1:
+            task = background.Task(lambda: _improve(entry, source, solves))
+            background.submit(task)
+        entry.better = task
+        return native_kernel(program, entry, lanes, compile_program, ("llvm", self.options))
 
 
-@cache
-def _solvers(lanes: int) -> jit.Code:
-    """Compile the routines for linear solves and make them known to LLVM by name."""
+def _improve(entry: Entry, source: jit.Source, solves: bool) -> None:
+    """Compile at LLVM's best and put the result in the entry's place."""
+    routines = _solvers(1, at_best=True) if solves else None
+    code = jit.load(source, routines.addresses if routines else None)
+    entry.replace((code.addresses["kernel"], code.addresses["prepare"]), (code, routines))
+
+
+_ROUTINES: dict[tuple[int, bool], jit.Code] = {}
+
+
+def _solvers(lanes: int, at_best: bool) -> jit.Code:
+    """Return the routines for linear solves; unless they are cached, quickly compiled will do."""
+    best = _ROUTINES.get((lanes, True))
+    if best is not None:
+        return best
     names = solver_names(lanes)
-    code = jit.load(f"solvers {lanes}", lambda: solver_functions(lanes), names, loops=True)
-    for name in names:
-        jit.define_symbol(name, code.addresses[name])
-    return code
+    source = jit.Source(f"solvers {lanes}", lambda: solver_functions(lanes), names, loops=True)
+    code = jit.load(source) if at_best else jit.find(source)
+    if code is not None:
+        _ROUTINES[lanes, True] = code
+        return code
+    quick = _ROUTINES.get((lanes, False))
+    if quick is None:
+        quick = _ROUTINES[lanes, False] = jit.load_quickly(source)
+    return quick
 
 
 def kernel_text(program: Program, lanes: int) -> str:
     """Return the module of a Program, with the functions `kernel` and `prepare`."""
-    parts = [_declarations(program, lanes)]
+    body = _prepare(program, lanes) + _kernel(program, lanes)
+    # Sines and cosines are taken several at a time, in as many widths as they come.
+    widths = [w for w in (1, 2, 4, 8) if f"@sincos.far.{w}(" in body]
+    parts = [_declarations(program, lanes, widths)]
     if lanes > 1:
         parts += [_lane_by_lane(name, lanes) for name in _used(program) if name in LIBM]
-    if {"sin", "cos"} & set(program.ops):
-        parts += [sincos_slow(w) for w in ((1, 2, 4, 8) if lanes == 1 else (lanes,))]
-    parts += [_prepare(program, lanes), _kernel(program, lanes)]
-    return "\n".join(parts)
+    parts += [sincos_slow(w) for w in widths]
+    return "\n".join([*parts, body])
 
 
 def _used(program: Program) -> list[str]:
     return sorted(set(program.ops))
 
 
-def _declarations(program: Program, lanes: int) -> str:
+def _declarations(program: Program, lanes: int, widths: list[int]) -> str:
     v = vector_type("double", lanes)
     suffix = "f64" if lanes == 1 else f"v{lanes}f64"
     lines = [
@@ -87,7 +125,7 @@ def _declarations(program: Program, lanes: int) -> str:
     if _SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
     lines += [f"declare double @{name}(double) nounwind" for name in ("sin", "cos")]
-    for width in (1, 2, 4, 8) if lanes == 1 else (lanes,):
+    for width in sorted({lanes, *widths}):
         w, end = vector_type("double", width), "f64" if width == 1 else f"v{width}f64"
         lines.append(f"declare {w} @llvm.fma.{end}({w}, {w}, {w})")
         lines.append(f"declare {w} @llvm.fabs.{end}({w})")

@@ -18,44 +18,90 @@ from __future__ import annotations
 import ctypes
 import sysconfig
 from collections.abc import Callable
-from functools import cache
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 
 from pydy._backends import jit
+from pydy._backends.background import Task, submit
 from pydy._backends.base import strict
 from pydy._backends.ir import Function
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["native_kernel"]
+__all__ = ["Entry", "native_kernel"]
 
 _HEADER = 8
 
 
+class Entry:
+    """The native functions of a Program, which better ones may replace at any time.
+
+    Parameters
+    ----------
+    addresses : (int, int)
+        Of `kernel` and `prepare`.
+    owner : object
+        Keeps their code alive.
+    """
+
+    def __init__(self, addresses: tuple[int, int], owner: Any) -> None:
+        self.addresses = addresses
+        self.better: Task | None = None
+        self._owners = [owner]  # a call may be under way in the old code: it stays
+        self._words: np.ndarray | None = None
+
+    def replace(self, addresses: tuple[int, int], owner: Any) -> None:
+        """Use other functions from the next call on."""
+        self._owners.append(owner)
+        self.addresses = addresses
+        if self._words is not None:
+            self._words[:2] = addresses
+
+    def bind(self, words: np.ndarray) -> None:
+        """Keep the first two words of a gate's array up to date."""
+        self._words = words
+        words[:2] = self.addresses
+
+    def settled(self) -> tuple[int, int]:
+        """Return the addresses of the best code, compiling it now if need be."""
+        if self.better is not None:
+            self.better.run()
+        return self.addresses
+
+
 def native_kernel(
     program: Program,
-    addresses: tuple[int, int],
+    entry: Entry,
     lanes: int,
-    owner: Any,
     rebuild: Callable[..., Kernel],
     recipe: tuple[Any, ...],
 ) -> Kernel:
-    """Wrap two native functions of the package's signature as a Kernel."""
+    """Wrap native functions of the package's signature as a Kernel."""
     runtime = _runtime()
-    sweep = _make_sweep(program, addresses, lanes, runtime)
-    call = _make_call(program, addresses, lanes, sweep, runtime)
-    return Kernel(program, sweep, call, rebuild, recipe, addresses, lanes, (owner, runtime))
+    sweep = _make_sweep(program, entry, lanes, runtime)
+    call = _make_call(program, entry, lanes, sweep, runtime)
+    return Kernel(program, sweep, call, rebuild, recipe, entry.settled, lanes, (entry, runtime))
 
 
 def _text() -> str:
     return _sweep_text() + _gate_text()
 
 
+def _compile_for_later(source: jit.Source) -> None:
+    jit.load(source)
+
+
 class _Runtime:
     def __init__(self) -> None:
-        self.code = jit.load("runtime", _text, ("sweep", "gate"), loops=True)
+        source = jit.Source("runtime", _text, ("sweep", "gate"), loops=True)
+        code = jit.find(source)
+        if code is None:
+            # For the next process; this one goes on with what is there at once.
+            submit(Task(partial(_compile_for_later, source)))
+            code = jit.load_quickly(source)
+        self.code = code
         prototype = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 2, ctypes.c_int64)
         self.sweep = prototype(self.code.addresses["sweep"])
         self.gate_name = b"native_call"
@@ -77,9 +123,8 @@ _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 
 
 def _make_sweep(
-    program: Program, addresses: tuple[int, int], lanes: int, runtime: _Runtime
+    program: Program, entry: Entry, lanes: int, runtime: _Runtime
 ) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
-    prepare = _PREPARE(addresses[1])
     n, s = program.num_states, program.num_specifieds
     carried, outputs = len(program.carried), len(program.outputs)
 
@@ -87,14 +132,15 @@ def _make_sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         m = len(t)
+        kernel, prepare = entry.addresses
         constants = np.repeat(p, lanes)
         c = np.empty(carried * lanes)
-        prepare(constants.ctypes.data, c.ctypes.data)
+        _PREPARE(prepare)(constants.ctypes.data, c.ctypes.data)
         out = np.empty((m, outputs))
         failed = np.zeros(m, dtype=np.bool_)
         scratch = np.empty((n + s + 1 + outputs) * lanes)
         arrays = (t, x, r, c, out, failed, scratch)
-        words = [addresses[0], lanes, n, s, outputs, 0 if len(r) == 1 else s]
+        words = [kernel, lanes, n, s, outputs, 0 if len(r) == 1 else s]
         words += [a.ctypes.data for a in arrays]
         table = np.array(words, dtype=np.uint64)
         runtime.sweep(table.ctypes.data, None, m)
@@ -147,21 +193,21 @@ def _sweep_text() -> str:
 
 def _make_call(
     program: Program,
-    addresses: tuple[int, int],
+    entry: Entry,
     lanes: int,
     sweep: Callable[..., tuple[np.ndarray, np.ndarray]],
     runtime: _Runtime,
 ) -> Callable[..., int]:
     if lanes == 1 and not sysconfig.get_config_var("Py_GIL_DISABLED"):
         words = np.zeros(_HEADER + program.num_constants + len(program.carried), dtype=np.int64)
-        words[:7] = [
-            *addresses,
+        words[2:7] = [
             program.num_states,
             program.num_specifieds,
             program.num_constants,
             len(program.carried),
             len(program.outputs),
         ]
+        entry.bind(words)
         make = ctypes.pythonapi.PyCFunction_NewEx
         make.restype = ctypes.py_object
         make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p]

@@ -1,0 +1,73 @@
+"""Code that is compiled quickly first and at LLVM's best on the side."""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+import pytest
+
+import zoo
+from pydy._backends import background, cache, jit
+from pydy.system import System
+
+
+@pytest.fixture
+def nothing_cached(monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", "off")
+    cache.memory.clear()
+
+
+def rates_kernel(name):
+    system = System(zoo.MODELS[name]().kane)
+    system.generate_ode_function()
+    return system._current().compiled("rates")
+
+
+def sample(kernel, m=50):
+    rng = np.random.default_rng(3)
+    program = kernel.program
+    return (
+        rng.uniform(0.0, 1.0, m),
+        rng.uniform(-1.0, 1.0, (m, program.num_states)),
+        rng.uniform(-1.0, 1.0, (m, program.num_specifieds)),
+        rng.uniform(0.5, 1.5, program.num_constants),
+    )
+
+
+@pytest.mark.parametrize("name", sorted(zoo.MODELS))
+def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
+    kernel = rates_kernel(name)
+    arguments = sample(kernel)
+    quick = kernel.evaluate(*arguments)[0]
+    before = kernel.owner[0].addresses
+    assert kernel.addresses != before, "the best code did not take the quick code's place"
+    np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
+
+
+def test_the_gate_uses_the_better_code_with_the_constants_that_are_bound(nothing_cached):
+    kernel = rates_kernel("pendulum")
+    t, x, r, p = sample(kernel, 1)
+    out, again = np.empty(len(kernel.program.outputs)), np.empty(len(kernel.program.outputs))
+    assert kernel.call(x[0], float(t[0]), r[0], p, out) == 0
+    assert kernel.addresses is not None
+    assert kernel.call(x[0], float(t[0]), r[0], p, again) == 0
+    np.testing.assert_array_equal(again, out)
+
+
+def test_a_task_is_done_once_whoever_comes_first():
+    done = []
+    task = background.Task(lambda: done.append(threading.current_thread().name))
+    threads = [threading.Thread(target=task.run) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(done) == 1
+
+
+def test_an_unknown_symbol_does_not_reach_the_cache(nothing_cached):
+    source = jit.Source("nonsense", lambda: "this is no IR", ("f",))
+    with pytest.raises(RuntimeError):
+        jit.load(source)
+    assert jit.find(source) is None
