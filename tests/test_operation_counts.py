@@ -1,0 +1,55 @@
+"""Operation counts are deterministic, so they are gated: a change that raises one must say why.
+
+The expressions are frozen with the benchmarks, so that a release of SymPy cannot move the counts.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
+
+from harness import frozen
+from harness.program import assembly_of
+
+# Operations at every call in M and F, and with the solve for the accelerations; the last column
+# is what sympy.cse leaves of M and F.
+LIMITS = {
+    "pendulum-1": (9, 21, 16),
+    "pendulum-5": (167, 333, 416),
+    "pendulum-10": (612, 1368, 2161),
+    "pendulum-20": (2327, 6538, 12457),
+    "rods-3": (1654, 1960, 2291),
+    "bicycle": (1031, 1510, 1498),
+    "rider-bicycle": (8868, 11558, 12216),
+    "springs-100-absolute": (896, 996, 1299),
+    "springs-100-stretch": (599, 897, 1100),
+}
+
+
+def operations(program):
+    return sum(program.operation_count["run"].values())
+
+
+@pytest.mark.parametrize("name", sorted(LIMITS))
+def test_no_model_costs_more_operations_than_it_did(name):
+    matrices, whole, cse = LIMITS[name]
+    assembly = assembly_of(frozen.read(name))
+    found = operations(assembly.program("mass_matrix", "forcing"))
+    assert found <= matrices
+    assert found <= cse
+    assert operations(assembly.program("rates")) <= whole
+
+
+def test_a_chain_of_masses_costs_the_same_for_each_mass():
+    from pydy.models import multi_mass_spring_damper
+
+    costs = {}
+    for n in (10, 20, 40):
+        system = multi_mass_spring_damper(n, apply_gravity=True, apply_external_forces=True)
+        system.generate_ode_function()
+        costs[n] = operations(system._current().compiled("rates").program)
+    assert (costs[40] - costs[20]) / 20 == pytest.approx((costs[20] - costs[10]) / 10, rel=0.05)
