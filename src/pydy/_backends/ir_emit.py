@@ -133,6 +133,13 @@ def _fusion(program: Program) -> tuple[set[int], set[int]]:
     return fused, swallowed
 
 
+def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
+    """Return what a guard's fallback needs of a matrix: of a symmetric one the lower triangle."""
+    lower = [entries[i * n + j] for i in range(n) for j in range(i + 1)]
+    upper = [entries[j * n + i] for i in range(n) for j in range(i + 1)]
+    return lower if n > 1 and lower == upper else list(entries)
+
+
 class Emitter:
     """Writes the operations of one stage."""
 
@@ -177,10 +184,9 @@ class Emitter:
         """
         for k, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
             if op == "guard":
-                n, entries = args[:2]
-                lower = [entries[i * n + j] for i in range(n) for j in range(i + 1)]
-                self.kept[k] = self.f.slot(self.v, len(lower))
-                for place, node in enumerate(lower):
+                stored = _stored(*args[:2])
+                self.kept[k] = self.f.slot(self.v, len(stored))
+                for place, node in enumerate(stored):
                     if node in self.names:  # a number
                         self.f.store(self.v, self.names[node], self.kept[k], str(place))
                     else:
@@ -432,13 +438,20 @@ class Emitter:
         before = f.current
         f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
         f.label(slow)
-        lower = self.kept[node]
+        matrix = self.kept[node]
         b = self._buffer(column)
-        scratch = f.slot(v, n * n + 3 * n)
-        bad = f.let(
-            f"call i32 @{self.routines[3]}(ptr {lower}, ptr {b}, ptr {scratch}, "
-            f"i64 {n}, i32 {need})"
-        )
+        if len(_stored(n, entries)) < n * n:
+            scratch = f.slot(v, n * n + 3 * n)
+            bad = f.let(
+                f"call i32 @{self.routines[3]}(ptr {matrix}, ptr {b}, ptr {scratch}, "
+                f"i64 {n}, i32 {need})"
+            )
+        else:
+            pivots, scales, bad = self._lu(matrix, n, need)
+            f.let(
+                f"call i32 @{self.routines[0]}(ptr {matrix}, ptr {pivots}, ptr {scales}, "
+                f"ptr {b}, i64 {n}, i32 {need})"
+            )
         self._report(bad)
         chosen = self._choose(need, b, quick)
         end = f.current

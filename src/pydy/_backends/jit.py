@@ -67,6 +67,12 @@ def _target_machine(quick: bool = False) -> Any:
     )
 
 
+@once
+def _emitter(quick: bool) -> Any:
+    """Return the machine that writes object code; an engine needs one of its own, and keeps it."""
+    return _target_machine(quick)
+
+
 def _object_code(text: str, loops: bool, quick: bool) -> bytes:
     """Compile a module of IR text.
 
@@ -76,7 +82,7 @@ def _object_code(text: str, loops: bool, quick: bool) -> bytes:
     """
     # A context of its own lets two threads compile at the same time.
     module = binding.parse_assembly(text, binding.create_context())
-    machine = _target_machine(quick)
+    machine = _emitter(quick)
     if loops and not quick:
         tuning = binding.create_pipeline_tuning_options(speed_level=2)
         passes = binding.create_pass_builder(machine, tuning)

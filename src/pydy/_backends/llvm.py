@@ -121,15 +121,17 @@ def _declarations(program: Program, lanes: int, widths: list[int]) -> str:
         f"declare double @{name}({'double, double' if name in ('pow', 'atan2') else 'double'})"
         " nounwind willreturn memory(none)"
         for name in LIBM
+        if name in program.ops
     ]
     if _SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
-    lines += [f"declare double @{name}(double) nounwind" for name in ("sin", "cos")]
+    if widths:
+        lines += [f"declare double @{name}(double) nounwind" for name in ("sin", "cos")]
     for width in sorted({lanes, *widths}):
         w, end = vector_type("double", width), "f64" if width == 1 else f"v{width}f64"
         lines.append(f"declare {w} @llvm.fma.{end}({w}, {w}, {w})")
         lines.append(f"declare {w} @llvm.fabs.{end}({w})")
-    for name in sorted(set(INTRINSICS.values()) - {"fabs"}):
+    for name in sorted({INTRINSICS[op] for op in INTRINSICS if op in program.ops} - {"fabs"}):
         two = name in ("minimum", "maximum")
         lines.append(f"declare {v} @llvm.{name}.{suffix}({v}{', ' + v if two else ''})")
     return "\n".join(lines) + "\n"

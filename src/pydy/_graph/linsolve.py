@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from pydy._graph.program import Tape
 
-__all__ = ["LoopFactor", "UnrolledLDL", "symmetric"]
+__all__ = ["LoopFactor", "UnrolledLDL", "UnrolledLU", "symmetric"]
 
 
 def symmetric(n: int, entries: list[int]) -> list[int]:
@@ -91,5 +91,82 @@ class UnrolledLDL:
                 x[i] = self._minus(x[i], self.lower[k][i], x[k])
         fast = [0] * n
         for place, value in zip(self.order, x, strict=True):
+            fast[place] = value
+        return tape.make("guard", n, tuple(self.entries), tuple(column), self.sound, tuple(fast))
+
+
+# How much smaller than another entry of its column a pivot may be before rows are exchanged.
+_THRESHOLD = 0.01
+
+
+class UnrolledLU:
+    """L U with pivots chosen beforehand, guarded by the sizes that partial pivoting looks at."""
+
+    def __init__(
+        self, tape: Tape, n: int, entries: list[int], rows: list[int], columns: list[int]
+    ) -> None:
+        self.tape = tape
+        self.n = n
+        self.entries = entries
+        self.rows = rows
+        self.columns = columns
+        zero = self.zero = tape.const(0.0)
+        cell = [[entries[i * n + j] for j in columns] for i in rows]
+        one, tiny = tape.const(1.0), tape.const(n * 2.0**-52)
+        threshold = tape.const(_THRESHOLD)
+        sizes = [self._largest([c for c in row if c != zero]) for row in cell]
+        self.lower: list[list[int]] = [[zero] * n for _ in range(n)]
+        self.inverse: list[int] = []
+        self.sound = tape.make("bool", True)
+        for k in range(n):
+            pivot = cell[k][k]
+            below = [i for i in range(k + 1, n) if cell[i][k] != zero]
+            limit = tape.mul(tiny, sizes[k])
+            if below:
+                others = self._largest([cell[i][k] for i in below])
+                limit = self._larger(limit, tape.mul(threshold, others))
+            condition = tape.make("lt", limit, self._size(pivot))
+            first = tape.ops[self.sound] == "bool"
+            self.sound = condition if first else tape.make("and", self.sound, condition)
+            inverse = tape.make("div", one, pivot)
+            self.inverse.append(inverse)
+            for i in below:
+                factor = self.lower[i][k] = tape.mul(cell[i][k], inverse)
+                for j in range(k + 1, n):
+                    if cell[k][j] != zero:
+                        cell[i][j] = tape.sub(cell[i][j], tape.mul(factor, cell[k][j]))
+        self.upper = cell
+
+    def _size(self, value: int) -> int:
+        constant = self.tape.value(value)
+        return self.tape.make("abs", value) if constant is None else self.tape.const(abs(constant))
+
+    def _larger(self, a: int, b: int) -> int:
+        # Not "max": a NaN is seen to elsewhere, and this is one instruction.
+        tape = self.tape
+        return tape.make("select", tape.make("lt", a, b), b, a)
+
+    def _largest(self, values: list[int]) -> int:
+        result = self.zero
+        for value in values:
+            size = self._size(value)
+            result = size if result == self.zero else self._larger(result, size)
+        return result
+
+    def solve(self, column: list[int]) -> int:
+        """Return the vector node of the guarded solution."""
+        n, tape, zero = self.n, self.tape, self.zero
+        y = [column[i] for i in self.rows]
+        for i in range(n):
+            for k in range(i):
+                if zero not in (self.lower[i][k], y[k]):
+                    y[i] = tape.sub(y[i], tape.mul(self.lower[i][k], y[k]))
+        for i in reversed(range(n)):
+            for k in range(i + 1, n):
+                if zero not in (self.upper[i][k], y[k]):
+                    y[i] = tape.sub(y[i], tape.mul(self.upper[i][k], y[k]))
+            y[i] = tape.mul(y[i], self.inverse[i])
+        fast = [0] * n
+        for place, value in zip(self.columns, y, strict=True):
             fast[place] = value
         return tape.make("guard", n, tuple(self.entries), tuple(column), self.sound, tuple(fast))

@@ -12,17 +12,20 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph.linsolve import LoopFactor, UnrolledLDL, symmetric
+from pydy._graph.interpret import run
+from pydy._graph.linsolve import LoopFactor, UnrolledLDL, UnrolledLU, symmetric
 from pydy._graph.node import BOOLEAN, Graph
 from pydy._graph.program import Program, Tape
 from pydy._graph.share import is_pair, share_pairs
-from pydy._graph.structure import elimination_order
+from pydy._graph.structure import elimination_order, pivot_order
 
 __all__ = ["UNROLL_LIMIT", "lower"]
 
 # Multiply-adds of an elimination that is written out, about those of a full 24 by 24 matrix. An
 # elimination of constants costs only code, since it runs once per binding.
 UNROLL_LIMIT = 3500
+
+Factor = LoopFactor | UnrolledLDL | UnrolledLU
 
 
 def lower(
@@ -45,16 +48,17 @@ def lower(
     unroll_limit : int
         The most multiply-adds of an LDLᵀ and one solve that are written out.
     """
-    return Program.from_tape(*_Lowering(graph, unroll_limit).run(blocks, sizes))
+    return Program.from_tape(*_Lowering(graph, sizes, unroll_limit).run(blocks))
 
 
 class _Lowering:
-    def __init__(self, graph: Graph, unroll_limit: int) -> None:
+    def __init__(self, graph: Graph, sizes: tuple[int, int, int], unroll_limit: int) -> None:
         self.graph = graph
+        self.sizes = sizes
         self.tape = Tape()
         self.unroll_limit = unroll_limit
         self.new: dict[int, int] = {}
-        self.factors: dict[int, UnrolledLDL | LoopFactor] = {}
+        self.factors: dict[int, Factor] = {}
         self.divided: Counter[int] = Counter()
         self.products: dict[tuple[int, float], list[Any]] = {}
         self.below: dict[int, list[tuple[int, int]]] = {}
@@ -65,7 +69,6 @@ class _Lowering:
     def run(
         self,
         blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
-        sizes: tuple[int, int, int],
     ) -> tuple[Tape, tuple[int, int, int], list[tuple[str, tuple[int, ...], list[int]]]]:
         order = self.graph.reachable([n for _, _, nodes in blocks for n in nodes])
         for node in order:
@@ -78,7 +81,7 @@ class _Lowering:
             self.new[node] = self._node(node)
         return (
             self.tape,
-            sizes,
+            self.sizes,
             [(n, s, [self._output(k) for k in nodes]) for n, s, nodes in blocks],
         )
 
@@ -111,7 +114,9 @@ class _Lowering:
             return tape.make("item", new[args[0]], args[1])
         return tape.make(op, *(new[a] for a in args))
 
-    def _factorise(self, kind: str, n: int, cells: list[int]) -> UnrolledLDL | LoopFactor:
+    def _factorise(
+        self, kind: str, n: int, cells: list[int]
+    ) -> UnrolledLDL | UnrolledLU | LoopFactor:
         """Unroll an elimination unless its operations, zeros left out, are too many."""
         tape = self.tape
         if kind == "ldl":
@@ -121,7 +126,29 @@ class _Lowering:
             constant = all(tape.setup[c] for c in cells)
             if cost <= self.unroll_limit * (4 if constant else 1):
                 return UnrolledLDL(tape, n, cells, order)
+        elif n:
+            pivots = self._pivots(n, cells)
+            if pivots is not None and pivots[2] <= self.unroll_limit:
+                return UnrolledLU(tape, n, cells, *pivots[:2])
         return LoopFactor(tape, kind, n, cells)
+
+    def _pivots(self, n: int, cells: list[int]) -> tuple[list[int], list[int], int] | None:
+        """Look at a matrix at generic states and choose its pivots."""
+        program = Program.from_tape(self.tape, self.sizes, [("matrix", (n * n,), cells)])
+        rng = np.random.default_rng(0)
+        found = []
+        for _ in range(2):
+            t, x, r, p = (
+                rng.uniform(0.3, 1.3, shape)
+                for shape in ((4,), (4, self.sizes[0]), (4, self.sizes[1]), self.sizes[2])
+            )
+            values, failed = run(program, t, x, r, p)
+            found += [row for row, bad in zip(values, failed, strict=True) if not bad]
+        samples = np.array([m.reshape(n, n) for m in found if np.isfinite(m).all()])
+        if len(samples) < 4:
+            return None
+        filled = np.array(cells).reshape(n, n) != self.tape.const(0.0)
+        return pivot_order(samples, filled)
 
     # -- sums -------------------------------------------------------------------------------------
 

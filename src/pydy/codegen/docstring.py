@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import sympy as sm
+from sympy.core.function import AppliedUndef
+
 __all__ = ["rhs_docstring"]
 
 _HEAD = """\
@@ -112,7 +115,16 @@ y : ndarray, shape({o},)
 
 
 def _items(names: Sequence[Any]) -> str:
-    return "\n".join(f"        - {name}" for name in names)
+    return "\n".join(f"        - {_name(name)}" for name in names)
+
+
+def _name(symbol: Any) -> str:
+    """Return a symbol's name; SymPy's printer takes a hundred times as long for the same."""
+    if isinstance(symbol, sm.Symbol):
+        return str(symbol.name)
+    if isinstance(symbol, AppliedUndef):
+        return f"{symbol.func.__name__}({', '.join(map(_name, symbol.args))})"
+    return str(symbol)
 
 
 def rhs_docstring(
