@@ -137,15 +137,15 @@ class _Lowering:
         program = Program.from_tape(self.tape, self.sizes, [("matrix", (n * n,), cells)])
         rng = np.random.default_rng(0)
         found = []
-        for _ in range(2):
-            t, x, r, p = (
-                rng.uniform(0.3, 1.3, shape)
-                for shape in ((4,), (4, self.sizes[0]), (4, self.sizes[1]), self.sizes[2])
-            )
+        n_x, n_r, n_p = self.sizes
+        for _ in range(4):
+            # States on both sides of zero, constants of different sizes.
+            t, x, r = (rng.normal(0.0, 0.5, shape) for shape in ((8,), (8, n_x), (8, n_r)))
+            p = 10.0 ** rng.uniform(-1.0, 1.0, n_p)
             values, failed = run(program, t, x, r, p)
             found += [row for row, bad in zip(values, failed, strict=True) if not bad]
         samples = np.array([m.reshape(n, n) for m in found if np.isfinite(m).all()])
-        if len(samples) < 4:
+        if len(samples) < 16:
             return None
         filled = np.array(cells).reshape(n, n) != self.tape.const(0.0)
         return pivot_order(samples, filled)

@@ -125,7 +125,7 @@ def elimination_order(filled: np.ndarray) -> tuple[list[int], int]:
 
 
 # A pivot must not be much smaller than the other entries of its column, at any of the samples.
-_PIVOT_SHARE = 0.1
+_PIVOT_SHARE = 0.01
 
 
 def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], list[int], int] | None:
