@@ -1,6 +1,6 @@
 """The operations of a Program as LLVM instructions, one stage at a time.
 
-Instructions keep NaN and infinity but not the sign of zero. Products go into sums as fused
+Instructions carry no fast-math flags. Products go into sums as fused
 multiply-adds here, not in LLVM, so that the last bit depends neither on its level of effort nor on
 how many states are taken at once.
 """

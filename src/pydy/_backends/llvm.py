@@ -1,7 +1,7 @@
 """The default back end: straight-line LLVM IR for a Program, compiled in the process.
 
-No compiler is needed on the user's machine. Instructions may be contracted to fused multiply-adds
-and signed zeros are not kept; NaN and infinity are (never ``nnan`` or ``ninf``).
+No compiler is needed on the user's machine. There are no fast-math flags: NaN, infinity and the
+order of operations are kept, and fused multiply-adds are those that the IR spells out.
 """
 
 from __future__ import annotations
@@ -53,21 +53,16 @@ class LLVMBackend:
             ("kernel", "prepare"),
         )
         solves = bool(_SOLVES & set(program.ops))
-        best = _solvers(lanes, at_best=False) if solves else None
-        code = jit.find(source, best.addresses if best else None)
-        task = None
-        if code is None and lanes > 1:
-            best = _solvers(lanes, at_best=True) if solves else None
-            code = jit.load(source, best.addresses if best else None)
-        elif code is None:
-            code = jit.load_quickly(source, best.addresses if best else None)
-        else:
-            task = background.Task(lambda: None)
-        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), (code, best))
-        if task is None and lanes == 1:
-            task = background.Task(lambda: _improve(entry, source, solves))
-            background.submit(task)
-        entry.better = task
+        routines = _solvers(lanes, at_best=lanes > 1) if solves else None
+        symbols = routines.addresses if routines else None
+        code = jit.load(source, symbols) if lanes > 1 else jit.find(source, symbols)
+        quick = code is None
+        if code is None:
+            code = jit.load_quickly(source, symbols)
+        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), (code, routines))
+        if quick:
+            entry.better = background.Task(lambda: _improve(entry, source, solves))
+            background.submit(entry.better)
         return native_kernel(program, entry, lanes, compile_program, ("llvm", self.options))
 
 

@@ -27,38 +27,32 @@ _TRIALS = 3
 
 
 def classify(equations: Equations) -> Equations:
-    """Return the equations with `nonholonomic` and `num_rates` filled in."""
+    """Return the equations with `nonholonomic` filled in."""
     if not equations.velocity:
         return equations
     if not equations.holonomic:
         return replace(equations, nonholonomic=equations.velocity)
     program, sizes = _rows_program(equations)
-    found: tuple[list[bool], int] = ([], 0)
+    implied: list[bool] = []
     for seed in range(_TRIALS):
         rates, motion = _rows_at_generic_point(program, sizes, np.random.default_rng(seed))
         if np.isfinite(rates).all() and np.isfinite(motion).all():
-            found = _compare(rates, motion)
+            implied = _implied(rates, motion)
             break
-    genuine = tuple(
-        row for row, implied in zip(equations.velocity, found[0], strict=False) if not implied
-    )
-    if not found[0]:  # no point where the constraints could be evaluated
-        genuine = equations.velocity
-    return replace(equations, nonholonomic=genuine, num_rates=found[1])
+    if not implied:  # no point where the constraints could be evaluated
+        implied = [False] * len(equations.velocity)
+    genuine = (row for row, flag in zip(equations.velocity, implied, strict=True) if not flag)
+    return replace(equations, nonholonomic=tuple(genuine))
 
 
-def _compare(rates: np.ndarray, motion: np.ndarray) -> tuple[list[bool], int]:
-    """Return for each motion row whether the rates imply it, and how many rates it implies."""
+def _implied(rates: np.ndarray, motion: np.ndarray) -> list[bool]:
+    """Return for each motion row whether it lies in the row space of the rates."""
     rates = rates / np.maximum(np.linalg.norm(rates, axis=1, keepdims=True), 1e-300)
     motion = motion / np.maximum(np.linalg.norm(motion, axis=1, keepdims=True), 1e-300)
     rank = np.linalg.matrix_rank(rates, tol=1e-8)
-    implied = [
+    return [
         bool(np.linalg.matrix_rank(np.vstack([rates, row]), tol=1e-8) == rank) for row in motion
     ]
-    both = np.linalg.matrix_rank(np.vstack([rates, motion]), tol=1e-8)
-    alone = np.linalg.matrix_rank(motion, tol=1e-8)
-    # A rate that vanishes identically (a quaternion's norm under its kinematics) is no row at all.
-    return implied, int(rank - (both - alone))
 
 
 def _rows_program(equations: Equations) -> tuple[Program, tuple[int, int, int]]:

@@ -35,8 +35,6 @@ class Equations:
         All velocity-level constraints, differentiated holonomic ones included.
     nonholonomic : tuple of expressions
         Those of `velocity` that no holonomic constraint implies.
-    num_rates : int
-        How many holonomic constraints have their rate among the velocity constraints.
     dependent_coordinates, dependent_speeds : tuple of functions of time
     auxiliary_speeds : tuple of functions of time
         Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
@@ -55,7 +53,6 @@ class Equations:
     holonomic: tuple[Any, ...] = ()
     velocity: tuple[Any, ...] = ()
     nonholonomic: tuple[Any, ...] = ()
-    num_rates: int = 0
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
     auxiliary_speeds: tuple[Any, ...] = ()

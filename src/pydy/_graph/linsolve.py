@@ -3,8 +3,9 @@
 A symmetric positive definite matrix is factorised as L D Lᵀ without pivoting, unrolled into
 elementary operations: zeros and ones of the structure disappear by themselves and what depends on
 constants alone falls into the setup stage (Golub & Van Loan, Matrix Computations, 4th ed., §4.1.2).
-A guard watches the pivots and falls back to LU with partial pivoting. Everything else, and large
-matrices, go to a loop in the back end.
+Any other matrix is factorised as L U with pivots chosen beforehand. A guard accepts a solution by
+its pivots, or its backward error, and falls back to LU with partial pivoting. Large matrices go to
+a loop in the back end.
 """
 
 from __future__ import annotations

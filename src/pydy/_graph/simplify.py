@@ -1,8 +1,7 @@
 """Rewriting passes that lower the number of operations.
 
 Each pass takes the roots of a graph and returns new roots in the same graph. They reassociate
-sums and products, which moves results by a few roundings; they never assume that a value is
-finite or positive.
+sums and products, which moves results by a few roundings.
 """
 
 from __future__ import annotations

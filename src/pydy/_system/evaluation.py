@@ -13,8 +13,6 @@ from pydy.codegen.right_hand_side import Layout, raise_singular
 
 __all__ = ["evaluate", "samples"]
 
-Plan = Callable[[np.ndarray, float], np.ndarray]
-
 
 def samples(
     x: Any, t: Any, default: Callable[[], np.ndarray], times: np.ndarray, n: int
