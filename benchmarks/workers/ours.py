@@ -37,20 +37,21 @@ class Ours(Peer):
         # In a process of its own: what was compiled before must not count.
         return in_child(lambda: time_of(self.build))
 
-    def _sweep(self, kernel: Any) -> Any:
+    def _sweep(self, kernel: Any, order: str) -> Any:
         t = np.zeros(self.count)
+        x, r = np.asarray(self.x, order=order), np.asarray(self.r, order=order)
 
         def sweep() -> None:
-            self._out, failed = kernel.evaluate(t, self.x, self.r, self.p)
+            self._out, failed = kernel.evaluate(t, x, r, self.p)
             assert not failed.any()
 
         return sweep
 
     def scalar(self) -> Any:
-        return self._sweep(self.build())
+        return self._sweep(self.build(), "C")
 
     def batched(self) -> Any:
-        return self._sweep(self.build(lanes=8))
+        return self._sweep(self.build(lanes=8), "F")  # a column per variable, as heyoka has it
 
     def values(self) -> np.ndarray:
         return self._out

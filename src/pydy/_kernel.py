@@ -25,8 +25,9 @@ class Kernel:
     program : Program
     sweep : callable
         ``sweep(t, x, r, p) -> (out, failed)`` over m samples; t (m,), x (m, n), r (m, s) or (1, s)
-        for all samples alike, p (k,), all of them C-contiguous float64. `failed` marks the samples
-        whose linear solve was singular.
+        for all samples alike, p (k,), all of them float64, t and p contiguous. `failed` marks the
+        samples whose linear solve was singular. Kernels of several lanes take an x whose columns
+        are contiguous fastest, and return the same order.
     call : callable
         ``call(x, t, r, p, out) -> int`` for one state, without any checking beyond what keeps it
         safe: −1 asks the caller to convert its arguments and call again, otherwise the bit mask

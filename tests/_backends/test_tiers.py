@@ -67,7 +67,7 @@ def test_a_task_is_done_once_whoever_comes_first():
 
 
 def test_an_unknown_symbol_does_not_reach_the_cache(nothing_cached):
-    source = jit.Source("nonsense", lambda: "this is no IR", ("f",))
+    source = jit.Source("nonsense", lambda brief: "this is no IR", ("f",))
     with pytest.raises(RuntimeError):
         jit.load(source)
     assert jit.find(source) is None

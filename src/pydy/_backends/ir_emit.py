@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import Counter
 
 from pydy._backends.ir import Function, literal, vector_type
-from pydy._backends.ir_math import sincos
+from pydy._backends.ir_math import sincos, sincos_call
 from pydy._backends.ir_solve import mask, solver_names
 from pydy._graph.program import Program, operands
 
@@ -141,12 +141,13 @@ def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
 
 
 class Emitter:
-    """Writes the operations of one stage."""
+    """Writes the operations of one stage; `brief` code calls routines where it can."""
 
-    def __init__(self, f: Function, program: Program, lanes: int) -> None:
+    def __init__(self, f: Function, program: Program, lanes: int, brief: bool = False) -> None:
         self.f = f
         self.program = program
         self.lanes = lanes
+        self.sincos = sincos_call if brief else sincos
         self.v = vector_type("double", lanes)
         self.b = vector_type("i1", lanes)
         self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
@@ -285,7 +286,7 @@ class Emitter:
         f, program = self.f, self.program
         if self.lanes > 1:
             angle = program.args[node][0]
-            self.angles[angle] = sincos(f, self.names[angle], self.lanes)
+            self.angles[angle] = self.sincos(f, self.names[angle], self.lanes)
             return
         waiting = dict.fromkeys(
             program.args[k][0]
@@ -303,14 +304,14 @@ class Emitter:
     def _side_by_side(self, group: list[int], width: int) -> None:
         f = self.f
         if width == 1:
-            self.angles[group[0]] = sincos(f, self.names[group[0]], 1)
+            self.angles[group[0]] = self.sincos(f, self.names[group[0]], 1)
             return
         v = vector_type("double", width)
         packed = "poison"
         for lane in range(width):
             value = self.names[group[min(lane, len(group) - 1)]]
             packed = f.let(f"insertelement {v} {packed}, double {value}, i32 {lane}")
-        sine, cosine = sincos(f, packed, width)
+        sine, cosine = self.sincos(f, packed, width)
         room = f.slot(v, 2)
         f.store(v, sine, room)
         f.store(v, cosine, room, "1")

@@ -12,7 +12,14 @@ from __future__ import annotations
 
 from pydy._backends.ir import Function, literal, vector_type
 
-__all__ = ["LIMIT", "sincos", "sincos_slow"]
+__all__ = [
+    "LIMIT",
+    "sincos",
+    "sincos_call",
+    "sincos_declarations",
+    "sincos_functions",
+    "sincos_names",
+]
 
 LIMIT = 1e5
 
@@ -71,11 +78,12 @@ class _Arithmetic:
         v = self.v
         return self.f.let(f"call {v} @llvm.fma.{self.suffix}({v} {a}, {v} {b}, {v} {c})")
 
-    def horner(self, z: str, coefficients: tuple[float, ...]) -> str:
-        result = self.number(coefficients[-1])
-        for c in reversed(coefficients[:-1]):
-            result = self.fma(result, z, self.number(c))
-        return result
+    def polynomial(self, z: str, z2: str, c: tuple[float, ...]) -> str:
+        """Evaluate six coefficients in pairs (Estrin's scheme)."""
+        low, middle, high = (
+            self.fma(z, self.number(c[k + 1]), self.number(c[k])) for k in (0, 2, 4)
+        )
+        return self.fma(self.fma(high, z2, middle), z2, low)
 
 
 def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
@@ -86,28 +94,26 @@ def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
     shifted = m.fma(x, m.number(_TWO_OVER_PI), m.number(_ROUND))
     quadrant = f.let(f"bitcast {v} {shifted} to {bits}")
     k = m.sub(shifted, m.number(_ROUND))
-    minus_k = m.neg(k)
-    # Head and tail of x − k·π/2.
-    r = m.fma(minus_k, m.number(PI_2[0]), x)  # exact
+    # Head and tail of x − k·π/2. The first difference r is exact. It is a multiple of 2⁻⁵³, hence
+    # of the last bit of w, and so the short two-sum loses nothing, whichever of r and w is larger
+    # (Boldo, Graillat, Muller, ACM TOMS 44, 2017). The tail is written with its sign turned, which
+    # keeps the sign of −0.
+    r = m.fma(m.neg(k), m.number(PI_2[0]), x)
     w = m.mul(k, m.number(PI_2[1]))
     w_error = m.fma(k, m.number(PI_2[1]), m.neg(w))
     head = m.sub(r, w)
-    back = m.sub(head, r)  # two-sum: r and w can be of any relative size
-    error = m.sub(m.sub(r, m.sub(head, back)), m.add(w, back))
-    tail = m.fma(minus_k, m.number(PI_2[2]), m.sub(error, w_error))
-    # sin(head + tail) and cos(head + tail), as fdlibm's kernels.
+    minus_tail = m.add(m.add(m.sub(head, r), w), m.fma(k, m.number(PI_2[2]), w_error))
+    # sin(head + tail) and cos(head + tail) as fdlibm's kernels, arranged for short chains: what
+    # comes before a value decides how long a right-hand side with few operations takes.
     z = m.mul(head, head)
+    z2 = m.mul(z, z)
     cube = m.mul(z, head)
-    half = m.number(0.5)
-    s = m.horner(z, SIN[1:])
-    inner = m.fma(z, m.fma(half, tail, m.neg(m.mul(cube, s))), m.neg(tail))
-    sine = m.sub(head, m.fma(cube, m.number(-SIN[0]), inner))
-    c = m.mul(z, m.horner(z, COS))
-    half_z = m.mul(half, z)
-    one = m.number(1.0)
-    lead = m.sub(one, half_z)
-    rest = m.sub(m.sub(one, lead), half_z)
-    cosine = m.add(lead, m.add(rest, m.fma(z, c, m.neg(m.mul(head, tail)))))
+    lead = m.fma(m.number(-0.5), z, m.number(1.0))
+    s = m.polynomial(z, z2, tuple(-c for c in SIN))
+    sine = m.sub(head, m.fma(cube, s, m.mul(minus_tail, lead)))
+    rest = m.fma(m.number(-0.5), z, m.sub(m.number(1.0), lead))
+    rest = m.fma(head, minus_tail, rest)
+    cosine = m.add(lead, m.fma(z2, m.polynomial(z, z2, COS), rest))
     # Quadrants 1 and 3 swap them; signs follow from the quadrant's bits.
 
     def splat(n: int) -> str:
@@ -139,7 +145,7 @@ def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
     f.do(f"br i1 {every}, label {join}, label {slow}, !prof !1")
     f.label(slow)
     room = f.slot(v, 2)
-    f.do(f"call void @sincos.far.{lanes}({v} {x}, ptr {room})")
+    f.do(f"call void @pydy_sincos_far_{lanes}({v} {x}, ptr {room})")
     chosen = []
     for index, quick in enumerate(fast):
         value = f.load(v, room, str(index))
@@ -154,10 +160,37 @@ def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
     return sin_x, cos_x
 
 
-def sincos_slow(lanes: int) -> str:
-    """Return the function for arguments beyond the limit: libm, lane by lane."""
+def sincos_call(f: Function, x: str, lanes: int) -> tuple[str, str]:
+    """Write a call of the routine with the same code: less to compile, the same bits."""
     v = vector_type("double", lanes)
-    f = Function(f"sincos.far.{lanes}", "void", f"{v} %x, ptr %out", "internal|noinline nounwind")
+    room = f.slot(v, 2)
+    f.do(f"call void @pydy_sincos_{lanes}({v} {x}, ptr {room})")
+    return f.load(v, room), f.load(v, room, "1")
+
+
+def sincos_names(lanes: int) -> tuple[str, ...]:
+    """Return the routines that a kernel of `lanes` lanes may call.
+
+    Scalar code takes up to eight angles side by side.
+    """
+    widths = (1, 2, 4, 8) if lanes == 1 else (lanes,)
+    return tuple(f"pydy_sincos_{kind}{w}" for w in widths for kind in ("", "far_"))
+
+
+def sincos_declarations(lanes: int, kind: str = "") -> str:
+    """Return the IR declaration of a routine; `kind` is empty or ``far_``."""
+    v = vector_type("double", lanes)
+    return f"declare void @pydy_sincos_{kind}{lanes}({v}, ptr) nounwind\n"
+
+
+def sincos_functions(lanes: int) -> str:
+    """Return the routines for one width: the whole, and libm's part lane by lane."""
+    v = vector_type("double", lanes)
+    whole = Function(f"pydy_sincos_{lanes}", "void", f"{v} %x, ptr %out", "|nounwind")
+    for index, value in enumerate(sincos(whole, "%x", lanes)):
+        whole.store(v, value, "%out", str(index))
+    whole.do("ret void")
+    f = Function(f"pydy_sincos_far_{lanes}", "void", f"{v} %x, ptr %out", "|noinline nounwind")
     for index, name in enumerate(("sin", "cos")):
         result = "poison"
         for lane in range(lanes):
@@ -169,4 +202,4 @@ def sincos_slow(lanes: int) -> str:
                 result = f.let(f"insertelement {v} {result}, double {value}, i32 {lane}")
         f.store(v, result, "%out", str(index))
     f.do("ret void")
-    return f.text()
+    return whole.text() + f.text()

@@ -33,12 +33,9 @@ def solver_declarations(lanes: int) -> str:
 
 
 def solver_functions(lanes: int) -> str:
-    """Return the IR module of the routines."""
+    """Return the routines; the module declares the arithmetic they use."""
     return "\n".join(
         [
-            "declare double @llvm.fabs.f64(double)",
-            "declare double @llvm.fma.f64(double, double, double)",
-            *_wide_fma(lanes),
             _lu_factor(),
             _lu_solve(),
             _lu_lanes(lanes),
@@ -47,11 +44,6 @@ def solver_functions(lanes: int) -> str:
             _guard(lanes),
         ]
     )
-
-
-def _wide_fma(lanes: int) -> list[str]:
-    v = vector_type("double", lanes)
-    return [] if lanes == 1 else [f"declare {v} @llvm.fma.v{lanes}f64({v}, {v}, {v})"]
 
 
 def _index(f: Function, i: str, j: str, n: str, stride: str) -> str:

@@ -110,7 +110,8 @@ class Source:
     what : str
         Identifies the IR: a Program's digest with the options.
     text : callable
-        Returns the IR, a module. It knows the functions of libm, of Python's C interface, and
+        Returns the IR, a module; ``text(True)`` the same in brief, for code that must be ready
+        quickly. It knows the functions of libm, of Python's C interface, and
         those that are passed as `symbols`.
     names : tuple of str
         The functions whose addresses are wanted.
@@ -119,7 +120,7 @@ class Source:
     """
 
     what: str
-    text: Callable[[], str]
+    text: Callable[[bool], str]
     names: tuple[str, ...]
     loops: bool = False
 
@@ -148,7 +149,7 @@ def load(source: Source, symbols: Mapping[str, int] | None = None) -> Code:
     """Return compiled code from memory, from disk, or from LLVM at its best."""
     known = find(source, symbols)
     if known is None:
-        stored = _object_code(source.text(), source.loops, quick=False)
+        stored = _object_code(source.text(False), source.loops, quick=False)
         cache.write(source.key, stored)
         known = _linked(stored, source.names, symbols or {})
         cache.memory.put(source.key, known)
@@ -161,5 +162,5 @@ def load_quickly(source: Source, symbols: Mapping[str, int] | None = None) -> Co
     It computes the same bits: what is fused and in which order is written in the IR.
     """
     background.in_use()
-    stored = _object_code(source.text(), source.loops, quick=True)
+    stored = _object_code(source.text(True), source.loops, quick=True)
     return _linked(stored, source.names, symbols or {})

@@ -6,12 +6,13 @@ order of operations are kept, and fused multiply-adds are those that the IR spel
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from pydy._backends import background, jit
 from pydy._backends.ir import Function, literal, vector_type
 from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, TRUTHS, Emitter
-from pydy._backends.ir_math import sincos_slow
+from pydy._backends.ir_math import sincos_declarations, sincos_functions, sincos_names
 from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
@@ -21,6 +22,7 @@ from pydy._kernel import Kernel
 __all__ = ["LLVMBackend", "kernel_text"]
 
 _SOLVES = frozenset({"factor", "solve", "guard"})
+_ANGLES = frozenset({"sin", "cos"})
 
 
 class LLVMBackend:
@@ -49,11 +51,11 @@ class LLVMBackend:
         lanes: int = self.options["lanes"]
         source = jit.Source(
             f"kernel {program.digest} {lanes}",
-            lambda: kernel_text(program, lanes),
+            lambda brief: kernel_text(program, lanes, brief),
             ("kernel", "prepare"),
         )
-        solves = bool(_SOLVES & set(program.ops))
-        routines = _solvers(lanes, at_best=lanes > 1) if solves else None
+        calls = bool((_SOLVES | _ANGLES) & set(program.ops))
+        routines = _routines(lanes, at_best=lanes > 1) if calls else None
         symbols = routines.addresses if routines else None
         code = jit.load(source, symbols) if lanes > 1 else jit.find(source, symbols)
         quick = code is None
@@ -61,14 +63,14 @@ class LLVMBackend:
             code = jit.load_quickly(source, symbols)
         entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), (code, routines))
         if quick:
-            entry.better = background.Task(lambda: _improve(entry, source, solves))
+            entry.better = background.Task(lambda: _improve(entry, source, calls))
             background.submit(entry.better)
         return native_kernel(program, entry, lanes, compile_program, ("llvm", self.options))
 
 
-def _improve(entry: Entry, source: jit.Source, solves: bool) -> None:
+def _improve(entry: Entry, source: jit.Source, calls: bool) -> None:
     """Compile at LLVM's best and put the result in the entry's place."""
-    routines = _solvers(1, at_best=True) if solves else None
+    routines = _routines(1, at_best=True) if calls else None
     code = jit.load(source, routines.addresses if routines else None)
     entry.replace((code.addresses["kernel"], code.addresses["prepare"]), (code, routines))
 
@@ -76,13 +78,13 @@ def _improve(entry: Entry, source: jit.Source, solves: bool) -> None:
 _ROUTINES: dict[tuple[int, bool], jit.Code] = {}
 
 
-def _solvers(lanes: int, at_best: bool) -> jit.Code:
-    """Return the routines for linear solves; unless they are cached, quickly compiled will do."""
+def _routines(lanes: int, at_best: bool) -> jit.Code:
+    """Return the routines kernels call; unless they are cached, quickly compiled will do."""
     best = _ROUTINES.get((lanes, True))
     if best is not None:
         return best
-    names = solver_names(lanes)
-    source = jit.Source(f"solvers {lanes}", lambda: solver_functions(lanes), names, loops=True)
+    names = solver_names(lanes) + sincos_names(lanes)
+    source = jit.Source(f"routines {lanes}", lambda brief: _routines_text(lanes), names, loops=True)
     code = jit.load(source) if at_best else jit.find(source)
     if code is not None:
         _ROUTINES[lanes, True] = code
@@ -93,15 +95,30 @@ def _solvers(lanes: int, at_best: bool) -> jit.Code:
     return quick
 
 
-def kernel_text(program: Program, lanes: int) -> str:
-    """Return the module of a Program, with the functions `kernel` and `prepare`."""
-    body = _prepare(program, lanes) + _kernel(program, lanes)
+def _routines_text(lanes: int) -> str:
+    """Return the module of what many kernels share: linear solves, sine and cosine."""
+    widths = (1, 2, 4, 8) if lanes == 1 else (1, lanes)
+    parts = [_arithmetic_declarations(widths), *_LIBM_ANGLES, *BRANCH_WEIGHTS]
+    parts += [sincos_functions(w) for w in widths if w == lanes or lanes == 1]
+    return "\n".join([*parts, solver_functions(lanes)])
+
+
+def kernel_text(program: Program, lanes: int, brief: bool = False) -> str:
+    """Return the module of a Program, with the functions `kernel` and `prepare`.
+
+    A `brief` one calls a routine for sines and cosines instead of writing them in line.
+    """
+    body = _prepare(program, lanes, brief) + _kernel(program, lanes, brief)
+    parts = [_declarations(program, lanes)]
     # Sines and cosines are taken several at a time, in as many widths as they come.
-    widths = [w for w in (1, 2, 4, 8) if f"@sincos.far.{w}(" in body]
-    parts = [_declarations(program, lanes, widths)]
+    parts += [
+        sincos_declarations(width, kind)
+        for kind in ("", "far_")
+        for width in (1, 2, 4, 8)
+        if f"@pydy_sincos_{kind}{width}(" in body
+    ]
     if lanes > 1:
         parts += [_lane_by_lane(name, lanes) for name in _used(program) if name in LIBM]
-    parts += [sincos_slow(w) for w in widths]
     return "\n".join([*parts, body])
 
 
@@ -109,7 +126,19 @@ def _used(program: Program) -> list[str]:
     return sorted(set(program.ops))
 
 
-def _declarations(program: Program, lanes: int, widths: list[int]) -> str:
+_LIBM_ANGLES = tuple(f"declare double @{name}(double) nounwind" for name in ("sin", "cos"))
+
+
+def _arithmetic_declarations(widths: Iterable[int]) -> str:
+    lines = []
+    for width in widths:
+        v, end = vector_type("double", width), "f64" if width == 1 else f"v{width}f64"
+        lines.append(f"declare {v} @llvm.fma.{end}({v}, {v}, {v})")
+        lines.append(f"declare {v} @llvm.fabs.{end}({v})")
+    return "\n".join(lines)
+
+
+def _declarations(program: Program, lanes: int) -> str:
     v = vector_type("double", lanes)
     suffix = "f64" if lanes == 1 else f"v{lanes}f64"
     lines = [
@@ -120,12 +149,8 @@ def _declarations(program: Program, lanes: int, widths: list[int]) -> str:
     ]
     if _SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
-    if widths:
-        lines += [f"declare double @{name}(double) nounwind" for name in ("sin", "cos")]
-    for width in sorted({lanes, *widths}):
-        w, end = vector_type("double", width), "f64" if width == 1 else f"v{width}f64"
-        lines.append(f"declare {w} @llvm.fma.{end}({w}, {w}, {w})")
-        lines.append(f"declare {w} @llvm.fabs.{end}({w})")
+    packs = (1, 2, 4, 8) if lanes == 1 and _ANGLES & set(program.ops) else (lanes,)
+    lines.append(_arithmetic_declarations(packs))
     for name in sorted({INTRINSICS[op] for op in INTRINSICS if op in program.ops} - {"fabs"}):
         two = name in ("minimum", "maximum")
         lines.append(f"declare {v} @llvm.{name}.{suffix}({v}{', ' + v if two else ''})")
@@ -149,9 +174,9 @@ def _lane_by_lane(name: str, lanes: int) -> str:
     return f.text()
 
 
-def _prepare(program: Program, lanes: int) -> str:
+def _prepare(program: Program, lanes: int, brief: bool) -> str:
     f = Function("prepare", "void", "ptr noalias readonly %p, ptr noalias %c", "|nounwind")
-    e = Emitter(f, program, lanes)
+    e = Emitter(f, program, lanes, brief)
     e.constants()
     e.blocks(True, "%p")
     carried = {node: index for index, node in enumerate(program.carried)}
@@ -173,7 +198,7 @@ def _prepare(program: Program, lanes: int) -> str:
     return f.text()
 
 
-def _kernel(program: Program, lanes: int) -> str:
+def _kernel(program: Program, lanes: int, brief: bool) -> str:
     f = Function(
         "kernel",
         "i32",
@@ -181,7 +206,7 @@ def _kernel(program: Program, lanes: int) -> str:
         "ptr noalias readonly %c, ptr noalias %out",
         "|nounwind",
     )
-    e = Emitter(f, program, lanes)
+    e = Emitter(f, program, lanes, brief)
     e.constants()
     e.blocks(False, "%t")
     e.reserve()

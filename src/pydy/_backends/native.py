@@ -1,10 +1,11 @@
 """What every native kernel needs around it: a sweep over many states, and a gate from Python.
 
 Both are written once in LLVM IR and take a kernel by its address, so a model compiles nothing but
-its own equations. The *gate* is a C function of Python's own interface: for arguments that are
-already float64 arrays of the right length it costs about a tenth of a microsecond, where ctypes
-alone would cost ten times as much. It reads three fields of NumPy's array object, whose layout is
-part of NumPy's published binary interface (PyArrayObject in ndarrayobject.h)::
+its own equations. Sweeps are in `ir_sweep`. The *gate* is a C function of Python's own interface:
+for arguments that are already float64 arrays of the right length it costs about a tenth of a
+microsecond, where ctypes alone would cost ten times as much. It reads three fields of NumPy's array
+object, whose layout is part of NumPy's published binary interface (PyArrayObject in
+ndarrayobject.h)::
 
     16 data    24 ndim    32 shape    56 descr    64 flags
 
@@ -19,7 +20,7 @@ import ctypes
 import sysconfig
 from collections.abc import Callable
 from functools import cache, partial
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -27,6 +28,13 @@ from pydy._backends import jit
 from pydy._backends.background import Task, submit
 from pydy._backends.base import strict
 from pydy._backends.ir import Function
+from pydy._backends.ir_sweep import (
+    SWEEP_GATE,
+    row_sweep_function,
+    sweep_gate_function,
+    sweep_module,
+    sweep_name,
+)
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
@@ -85,8 +93,8 @@ def native_kernel(
     return Kernel(program, sweep, call, rebuild, recipe, entry.settled, lanes, (entry, runtime))
 
 
-def _text() -> str:
-    return _sweep_text() + _gate_text()
+def _text(brief: bool) -> str:
+    return row_sweep_function() + sweep_gate_function() + _gate_text()
 
 
 def _compile_for_later(source: jit.Source) -> None:
@@ -95,23 +103,31 @@ def _compile_for_later(source: jit.Source) -> None:
 
 class _Runtime:
     def __init__(self) -> None:
-        source = jit.Source("runtime", _text, ("sweep", "gate"), loops=True)
+        names = (sweep_name(1), SWEEP_GATE, "gate")
+        source = jit.Source("runtime", _text, names, loops=True)
         code = jit.find(source)
         if code is None:
             # For the next process; this one goes on with what is there at once.
             submit(Task(partial(_compile_for_later, source)))
             code = jit.load_quickly(source)
         self.code = code
-        prototype = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_void_p] * 2, ctypes.c_int64)
-        self.sweep = prototype(self.code.addresses["sweep"])
-        self.gate_name = b"native_call"
-        # struct PyMethodDef: name, function, flags (METH_FASTCALL), doc
-        self.definition = (ctypes.c_void_p * 4)(
-            ctypes.cast(ctypes.c_char_p(self.gate_name), ctypes.c_void_p).value,
-            self.code.addresses["gate"],
-            0x0080,
-            None,
-        )
+        self.gate = _method(b"native_call", code.addresses["gate"])
+        self._sweep = _method(b"native_sweep", code.addresses[SWEEP_GATE])
+        self.sweep: Callable[..., None] = _function(self._sweep, None)
+
+
+def _method(name: bytes, address: int) -> tuple[ctypes.Array[ctypes.c_void_p], bytes]:
+    """Return a struct PyMethodDef (name, function, METH_FASTCALL, no doc) and what it needs."""
+    pointer = ctypes.cast(ctypes.c_char_p(name), ctypes.c_void_p).value
+    return (ctypes.c_void_p * 4)(pointer, address, 0x0080, None), name
+
+
+def _function(method: tuple[ctypes.Array[ctypes.c_void_p], bytes], owner: Any) -> Any:
+    """Return the Python function of a PyMethodDef, bound to `owner`."""
+    make = ctypes.pythonapi.PyCFunction_NewEx
+    make.restype = ctypes.py_object
+    make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p]
+    return make(ctypes.addressof(method[0]), owner, None)
 
 
 @cache
@@ -119,76 +135,53 @@ def _runtime() -> _Runtime:
     return _Runtime()
 
 
-_PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
-
-
 def _make_sweep(
     program: Program, entry: Entry, lanes: int, runtime: _Runtime
 ) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
     n, s = program.num_states, program.num_specifieds
     carried, outputs = len(program.carried), len(program.outputs)
+    native = runtime.code.addresses[sweep_name(1)] if lanes == 1 else _wide_sweep(lanes)
+    # A wide sweep moves items in blocks of up to four, whole ones.
+    room = (n + s + 1 + outputs + 12) * lanes if lanes > 1 else 0
 
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         m = len(t)
-        kernel, prepare = entry.addresses
-        constants = np.repeat(p, lanes)
-        c = np.empty(carried * lanes)
-        _PREPARE(prepare)(constants.ctypes.data, c.ctypes.data)
-        out = np.empty((m, outputs))
+        constants = np.repeat(p, lanes) if lanes > 1 else p
+        by_columns = lanes > 1 and x.flags.f_contiguous and not x.flags.c_contiguous
+        order: Literal["F", "C"] = "F" if by_columns else "C"
+        out = np.empty((m, outputs), order=order)
         failed = np.zeros(m, dtype=np.bool_)
-        scratch = np.empty((n + s + 1 + outputs) * lanes)
-        arrays = (t, x, r, c, out, failed, scratch)
-        words = [kernel, lanes, n, s, outputs, 0 if len(r) == 1 else s]
-        words += [a.ctypes.data for a in arrays]
-        table = np.array(words, dtype=np.uint64)
-        runtime.sweep(table.ctypes.data, None, m)
+        one_r = len(r) == 1
+        words = np.array(
+            [*entry.addresses, native, m, n, s, outputs, 0 if one_r else s, by_columns], np.int64
+        )
+        runtime.sweep(
+            words,
+            t,
+            np.asarray(x, order=order),
+            np.asarray(r, order=order),
+            np.empty(carried * lanes),
+            out,
+            failed,
+            np.empty(room),
+            constants,
+        )
         return out, failed
 
     return sweep
 
 
-def _sweep_text() -> str:
-    """IR of sweep(table, unused, m): gather `lanes` states, call the kernel, scatter."""
-    f = Function("sweep", "i64", "ptr %w, ptr %unused, i64 %m", "|nounwind")
-    words = [f.load("i64", "%w", str(k)) for k in range(6)]
-    kernel = f.let(f"inttoptr i64 {words[0]} to ptr")
-    lanes, n, s, outputs, r_step = words[1:]
-    t, x, r, c, out, failed, scratch = (f.load("ptr", "%w", str(k)) for k in range(6, 13))
-    last = f.let("sub i64 %m, 1")
-    xs = scratch
-    rs = f.at(xs, f.let(f"mul i64 {n}, {lanes}"))
-    ts = f.at(rs, f.let(f"mul i64 {s}, {lanes}"))
-    outs = f.at(ts, lanes)
-    with f.loop("0", "%m", lanes) as start:
-        with f.loop("0", lanes) as lane:
-            # The last block is filled up with copies of the last sample.
-            place = f.let(f"add i64 {start}, {lane}")
-            beyond = f.let(f"icmp sgt i64 {place}, {last}")
-            i = f.let(f"select i1 {beyond}, i64 {last}, i64 {place}")
-            f.store("double", f.load("double", t, i), ts, lane)
-            row = f.at(x, f.let(f"mul i64 {i}, {n}"))
-            with f.loop("0", n) as j:
-                cell = f.let(f"add i64 {f.let(f'mul i64 {j}, {lanes}')}, {lane}")
-                f.store("double", f.load("double", row, j), xs, cell)
-            row = f.at(r, f.let(f"mul i64 {i}, {r_step}"))
-            with f.loop("0", s) as j:
-                cell = f.let(f"add i64 {f.let(f'mul i64 {j}, {lanes}')}, {lane}")
-                f.store("double", f.load("double", row, j), rs, cell)
-        status = f.let(f"call i32 {kernel}(ptr {ts}, ptr {xs}, ptr {rs}, ptr {c}, ptr {outs})")
-        with f.loop("0", lanes) as lane:
-            i = f.let(f"add i64 {start}, {lane}")
-            with f.when(f.let(f"icmp sle i64 {i}, {last}")):
-                row = f.at(out, f.let(f"mul i64 {i}, {outputs}"))
-                with f.loop("0", outputs) as j:
-                    cell = f.let(f"add i64 {f.let(f'mul i64 {j}, {lanes}')}, {lane}")
-                    f.store("double", f.load("double", outs, cell), row, j)
-                shift = f.let(f"trunc i64 {lane} to i32")
-                bit = f.let(f"and i32 {f.let(f'lshr i32 {status}, {shift}')}, 1")
-                f.store("i8", f.let(f"trunc i32 {bit} to i8"), failed, i)
-    f.do("ret i64 0")
-    return f.text()
+_WIDE: dict[int, jit.Code] = {}
+
+
+def _wide_sweep(lanes: int) -> int:
+    if lanes not in _WIDE:
+        name = sweep_name(lanes)
+        source = jit.Source(f"sweep {lanes}", lambda brief: sweep_module(lanes), (name,), True)
+        _WIDE[lanes] = jit.load(source)
+    return _WIDE[lanes].addresses[sweep_name(lanes)]
 
 
 def _make_call(
@@ -208,10 +201,7 @@ def _make_call(
             len(program.outputs),
         ]
         entry.bind(words)
-        make = ctypes.pythonapi.PyCFunction_NewEx
-        make.restype = ctypes.py_object
-        make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p]
-        gate: Callable[..., int] = make(ctypes.addressof(runtime.definition), words, None)
+        gate: Callable[..., int] = _function(runtime.gate, words)
         return gate
 
     # Without the interpreter's lock the gate's shared binding of constants would be a race.

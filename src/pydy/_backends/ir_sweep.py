@@ -1,0 +1,294 @@
+"""Sweeps over many states in LLVM IR: how samples reach a kernel's lanes and results come back.
+
+A kernel takes a state as ``[item][lane]``. With one lane that is a row of an ordinary (m, n) array,
+which is passed as it lies. With more lanes, an array whose columns are contiguous needs whole
+vectors only; one whose rows are contiguous is turned four columns at a time in registers::
+
+    row 0 | a0 a1 a2 a3      a0 b0 c0 d0 …  column 0
+    row 1 | b0 b1 b2 b3  →   a1 b1 c1 d1 …  column 1
+    row 2 | c0 c1 c2 c3      a2 b2 c2 d2 …  column 2
+      …                        …
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from pydy._backends.ir import Function, vector_type
+
+__all__ = [
+    "SWEEP_GATE",
+    "row_sweep_function",
+    "sweep_gate_function",
+    "sweep_module",
+    "sweep_name",
+]
+
+SWEEP_GATE = "pydy_sweep_gate"
+# What the gate reads in an array of integers. A step is 0 where one row of specifieds serves all
+# samples; `by_columns` says how x, r and out lie.
+_WORDS = (
+    *("kernel", "prepare", "sweep", "m"),
+    *("n", "s", "outputs", "r_step", "by_columns"),
+)
+# The arrays that follow it.
+_ARRAYS = ("t", "x", "r", "c", "out", "failed", "scratch", "p")
+_PARAMETERS = "ptr %words, ptr %t, ptr %x, ptr %r, ptr %c, ptr %out, ptr %failed, ptr %scratch"
+
+
+def sweep_name(lanes: int) -> str:
+    """Return the function that sweeps with that many lanes."""
+    return f"pydy_sweep_{lanes}"
+
+
+def _word(f: Function, name: str) -> str:
+    kind = "ptr" if name in ("kernel", "prepare", "sweep") else "i64"
+    return f.load(kind, "%words", str(_WORDS.index(name)))
+
+
+def _opened(f: Function) -> dict[str, str]:
+    """Return what a sweep works with, by name."""
+    arrays = {name: f"%{name}" for name in _ARRAYS[:-1]}
+    return arrays | {k: _word(f, k) for k in _WORDS}
+
+
+def sweep_gate_function() -> str:
+    """Return a C function of Python's interface: binds the constants and sweeps.
+
+    Its arguments are NumPy arrays of the right kinds, which its caller has made; it takes their
+    data and gives up the interpreter's lock for the work.
+    """
+    f = Function(SWEEP_GATE, "ptr", "ptr %self, ptr %args, i64 %count", "|nounwind")
+    data = []
+    for k in range(1 + len(_ARRAYS)):
+        array = f.load("ptr", "%args", str(k))
+        data.append(f.load("ptr", f.at(array, "16", "i8")))  # see `native`
+    state = f.let("call ptr @PyEval_SaveThread()")
+    words, *arrays, p = data
+    prepare, sweep = (f.load("ptr", words, str(_WORDS.index(k))) for k in ("prepare", "sweep"))
+    f.do(f"call void {prepare}(ptr {p}, ptr {arrays[_ARRAYS.index('c')]})")
+    given = ", ".join(f"ptr {a}" for a in (words, *arrays))
+    f.do(f"call void {sweep}({given})")
+    f.do(f"call void @PyEval_RestoreThread(ptr {state})")
+    f.do(f"ret ptr {f.let('call ptr @PyLong_FromLong(i64 0)')}")
+    return "declare ptr @PyEval_SaveThread()\ndeclare void @PyEval_RestoreThread(ptr)\n" + f.text()
+
+
+def row_sweep_function() -> str:
+    """Return the sweep for one lane."""
+    f = Function(sweep_name(1), "void", _PARAMETERS, "|nounwind")
+    w = _opened(f)
+    with f.loop("0", w["m"]) as i:
+        t = f.at(w["t"], i)
+        x = f.at(w["x"], f.let(f"mul i64 {i}, {w['n']}"))
+        r = f.at(w["r"], f.let(f"mul i64 {i}, {w['r_step']}"))
+        out = f.at(w["out"], f.let(f"mul i64 {i}, {w['outputs']}"))
+        arguments = f"ptr {t}, ptr {x}, ptr {r}, ptr {w['c']}, ptr {out}"
+        status = f.let(f"call i32 {w['kernel']}({arguments})")
+        f.store("i8", f.let(f"trunc i32 {status} to i8"), w["failed"], i)
+    f.do("ret void")
+    return f.text()
+
+
+def sweep_module(lanes: int) -> str:
+    """Return the IR module of the sweep for 2, 4 or 8 lanes."""
+    c, v = _block(lanes), vector_type("double", lanes)
+    rows, flags = vector_type("double", c), vector_type("i1", c)
+    declarations = [
+        f"declare {rows} @llvm.masked.load.v{c}f64.p0(ptr, i32, {flags}, {rows})",
+        f"declare void @llvm.masked.store.v{c}f64.p0({rows}, ptr, i32, {flags})",
+        "",
+    ]
+    f = Function(sweep_name(lanes), "void", _PARAMETERS, "|nounwind")
+    w = _opened(f)
+    m = w["m"]
+    by_columns = f.let(f"icmp ne i64 {w['by_columns']}, 0")
+    alone = f.let(f"icmp eq i64 {w['r_step']}, 0")
+    # Blocks of columns are stored whole: up to `c` − 1 items beyond the last one.
+    xs = w["scratch"]
+    room = [f.let(f"mul i64 {f.let(f'add i64 {w[k]}, {c}')}, {lanes}") for k in ("n", "s")]
+    rs = f.at(xs, room[0])
+    ts = f.at(rs, room[1])
+    outs = f.at(ts, str(lanes))
+    with f.when(alone), f.loop("0", w["s"]) as j:
+        value = f.load("double", w["r"], j)
+        first = f.let(f"insertelement {v} poison, double {value}, i32 0")
+        splat = f.let(f"shufflevector {v} {first}, {v} poison, <{lanes} x i32> zeroinitializer")
+        f.store(v, splat, rs, j)
+    several = f.let(f"xor i1 {alone}, true")
+
+    def call() -> str:
+        arguments = f"ptr {ts}, ptr {xs}, ptr {rs}, ptr {w['c']}, ptr {outs}"
+        return f.let(f"call i32 {w['kernel']}({arguments})")
+
+    def report(status: str, start: str, count: str) -> None:
+        with f.when(f.let(f"icmp ne i32 {status}, 0")), f.loop("0", count) as lane:
+            shift = f.let(f"trunc i64 {lane} to i32")
+            bit = f.let(f"and i32 {f.let(f'lshr i32 {status}, {shift}')}, 1")
+            sample = f.let(f"add i64 {start}, {lane}")
+            f.store("i8", f.let(f"trunc i32 {bit} to i8"), w["failed"], sample)
+
+    whole = f.let(f"and i64 {m}, {-lanes}")
+    with f.loop("0", whole, str(lanes)) as start:
+        f.store(v, f.load(v, f.at(w["t"], start)), ts)
+        _either(
+            f,
+            by_columns,
+            lambda: _columns(f, lanes, m, w["x"], start, w["n"], xs, inward=True),
+            lambda: _rows(f, lanes, w["x"], start, w["n"], xs, inward=True),
+        )
+        with f.when(several):
+            _either(
+                f,
+                by_columns,
+                lambda: _columns(f, lanes, m, w["r"], start, w["s"], rs, inward=True),
+                lambda: _rows(f, lanes, w["r"], start, w["s"], rs, inward=True),
+            )
+        report(call(), start, str(lanes))
+        _either(
+            f,
+            by_columns,
+            lambda: _columns(f, lanes, m, w["out"], start, w["outputs"], outs, inward=False),
+            lambda: _rows(f, lanes, w["out"], start, w["outputs"], outs, inward=False),
+        )
+    # What remains is filled up with copies of the last sample, which every lane can evaluate.
+    left = f.let(f"sub i64 {m}, {whole}")
+    last = f.let(f"sub i64 {m}, 1")
+    with f.when(f.let(f"icmp sgt i64 {left}, 0")):
+        with f.loop("0", str(lanes)) as lane:
+            place = f.let(f"add i64 {whole}, {lane}")
+            beyond = f.let(f"icmp sgt i64 {place}, {last}")
+            i = f.let(f"select i1 {beyond}, i64 {last}, i64 {place}")
+            f.store("double", f.load("double", w["t"], i), ts, lane)
+            _one(f, lanes, m, by_columns, w["x"], i, w["n"], xs, lane, inward=True)
+            with f.when(several):
+                _one(f, lanes, m, by_columns, w["r"], i, w["s"], rs, lane, inward=True)
+        report(call(), whole, left)
+        with f.loop("0", left) as lane:
+            i = f.let(f"add i64 {whole}, {lane}")
+            _one(f, lanes, m, by_columns, w["out"], i, w["outputs"], outs, lane, inward=False)
+    f.do("ret void")
+    return "\n".join(declarations) + f.text()
+
+
+def _block(lanes: int) -> int:
+    """Return how many columns are turned at a time."""
+    return min(lanes, 4)
+
+
+def _either(f: Function, condition: str, yes: Callable[[], None], no: Callable[[], None]) -> None:
+    """Write ``if condition: yes() else: no()``."""
+    with f.when(condition):
+        yes()
+    with f.when(f.let(f"xor i1 {condition}, true")):
+        no()
+
+
+def _columns(
+    f: Function, lanes: int, m: str, data: str, start: str, items: str, buffer: str, *, inward: bool
+) -> None:
+    """Copy whole vectors between columns of m samples and ``[item][lane]``."""
+    v = vector_type("double", lanes)
+    with f.loop("0", items) as j:
+        place = f.at(data, f.let(f"add i64 {f.let(f'mul i64 {j}, {m}')}, {start}"))
+        if inward:
+            f.store(v, f.load(v, place), buffer, j)
+        else:
+            f.store(v, f.load(v, buffer, j), place)
+
+
+def _rows(
+    f: Function, lanes: int, data: str, start: str, items: str, buffer: str, *, inward: bool
+) -> None:
+    """Turn rows of `items` numbers into ``[item][lane]``, or back."""
+    c, v = _block(lanes), vector_type("double", lanes)
+    part, flags, indices = (vector_type(kind, c) for kind in ("double", "i1", "i64"))
+    load, store = (f"@llvm.masked.{kind}.v{c}f64.p0" for kind in ("load", "store"))
+    first = f.at(data, f.let(f"mul i64 {start}, {items}"))
+    half = f"<{c} x i32> <{', '.join(f'i32 {k}' for k in range(c))}>"
+    other = f"<{c} x i32> <{', '.join(f'i32 {c + k}' for k in range(c))}>"
+    both = f"<{lanes} x i32> <{', '.join(f'i32 {k}' for k in range(lanes))}>"
+    with f.loop("0", items, str(c)) as j:
+        left = f.let(f"sub i64 {items}, {j}")
+        one = f.let(f"insertelement {indices} poison, i64 {left}, i32 0")
+        spread = f"{indices} poison, <{c} x i32> zeroinitializer"
+        splat = f.let(f"shufflevector {indices} {one}, {spread}")
+        steps = f"<{', '.join(f'i64 {k}' for k in range(c))}>"
+        mask = f.let(f"icmp slt {indices} {steps}, {splat}")
+        places = []
+        row = f.at(first, j)
+        for lane in range(lanes):
+            places.append(row)
+            if lane + 1 < lanes:
+                row = f.at(row, items)
+        if inward:
+            parts = [
+                f.let(f"call {part} {load}(ptr {p}, i32 8, {flags} {mask}, {part} zeroinitializer)")
+                for p in places
+            ]
+            wide = [
+                parts[k]
+                if lanes == c
+                else f.let(f"shufflevector {part} {parts[k]}, {part} {parts[k + c]}, {both}")
+                for k in range(c)
+            ]
+            for k, column in enumerate(_turned(f, lanes, wide)):
+                f.store(v, column, buffer, f.let(f"add i64 {j}, {k}"))
+        else:
+            wide = [f.load(v, buffer, f.let(f"add i64 {j}, {k}")) for k in range(c)]
+            wide = _turned(f, lanes, wide)
+            parts = wide
+            if lanes > c:
+                parts = [
+                    f.let(f"shufflevector {v} {x}, {v} poison, {which}")
+                    for which in (half, other)
+                    for x in wide
+                ]
+            for p, value in zip(places, parts, strict=True):
+                f.do(f"call void {store}({part} {value}, ptr {p}, i32 8, {flags} {mask})")
+
+
+def _turned(f: Function, lanes: int, rows: list[str]) -> list[str]:
+    """Transpose the blocks of as many columns as there are rows, in every half alike."""
+    c, v = len(rows), vector_type("double", lanes)
+
+    def mixed(a: str, b: str, group: int, upper: bool) -> str:
+        """Take groups of places in turn from a and b: the lower or the upper ones."""
+        picks: list[int] = []
+        for base in range(0, lanes, 2 * group):
+            begin = base + group * upper
+            picks += range(begin, begin + group)
+            picks += range(lanes + begin, lanes + begin + group)
+        text = ", ".join(f"i32 {k}" for k in picks)
+        return f.let(f"shufflevector {v} {a}, {v} {b}, <{lanes} x i32> <{text}>")
+
+    if c == 2:
+        return [mixed(rows[0], rows[1], 1, upper) for upper in (False, True)]
+    low = [mixed(rows[k], rows[k + 1], 1, upper) for k in (0, 2) for upper in (False, True)]
+    return [mixed(low[k], low[k + 2], 2, upper) for upper in (False, True) for k in (0, 1)]
+
+
+def _one(
+    f: Function,
+    lanes: int,
+    m: str,
+    by_columns: str,
+    data: str,
+    i: str,
+    items: str,
+    buffer: str,
+    lane: str,
+    *,
+    inward: bool,
+) -> None:
+    """Copy one sample between an array and its lane."""
+    row = f.let(f"mul i64 {i}, {items}")
+    begin = f.let(f"select i1 {by_columns}, i64 {i}, i64 {row}")
+    step = f.let(f"select i1 {by_columns}, i64 {m}, i64 1")
+    with f.loop("0", items) as j:
+        place = f.let(f"add i64 {begin}, {f.let(f'mul i64 {j}, {step}')}")
+        cell = f.let(f"add i64 {f.let(f'mul i64 {j}, {lanes}')}, {lane}")
+        if inward:
+            f.store("double", f.load("double", data, place), buffer, cell)
+        else:
+            f.store("double", f.load("double", buffer, cell), data, place)

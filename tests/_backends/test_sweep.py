@@ -1,0 +1,43 @@
+"""Sweeps: every width, either order of memory, any number of samples, give the scalar results."""
+
+import numpy as np
+import pytest
+import sympy as sm
+
+from graphs import P, T, X, program_of
+from pydy._backends.llvm import LLVMBackend
+
+MODEL = program_of([X[0] * P[0] + T, X[1] - X[3], sm.sin(X[2]), X[0] / X[1], P[1] * X[3]])
+
+
+def rows(count):
+    rng = np.random.default_rng(count)
+    return np.arange(float(count)), rng.uniform(0.5, 2.0, (count, 4)), np.array([2.0, 3.0, 5.0])
+
+
+def expected(t, x, p):
+    a, b, c, d = x.T
+    return np.column_stack([a * p[0] + t, b - d, np.sin(c), a / b, p[1] * d])
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+@pytest.mark.parametrize("count", [0, 1, 3, 8, 9, 15, 16, 100])
+def test_any_number_of_samples_in_either_order(lanes, order, count):
+    t, x, p = rows(count)
+    out, failed = (
+        LLVMBackend(lanes=lanes)
+        .compile(MODEL)
+        .evaluate(t, np.asarray(x, order=order), np.zeros((1, 0)), p)
+    )
+    np.testing.assert_allclose(out, expected(t, x, p), rtol=1e-15)
+    assert failed.shape == (count,)
+    assert not failed.any()
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+def test_rows_that_are_not_contiguous_are_taken_as_they_are(lanes):
+    t, x, p = rows(21)
+    spaced = np.repeat(x, 2, axis=1)[:, ::2]
+    out, _ = LLVMBackend(lanes=lanes).compile(MODEL).evaluate(t, spaced, np.zeros((1, 0)), p)
+    np.testing.assert_allclose(out, expected(t, x, p), rtol=1e-15)
