@@ -56,8 +56,9 @@ class System:
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional
-        Maps specified functions of time, or tuples of them, to numbers, arrays or functions
-        ``g(x, t)``; those without a value are 0.0. See `specifieds` for the second format.
+        Maps specified functions of time, or tuples of them, to numbers, arrays, functions
+        ``g(x, t)``, SymPy expressions or `pydy.inputs.SampledInput`; those without a value are
+        0.0. See `specifieds` for the second format.
     ode_solver : callable, optional
         A solver with the signature of `scipy.integrate.odeint`, which is the default.
     initial_conditions : dict, optional
@@ -274,10 +275,14 @@ class System:
     def specifieds(self) -> dict[Any, Any]:
         """Dictionary of the specifieds' values; all others are 0.0.
 
-        In the first format keys are specifieds or tuples of them, values are numbers, arrays, or
-        functions ``g(x, t)`` of the state and time that return numbers or arrays::
+        In the first format keys are specifieds or tuples of them, values are numbers, arrays,
+        functions ``g(x, t)`` of the state and time that return numbers or arrays, SymPy expressions
+        of states, time, constants and other specifieds, or `pydy.inputs.SampledInput`::
 
-            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0]}
+            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
+
+        Expressions are compiled into the code. Symbols that occur only in them become constants
+        of the system, functions of time specifieds.
 
         In the second, which is faster with functions, all are given together::
 
@@ -680,6 +685,10 @@ class System:
         p: Any = None,
     ) -> Any:
         """Return exact partial derivatives, from differentiating the expression graph.
+
+        Where a specified is given as an expression, derivatives by states and constants go through
+        it; those by specifieds are by a small addition to each one's value. Functions, samples and
+        numbers, and an `r` that gives all specifieds, are held.
 
         Parameters
         ----------
