@@ -232,7 +232,7 @@ def test_importing_pydy_loads_neither_sympy_nor_numpy():
 
 
 def test_a_worker_that_receives_a_kernel_never_loads_sympy():
-    loaded = modules_loaded_by("import pydy._backends.registry, pydy._kernel")
+    loaded = modules_loaded_by("import pydy._backends.registry, pydy._kernel, pydy.inputs")
     assert "sympy" not in loaded
 
 
