@@ -217,6 +217,30 @@ class System:
         return sm.Matrix(rows) if rows else sm.Matrix()
 
     @property
+    def kinetic_energy(self) -> Any:
+        """The kinetic energy of the method's bodies: an expression in states and symbols.
+
+        It is not simplified. Auxiliary speeds are zero in it.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().kinetic_energy
+        m0*v0(t)**2/2
+        """
+        energy = self._equations.kinetic_energy
+        if energy is None:
+            raise ValueError(
+                "The system's energy cannot be told: its `eom_method` was given no bodies."
+            )
+        return energy
+
+    @property
     def outputs_symbols(self) -> list[Any]:
         """List of the names of all outputs, in the order of `evaluate_outputs`."""
         return list(self._definition.outputs_symbols)
