@@ -75,6 +75,8 @@ class Assembly:
     speeds : list of nodes
     mechanism : Mechanism or None
         The bodies behind the equations.
+    external : bool
+        Whether the accelerations are inputs at the end of r.
     """
 
     graph: Graph
@@ -91,6 +93,7 @@ class Assembly:
     atoms: Mapping[Any, int] = field(default_factory=dict)
     speeds: list[int] = field(default_factory=list)
     mechanism: Mechanism | None = None
+    external: bool = False
 
     @property
     def constraints(self) -> list[int]:
@@ -154,7 +157,9 @@ class Assembly:
         ValueError
             A symbol that is not among those of the assembly.
         """
-        return self.lowered([(name, shape, self._read(expressions, name))])
+        n, s, c = self.sizes
+        sizes = (n, s - len(self.speeds), c) if self.external else self.sizes
+        return self.lowered([(name, shape, self._read(expressions, name))], sizes)
 
     def jacobian_program(self, name: str, group: str) -> Program:
         """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
@@ -164,8 +169,12 @@ class Assembly:
         cells = [row.get(k, self.graph.zero) for row in rows for k in range(width)]
         return self.lowered([("jacobian", (len(nodes), width), cells)])
 
-    def lowered(self, blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]]) -> Program:
-        """Simplify and lower blocks of nodes."""
+    def lowered(
+        self,
+        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+        sizes: tuple[int, int, int] | None = None,
+    ) -> Program:
+        """Simplify and lower blocks of nodes; `sizes` are those of the assembly by default."""
         with collector_paused():
             nodes = [n for _, _, part in blocks for n in part]
             if self.simplified:
@@ -175,7 +184,7 @@ class Assembly:
             for name, shape, part in blocks:
                 new.append((name, shape, nodes[start : start + len(part)]))
                 start += len(part)
-            return lower(self.graph, self.sizes, new)
+            return lower(self.graph, sizes or self.sizes, new)
 
 
 def _inputs(
@@ -301,6 +310,7 @@ def assemble_system(
         known,
         [atoms[s] for s in u],
         equations.mechanism,
+        external,
     )
 
 

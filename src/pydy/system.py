@@ -18,9 +18,11 @@ from scipy.integrate import odeint
 
 from pydy._eom.extract import extract
 from pydy._errors import PyDyUserWarning
+from pydy._kernel import Kernel
 from pydy._programs import check_accelerations
 from pydy._system.definition import Definition, define
 from pydy._system.dependents import check_dependents, solve_dependents
+from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.evaluation import Snapshot, evaluate, override, samples, specified_rows
 from pydy._system.inputs import (
     SymbolSet,
@@ -33,7 +35,7 @@ from pydy._system.inputs import (
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_system_function
-from pydy.codegen.right_hand_side import RightHandSide
+from pydy.codegen.right_hand_side import Layout, RightHandSide
 from pydy.trajectory import Trajectory
 
 __all__ = ["System"]
@@ -107,6 +109,7 @@ class System:
     ) -> None:
         self._equations = extract(eom_method)
         self._eom_method = eom_method
+        self._energies = EnergyModel(self._equations)
         self._base = self._base_symbols(constants_symbols, specifieds_symbols)
         residuals = [*self._equations.holonomic, *self._equations.nonholonomic]
         self._residuals = {sm.Dummy(f"c{k}"): e for k, e in enumerate(residuals)}
@@ -234,12 +237,42 @@ class System:
         >>> multi_mass_spring_damper().kinetic_energy
         m0*v0(t)**2/2
         """
-        energy = self._equations.kinetic_energy
-        if energy is None:
-            raise ValueError(
-                "The system's energy cannot be told: its `eom_method` was given no bodies."
-            )
-        return energy
+        return self._energies.kinetic
+
+    @property
+    def potential_energy(self) -> Any:
+        """The potential energy: an expression in coordinates, constants, specifieds and time.
+
+        It is found from the loads: forces that are constant in the inertial frame, such as gravity;
+        equal and opposite forces along the line between two points that depend on their distance
+        alone; and loads whose work is a closed polynomial form, such as those of linear springs.
+        Parts of loads that depend on speeds, time or specifieds (dampers, motors) have none: what
+        they do changes the total energy. Where a load depends on the configuration in another
+        way, the bodies' own `potential_energy` is taken if the power of the loads agrees with it.
+
+        Set it when it cannot be found, for all loads together; None means to find it again.
+
+        Raises
+        ------
+        ValueError
+            A load depends on the configuration in a way that is not recognised; the message names
+            it. Or an expression with other symbols is set.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper(apply_gravity=True)
+        >>> sys.potential_energy
+        -g*m0*x0(t) + k0*x0(t)**2/2
+        """
+        return self._energies.potential
+
+    @potential_energy.setter
+    def potential_energy(self, energy: Any) -> None:
+        definition = self._definition
+        others = [self._equations.time, *definition.constants, *definition.specifieds]
+        given = check_potential(energy, self._equations.coordinates, others)
+        self._energies = EnergyModel(self._equations, given)
 
     @property
     def outputs_symbols(self) -> list[Any]:
@@ -539,14 +572,17 @@ class System:
         self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: str | None = None
     ) -> np.ndarray:
         implementation = self._differentiable() if wrt else self._current()
-        layout = implementation.layout
-        states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
-        rows = specified_rows(r, self._plan_with, instants, states, len(layout.specifieds))
-        constants = override(p, self._p(), layout.constants)
         if wrt:
             kernel = implementation.compiled_jacobian(block, wrt)
         else:
             kernel = implementation.compiled(block)
+        return self._sweep(kernel, implementation.layout, x, t, r, p)
+
+    def _sweep(self, kernel: Kernel, layout: Layout, x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+        """Evaluate a Kernel at one state or several, with the defaults of the evaluations."""
+        states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
+        rows = specified_rows(r, self._plan_with, instants, states, len(layout.specifieds))
+        constants = override(p, self._p(), layout.constants)
         out = evaluate(kernel, layout, instants, states, rows, constants)
         out = out.reshape(len(out), *kernel.program.blocks[0].shape)
         result: np.ndarray = out[0] if single else out
@@ -610,6 +646,41 @@ class System:
         array([3., 2.])
         """
         return self._evaluate("outputs", x, t, r, p)
+
+    def evaluate_energy(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> Energy:
+        """Return the kinetic, the potential and the total energy.
+
+        Parameters
+        ----------
+        x, t, r, p
+            As in `evaluate_ode`.
+
+        Returns
+        -------
+        kinetic, potential, total : float or ndarray, shape (m,)
+            A named tuple.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies, or the potential energy is not known; see
+            `potential_energy`.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> sys.evaluate_energy([1.0, 3.0])
+        Energy(kinetic=4.5, potential=0.5, total=5.0)
+        >>> sys.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
+        array([5., 2.])
+        """
+        implementation = self._current()
+        kernel = self._energies.kernel(implementation)
+        values = self._sweep(kernel, implementation.layout, x, t, r, p)
+        return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -850,7 +921,8 @@ class System:
         events = statistics.pop("events", ())
         dense = statistics.pop("dense_output", None)
         times, states = np.array(times, dtype=float), np.array(states, dtype=float)
-        model = Snapshot(self._current(), self._plan(self._specifieds), self._p())
+        plan = self._plan(self._specifieds)
+        model = Snapshot(self._current(), plan, self._p(), self._energies)
         equations, forces = self._equations, self.noncontributing_forces
         known = {*self._residuals, *forces}
         symbols = {

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._kernel import Kernel
+from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan, number, real_array
 from pydy.codegen.right_hand_side import Layout, RightHandSide, raise_singular
 
@@ -134,11 +135,13 @@ class Snapshot:
     implementation : RightHandSide
     plan : SpecifiedsPlan
     p : ndarray
+    energies : EnergyModel
     """
 
     implementation: RightHandSide
     plan: SpecifiedsPlan
     p: np.ndarray
+    energies: EnergyModel
 
     def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the specifieds, shape (m, s)."""
@@ -147,14 +150,18 @@ class Snapshot:
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
-        return self._block("rates", times, states)
+        return self._sweep(self.implementation.compiled("rates"), times, states)
 
     def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the outputs, shape (m, o)."""
-        return self._block("outputs", times, states)
+        return self._sweep(self.implementation.compiled("outputs"), times, states)
 
-    def _block(self, block: str, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        kernel, layout = self.implementation.compiled(block), self.implementation.layout
+    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return kinetic, potential and total energy, shape (m, 3)."""
+        return self._sweep(self.energies.kernel(self.implementation), times, states)
+
+    def _sweep(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        layout = self.implementation.layout
         rows = self._rows(times, states)
         return evaluate(kernel, layout, times, np.ascontiguousarray(states), rows, self.p)
 

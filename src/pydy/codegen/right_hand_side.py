@@ -81,7 +81,7 @@ class RightHandSide:
         self._assembly = assembly
         self._compiler = backend(**options)
         self._solver = solver
-        self._kernels: dict[tuple[str, ...], Kernel] = {}
+        self._kernels: dict[tuple[Any, ...], Kernel] = {}
         self.kernel = self.compiled("rates", *(("ordinary",) if self.num_outputs else ()))
         self.function_of_user: Any = None  # what `make_function` made of this
 
@@ -113,6 +113,17 @@ class RightHandSide:
         if kernel is None:
             kernel = self._compiler.compile(self._assembly.jacobian_program(block, group))
             self._kernels[key] = kernel
+        return kernel
+
+    def compiled_expressions(
+        self, name: str, shape: tuple[int, ...], expressions: tuple[Any, ...]
+    ) -> Kernel:
+        """Return the Kernel of further expressions; see `Assembly.expression_program`."""
+        key = (name, shape, *expressions)
+        kernel = self._kernels.get(key)
+        if kernel is None:
+            program = self._assembly.expression_program(name, shape, expressions)
+            kernel = self._kernels[key] = self._compiler.compile(program)
         return kernel
 
     def _system_kernel(self) -> Kernel:
