@@ -19,8 +19,6 @@ from pydy.plot import (
 )
 from pydy.trajectory import Trajectory
 
-matplotlib = pytest.importorskip("matplotlib")
-matplotlib.use("Agg")
 plt = pytest.importorskip("matplotlib.pyplot")
 
 TIMES = np.linspace(0.0, 1.0, 21)
