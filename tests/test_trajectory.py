@@ -141,7 +141,7 @@ def test_times_outside_are_refused(times, message):
 
 def test_a_solvers_dense_output_is_used():
     """And what else it says becomes events and statistics."""
-    event = EventRecord("top", 0.4, np.zeros(2), np.zeros(2))
+    event = EventRecord(0.4, "top", 0, np.zeros(2), np.zeros(2))
 
     def solver(f, x0, t, args=()):
         made = solve_ivp(
@@ -189,7 +189,7 @@ def test_a_reset_is_a_node_on_both_sides():
         rises = np.concatenate([2 * s - 4 * s**2, 2 - 8 * s], axis=1)
         return np.where(t < 0.5, falls, rises)
 
-    bounce = EventRecord("bounce", 0.5, np.array([0.0, -4.0]), np.array([0.0, 2.0]))
+    bounce = EventRecord(0.5, "bounce", 0, np.array([0.0, -4.0]), np.array([0.0, 2.0]))
     times = [0.0, 0.2, 0.4, 0.6]
 
     def solver(f, x0, t, args=()):
@@ -252,7 +252,7 @@ def test_a_file_keeps_events_and_odd_names(tmp_path):
         {"coordinate": ["a/b", "a b"], "output": ["ω → 0"]},
         outputs=[[3.0], [4.0]],
         constants={sm.Symbol("a b"): 7.0},
-        events=[EventRecord("hit", 0.5, np.array([1.5, 0.0]), np.array([-1.5, 0.0]))],
+        events=[EventRecord(0.5, "hit", 0, np.array([1.5, 0.0]), np.array([-1.5, 0.0]))],
     )
     trajectory.save(tmp_path / "odd.nc")
     loaded = Trajectory.load(tmp_path / "odd.nc")

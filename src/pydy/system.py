@@ -24,6 +24,7 @@ from pydy._system.definition import Definition, define
 from pydy._system.dependents import check_dependents, solve_dependents
 from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.evaluation import Snapshot, evaluate, override, samples, specified_rows
+from pydy._system.expressions import check_expressions, driven, expressions_in
 from pydy._system.inputs import (
     SymbolSet,
     check_mapping,
@@ -35,7 +36,8 @@ from pydy._system.inputs import (
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_system_function
-from pydy.codegen.right_hand_side import Layout, RightHandSide
+from pydy.codegen.right_hand_side import RightHandSide
+from pydy.solvers.solver import Solver
 from pydy.trajectory import Trajectory
 
 __all__ = ["System"]
@@ -58,8 +60,9 @@ class System:
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional
-        Maps specified functions of time, or tuples of them, to numbers, arrays or functions
-        ``g(x, t)``; those without a value are 0.0. See `specifieds` for the second format.
+        Maps specified functions of time, or tuples of them, to numbers, arrays, functions
+        ``g(x, t)``, SymPy expressions or `pydy.inputs.SampledInput`; those without a value are
+        0.0. See `specifieds` for the second format.
     ode_solver : callable, optional
         A solver with the signature of `scipy.integrate.odeint`, which is the default.
     initial_conditions : dict, optional
@@ -124,8 +127,8 @@ class System:
         self._initial_conditions: dict[Any, Any] = {}
         self._outputs: dict[Any, Any] = {}
         self._define(outputs, noncontributing_forces)
+        self.specifieds = specifieds  # first: an expression may bring constants of its own
         self.constants = constants
-        self.specifieds = specifieds
         self.ode_solver = ode_solver
         self.initial_conditions = initial_conditions
         self.times = times
@@ -155,7 +158,11 @@ class System:
             for k, v in check_mapping("outputs", outputs).items()
             if k not in self._residuals and not self._is_forces(k)
         }
-        definition = define(self._equations, {**user, **self._residuals}, forces, self._base)
+        expressions = expressions_in(self._specifieds)
+        definition = define(
+            self._equations, {**user, **self._residuals}, forces, self._base, expressions
+        )
+        self._expressions = expressions
         self._forces = forces
         merged = {**user, **self._residuals}
         if forces:
@@ -169,8 +176,12 @@ class System:
 
     @property
     def _definition(self) -> Definition:
-        # The user may have edited the dictionary of outputs in place.
-        if self._outputs != self._snapshot or list(self._outputs) != list(self._snapshot):
+        # The user may have edited the dictionaries of outputs and specifieds in place.
+        if (
+            self._outputs != self._snapshot
+            or list(self._outputs) != list(self._snapshot)
+            or self._expressions != expressions_in(self._specifieds)
+        ):
             outputs = self._outputs
             self._define(outputs, self._forces)
             merged = dict(self._outputs)
@@ -323,10 +334,14 @@ class System:
     def specifieds(self) -> dict[Any, Any]:
         """Dictionary of the specifieds' values; all others are 0.0.
 
-        In the first format keys are specifieds or tuples of them, values are numbers, arrays, or
-        functions ``g(x, t)`` of the state and time that return numbers or arrays::
+        In the first format keys are specifieds or tuples of them, values are numbers, arrays,
+        functions ``g(x, t)`` of the state and time that return numbers or arrays, SymPy expressions
+        of states, time, constants and other specifieds, or `pydy.inputs.SampledInput`::
 
-            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0]}
+            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
+
+        Expressions are compiled into the code. Symbols that occur only in them become constants
+        of the system, functions of time specifieds.
 
         In the second, which is faster with functions, all are given together::
 
@@ -336,9 +351,12 @@ class System:
 
     @specifieds.setter
     def specifieds(self, specifieds: dict[Any, Any] | None) -> None:
-        values = check_mapping("specifieds", specifieds)
-        self._plan(values)
-        self._specifieds = values
+        before, self._specifieds = self._specifieds, check_mapping("specifieds", specifieds)
+        try:
+            check_expressions(self._definition, self._plan(self._specifieds))
+        except Exception:
+            self._specifieds = before
+            raise
 
     @property
     def initial_conditions(self) -> dict[Any, Any]:
@@ -517,7 +535,7 @@ class System:
 
     def _current(self) -> RightHandSide:
         """Return the implementation for the outputs as they are now."""
-        if self._implementation is None or self._made_for is not self._definition:
+        if self._implementation is None or self._made_for != self._definition:
             self._generate(self._options)
         assert self._implementation is not None
         return self._implementation
@@ -571,20 +589,38 @@ class System:
     def _evaluate(
         self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: str | None = None
     ) -> np.ndarray:
-        implementation = self._differentiable() if wrt else self._current()
-        if wrt:
-            kernel = implementation.compiled_jacobian(block, wrt)
-        else:
-            kernel = implementation.compiled(block)
-        return self._sweep(kernel, implementation.layout, x, t, r, p)
+        def kernel(implementation: RightHandSide) -> Kernel:
+            if wrt:
+                return implementation.compiled_jacobian(block, wrt)
+            return implementation.compiled(block)
 
-    def _sweep(self, kernel: Kernel, layout: Layout, x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
+        implementation = self._differentiable() if wrt else self._current()
+        return self._sweep(implementation, kernel, x, t, r, p, perturbed=wrt == "r")
+
+    def _sweep(
+        self,
+        implementation: RightHandSide,
+        kernel: Callable[[RightHandSide], Kernel],
+        x: Any,
+        t: Any,
+        r: Any,
+        p: Any,
+        perturbed: bool = False,
+    ) -> np.ndarray:
         """Evaluate a Kernel at one state or several, with the defaults of the evaluations."""
+        layout = implementation.layout
         states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
-        rows = specified_rows(r, self._plan_with, instants, states, len(layout.specifieds))
+        if r is None or callable(r) or hasattr(r, "items"):
+            plan = self._plan_with(r)
+            plan.check_times(instants, "times" if t is None else "t")
+            rows = plan.rows(states, instants)
+            implementation = driven(implementation, self._definition, plan, perturbed=perturbed)
+        else:
+            rows = specified_rows(r, instants, len(layout.specifieds))
         constants = override(p, self._p(), layout.constants)
-        out = evaluate(kernel, layout, instants, states, rows, constants)
-        out = out.reshape(len(out), *kernel.program.blocks[0].shape)
+        made = kernel(implementation)
+        out = evaluate(made, layout, instants, states, rows, constants)
+        out = out.reshape(len(out), *made.program.blocks[0].shape)
         result: np.ndarray = out[0] if single else out
         return result
 
@@ -677,9 +713,7 @@ class System:
         >>> sys.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
         array([5., 2.])
         """
-        implementation = self._current()
-        kernel = self._energies.kernel(implementation)
-        values = self._sweep(kernel, implementation.layout, x, t, r, p)
+        values = self._sweep(self._current(), self._energies.kernel, x, t, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(
@@ -759,6 +793,10 @@ class System:
     ) -> Any:
         """Return exact partial derivatives, from differentiating the expression graph.
 
+        Where a specified is given as an expression, derivatives by states and constants go through
+        it; those by specifieds are by a small addition to each one's value. Functions, samples and
+        numbers, and an `r` that gives all specifieds, are held.
+
         Parameters
         ----------
         x, t, r, p
@@ -829,12 +867,14 @@ class System:
         definition = self._definition
         places = check_dependents(definition, dep_vars)
         t = float(self._times[0]) if len(self._times) else 0.0
+        plan = self._plan(self._specifieds)
+        plan.check_times(np.array([t]), "times")
         x = solve_dependents(
-            self._differentiable(),
+            driven(self._differentiable(), definition, plan),
             definition,
             self._x0(),
             t,
-            self._plan(self._specifieds),
+            plan,
             self._p(),
             places,
             use_jac,
@@ -871,11 +911,12 @@ class System:
                 "`times` must have at least two values before integrate() can be called, got "
                 f"{len(self._times)}. Set `system.times`."
             )
-        implementation = self._current()
         times = check_times(self._times)  # the array may have been edited in place
         plan = self._plan(self._specifieds)
+        plan.check_times(times, "times")
+        implementation = driven(self._current(), self._definition, plan)
         f = implementation.rates_function(None if plan.constant else plan)
-        r = plan.base if plan.constant else plan
+        r = plan.values if plan.constant else plan
         args = (r, self._p())
         return self._ode_solver(f, self._x0(), times, args=args, **solver_kwargs)
 
@@ -888,13 +929,14 @@ class System:
             Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
             ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
             ``'dense_output'`` are the trajectory's, and the rest is its `statistics`.
-            `scipy.integrate.odeint` is called with ``full_output=True``.
+            `scipy.integrate.odeint` and the solvers of `pydy.solvers` are called with
+            ``full_output=True``.
 
         Returns
         -------
         Trajectory
             The states, the outputs and specifieds along them, and the numbers that were used;
-            later changes of the System do not reach it.
+            later changes of the System do not reach it. It ends where an event ended it.
 
         Raises
         ------
@@ -912,7 +954,7 @@ class System:
         >>> trajectory[x0].round(6)
         array([1.      , 0.895595, 0.6597  ])
         """
-        if self._ode_solver is odeint:
+        if self._ode_solver is odeint or isinstance(self._ode_solver, Solver):
             solver_kwargs.setdefault("full_output", True)
         result = self.integrate(**solver_kwargs)
         states, info = result if isinstance(result, tuple) else (result, None)
@@ -921,8 +963,12 @@ class System:
         events = statistics.pop("events", ())
         dense = statistics.pop("dense_output", None)
         times, states = np.array(times, dtype=float), np.array(states, dtype=float)
+        if len(states) == len(times):  # what is NaN to the end comes after a terminal event
+            reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
+            times, states = times[:reached], states[:reached]
         plan = self._plan(self._specifieds)
-        model = Snapshot(self._current(), plan, self._p(), self._energies)
+        implementation = driven(self._current(), self._definition, plan)
+        model = Snapshot(implementation, plan, self._p(), self._energies)
         equations, forces = self._equations, self.noncontributing_forces
         known = {*self._residuals, *forces}
         symbols = {

@@ -24,19 +24,21 @@ ENERGIES = ("kinetic_energy", "potential_energy", "total_energy")
 
 @dataclass(frozen=True, eq=False)
 class EventRecord:
-    """Something that happened at one instant of a simulation.
+    """An event that happened at one instant of a simulation.
 
     Attributes
     ----------
-    name : str
-        Which event.
     time : float
+    name : str
+    index : int
+        Its place among the events that were watched.
     before, after : ndarray, shape (n,)
-        The state on both sides; the same where nothing was reset.
+        The states on both sides; the same without a reset.
     """
 
-    name: str
     time: float
+    name: str
+    index: int
     before: np.ndarray
     after: np.ndarray
 
@@ -473,7 +475,9 @@ class Trajectory:
             specifieds=together("specified"),
             constants=parts.constants,
             events=[
-                EventRecord(e["name"], e["time"], np.array(e["before"]), np.array(e["after"]))
+                EventRecord(
+                    e["time"], e["name"], e["index"], np.array(e["before"]), np.array(e["after"])
+                )
                 for e in events
             ],
             statistics=statistics,
