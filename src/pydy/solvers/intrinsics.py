@@ -9,7 +9,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic as _intrinsic
 
-__all__ = ["BLOCK", "address_of", "call_kernel", "combine", "nested"]
+__all__ = ["BLOCK", "address_of", "call_kernel", "call_prepare", "combine", "nested"]
 
 BLOCK = 8
 """Vectors are worked on in blocks of so many numbers, padded with zeros."""
@@ -39,6 +39,22 @@ def call_kernel(typingctx, address, t, x, r, c, out):
 
 
 @intrinsic
+def call_prepare(typingctx, address, p, c):
+    """Call ``void prepare(p, c)``; every argument is an address."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        kind = ir.FunctionType(ir.VoidType(), [_DOUBLE.as_pointer()] * 2)
+        function = _pointer(builder, arguments[0], kind)
+        builder.call(function, [_pointer(builder, a, _DOUBLE) for a in arguments[1:]])
+        return context.get_dummy_value()
+
+    return types.void(*[types.intp] * 3), codegen
+
+
+_TOGETHER = 4  # sums that grow side by side hide each other's latency, and share the weights
+
+
+@intrinsic
 def combine(typingctx, y, x, h, stages, offsets, weights, count, blocks):
     """Compute ``y = x + h * sum(weights[j] * stages[offsets[j]:])`` for `blocks` blocks.
 
@@ -55,21 +71,33 @@ def combine(typingctx, y, x, h, stages, offsets, weights, count, blocks):
         weights = _pointer(builder, weights, _DOUBLE)
         stages = _pointer(builder, stages, _DOUBLE)
         zero = ir.Constant(_BLOCK, [0.0] * BLOCK)
-        total = cgutils.alloca_once(builder, _BLOCK)
-        with cgutils.for_range(builder, blocks) as outer:
-            builder.store(zero, total)
-            start = builder.mul(outer.index, _INT(BLOCK))
+        totals = [cgutils.alloca_once(builder, _BLOCK) for _ in range(_TOGETHER)]
+
+        def write(first: Any, number: int) -> None:
+            """Write some blocks from `first` on."""
+            start = builder.mul(first, _INT(BLOCK))
+            starts = [builder.add(start, _INT(BLOCK * k)) for k in range(number)]
+            for total in totals[:number]:
+                builder.store(zero, total)
             with cgutils.for_range(builder, count) as inner:
-                weight = builder.load(builder.gep(weights, [inner.index]))
+                splat = _splat(builder, builder.load(builder.gep(weights, [inner.index])))
                 offset = builder.load(builder.gep(offsets, [inner.index]))
                 where = builder.gep(stages, [builder.add(offset, start)])
-                stage = _load(builder, builder.bitcast(where, _BLOCK.as_pointer()))
-                splat = _splat(builder, weight)
-                builder.store(builder.call(fma, [splat, stage, builder.load(total)]), total)
-            base = _load(builder, _block_at(builder, x, start))
-            result = builder.call(fma, [step, builder.load(total), base])
-            store = builder.store(result, _block_at(builder, y, start))
-            store.align = 8
+                where = builder.bitcast(where, _BLOCK.as_pointer())
+                for k, total in enumerate(totals[:number]):
+                    stage = _load(builder, builder.gep(where, [_INT(k)]))
+                    builder.store(builder.call(fma, [splat, stage, builder.load(total)]), total)
+            for begin, total in zip(starts, totals, strict=False):
+                base = _load(builder, _block_at(builder, x, begin))
+                result = builder.call(fma, [step, builder.load(total), base])
+                builder.store(result, _block_at(builder, y, begin)).align = 8
+
+        groups = builder.udiv(blocks, _INT(_TOGETHER))
+        together = builder.mul(groups, _INT(_TOGETHER))
+        with cgutils.for_range(builder, groups) as outer:
+            write(builder.mul(outer.index, _INT(_TOGETHER)), _TOGETHER)
+        with cgutils.for_range(builder, builder.sub(blocks, together)) as outer:
+            write(builder.add(together, outer.index), 1)
         return context.get_dummy_value()
 
     return types.void(*[types.intp] * 8), codegen

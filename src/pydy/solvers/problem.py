@@ -14,7 +14,7 @@ from pydy.solvers.layout import Problem
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
-__all__ = ["Callback", "bind_constants", "callback_problem", "kernel_problem"]
+__all__ = ["Callback", "bind_constants", "callback_problem", "kernel_problem", "tables_of"]
 
 BLOCK = 8
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
@@ -52,7 +52,7 @@ def kernel_problem(call: KernelCall, n: int) -> Problem:
     """Return the arrays for a Kernel."""
     kernel, c = bind_constants(call.kernel, call.p)
     r = np.array(call.r, dtype=float)
-    tables, knots, cubics = _tables(call.sampled)
+    tables, knots, cubics = tables_of(call.sampled)
     return Problem(
         words=np.array([kernel, n, blocks(n)]),
         clock=np.zeros(1),
@@ -64,7 +64,7 @@ def kernel_problem(call: KernelCall, n: int) -> Problem:
     )
 
 
-def _tables(
+def tables_of(
     sampled: Sequence[tuple[np.ndarray, Any]],
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Lay sampled inputs out one after the other, one table for each place in r."""
@@ -132,7 +132,7 @@ class Callback:
 
 def callback_problem(callback: Callback, n: int) -> Problem:
     """Return the arrays for a Python function."""
-    tables, knots, cubics = _tables(())
+    tables, knots, cubics = tables_of(())
     nothing = np.zeros(1)
     words = np.array([callback.address, n, blocks(n)])
     return Problem(words, np.zeros(1), nothing, nothing, tables, knots, cubics)

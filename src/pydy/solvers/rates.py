@@ -6,28 +6,37 @@ from pydy.solvers.compiled import inlined
 from pydy.solvers.intrinsics import address_of, call_kernel
 from pydy.solvers.layout import KERNEL
 
-__all__ = ["rates", "set_inputs"]
+__all__ = ["interval_of", "rates", "set_inputs"]
+
+
+@inlined
+def interval_of(knots, s, guess):
+    """Return the last of the ascending knots that is not after s; most often it is the guess."""
+    number = knots.size
+    if knots[guess] <= s and (guess == number - 1 or s < knots[guess + 1]):
+        return guess
+    low, high = 0, number
+    while high - low > 1:
+        middle = (low + high) // 2
+        if knots[middle] <= s:
+            low = middle
+        else:
+            high = middle
+    return low
 
 
 @inlined
 def set_inputs(problem, t):
     """Set the kernel's time, and the sampled inputs of that time; their end values are held."""
     problem.clock[0] = t
-    tables, knots = problem.tables, problem.knots
+    tables = problem.tables
     for k in range(tables.shape[0]):
-        first, number, low = tables[k, 1], tables[k, 2], tables[k, 3]
-        s = max(t, knots[first])
-        after = low == number - 1 or s < knots[first + low + 1]
-        if not (knots[first + low] <= s and after):
-            low, high = 0, number
-            while high - low > 1:
-                middle = (low + high) // 2
-                if knots[first + middle] <= s:
-                    low = middle
-                else:
-                    high = middle
-            tables[k, 3] = low  # the next evaluation is most often in the same interval
-        s -= knots[first + low]
+        first, number = tables[k, 1], tables[k, 2]
+        knots = problem.knots[first : first + number]
+        s = max(t, knots[0])
+        low = interval_of(knots, s, tables[k, 3])
+        tables[k, 3] = low
+        s -= knots[low]
         a = problem.cubics[first + low]
         problem.r[tables[k, 0]] = a[0] + s * (a[1] + s * (a[2] + s * a[3]))
 

@@ -17,11 +17,11 @@ from pydy.solvers.layout import (
 )
 from pydy.solvers.rates import rates
 
-__all__ = ["error_of_step", "interpolate", "prepare_interpolant", "take_step"]
+__all__ = ["combine_row", "error_of_step", "interpolate", "prepare_interpolant", "take_step"]
 
 
 @inlined
-def _row(method, problem, memory, row, y, x):
+def combine_row(method, problem, memory, row, y, x):
     """Compute y = x + h · (one row of the tableau · stages); y and x are addresses."""
     first = method.rows[row]
     combine(
@@ -44,13 +44,13 @@ def take_step(method, problem, memory, run, t, h):
     memory.step[:] = h
     stages = method.shape[STAGES]
     for stage in range(1, stages):
-        _row(method, problem, memory, stage, trial, x)
+        combine_row(method, problem, memory, stage, trial, x)
         out = address_of(memory.stages, stage * length)
         run.counts[EVALUATIONS] += 1
         code = rates(problem, t + method.nodes[stage] * h, trial, out)
         if code != 0:
             return code
-    _row(method, problem, memory, stages, address_of(memory.new, 0), x)
+    combine_row(method, problem, memory, stages, address_of(memory.new, 0), x)
     return 0
 
 
@@ -76,7 +76,7 @@ def error_of_step(method, problem, memory):
     row = method.shape[STAGES] + 1
     zero = address_of(memory.zero, 0)
     for k in range(method.shape[ESTIMATES]):
-        _row(method, problem, memory, row + k, address_of(memory.errors, k * length), zero)
+        combine_row(method, problem, memory, row + k, address_of(memory.errors, k * length), zero)
     first, second = _square_sums(memory, n)
     if method.shape[ESTIMATES] == 2:
         if first == 0.0:
@@ -93,7 +93,7 @@ def prepare_interpolant(method, problem, memory, run, t, h):
     stages = method.shape[STAGES]
     row = stages + 1 + method.shape[ESTIMATES]
     for k in range(method.shape[DENSE_STAGES]):
-        _row(method, problem, memory, row, trial, x)
+        combine_row(method, problem, memory, row, trial, x)
         stage = stages + 1 + k
         out = address_of(memory.stages, stage * length)
         run.counts[EVALUATIONS] += 1
@@ -106,7 +106,7 @@ def prepare_interpolant(method, problem, memory, run, t, h):
         interpolant[i] = memory.new[i] - memory.x[i]
     zero = address_of(memory.zero, 0)
     for k in range(1, method.shape[DEPTH]):
-        _row(method, problem, memory, row, address_of(interpolant, k * length), zero)
+        combine_row(method, problem, memory, row, address_of(interpolant, k * length), zero)
         row += 1
     return 0
 

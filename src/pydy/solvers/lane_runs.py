@@ -1,0 +1,163 @@
+"""Integrations of many samples from Python's side: arrays for the stepper of lanes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from pydy._kernel import Kernel
+from pydy.solvers import lane_layout as at
+from pydy.solvers import layout
+from pydy.solvers.intrinsics import BLOCK
+from pydy.solvers.lane_layout import LaneProblem, Lanes, Queue
+from pydy.solvers.layout import Memory
+from pydy.solvers.methods import method_arrays
+from pydy.solvers.options import Options
+from pydy.solvers.problem import tables_of
+
+__all__ = ["LANES", "LaneResult", "evaluate_samples", "integrate_samples"]
+
+LANES = BLOCK
+_SLICE = 0.02  # seconds in compiled code, about, between two looks at whether to go on
+
+
+@dataclass(frozen=True, eq=False)
+class LaneResult:
+    """What became of m samples.
+
+    Attributes
+    ----------
+    states : ndarray, shape (n, m, times)
+        NaN from where a sample failed.
+    counts : ndarray of int64, shape (m, 4)
+        Steps, rejected ones, evaluations, and how it ended: a status of `lane_layout`.
+    reached : ndarray, shape (m,)
+        The time up to which each was integrated.
+    """
+
+    states: np.ndarray
+    counts: np.ndarray
+    reached: np.ndarray
+
+
+def integrate_samples(
+    kernel: Kernel,
+    method: str,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+    sampled: Sequence[tuple[np.ndarray, Any]],
+    times: np.ndarray,
+    options: Options,
+    stopped: Callable[[], bool] = lambda: False,
+) -> LaneResult:
+    """Integrate m samples, `LANES` at a time.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        Of `LANES` lanes.
+    method : str
+        An explicit one.
+    x, r, p : ndarray, shapes (m, n), (m, s), (m, k)
+    sampled : sequence of (columns, SampledInput)
+        The places in r that samples in time take, the same for all.
+    times : ndarray
+    options : Options
+    stopped : callable
+        Asked now and then; True ends the work with KeyboardInterrupt.
+    """
+    from pydy.solvers.lanes import step_lanes
+
+    m, n = x.shape
+    length = BLOCK * n
+    arrays = method_arrays(method, length)
+    stages, depth = len(arrays.nodes), int(arrays.shape[layout.DEPTH])
+    vectors = np.zeros((6 + stages + depth, length))
+    memory = Memory(
+        x=vectors[0],
+        new=vectors[1],
+        trial=vectors[2],
+        step=np.zeros(BLOCK),
+        zero=vectors[3],
+        errors=vectors[4:6].ravel(),
+        stages=vectors[6 : 6 + stages].ravel(),
+        interpolant=vectors[6 + stages :].ravel(),
+        rtol=np.broadcast_to(np.asarray(options.rtol, dtype=float), (n,)).copy(),
+        atol=np.maximum(np.broadcast_to(np.asarray(options.atol, dtype=float), (n,)), 1e-300),
+    )
+    floats = np.zeros((9, BLOCK))
+    lanes = Lanes(*floats, np.full(BLOCK, at.VACANT), np.zeros(BLOCK, dtype=np.int64))
+    queue = Queue(
+        state=np.array([0, 0, options.max_steps], dtype=np.int64),
+        numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),
+        times=np.ascontiguousarray(times),
+        x=np.ascontiguousarray(x),
+        r=np.ascontiguousarray(r),
+        p=np.ascontiguousarray(p),
+        states=np.empty((n, m, len(times))),
+        counts=np.zeros((m, 4), dtype=np.int64),
+        reached=np.full(m, times[0]),
+    )
+    problem = _problem(kernel, sampled)
+    budget = 1000
+    while True:
+        queue.state[at.BUDGET] = budget
+        start = perf_counter()
+        code = step_lanes(arrays, problem, memory, lanes, queue)
+        if code == at.EMPTY:
+            return LaneResult(queue.states, queue.counts, queue.reached)
+        if stopped():
+            raise KeyboardInterrupt
+        elapsed = max(perf_counter() - start, 1e-6)
+        budget = int(min(max(1.0, budget * _SLICE / elapsed), 4.0 * budget))
+
+
+def evaluate_samples(
+    kernel: Kernel,
+    r: np.ndarray,
+    p: np.ndarray,
+    sampled: Sequence[tuple[np.ndarray, Any]],
+    times: np.ndarray,
+    states: np.ndarray,
+) -> np.ndarray:
+    """Evaluate a Kernel of `LANES` lanes along trajectories, shape (outputs, m, times).
+
+    The parameters are those of `integrate_samples`; `states` has the shape (n, m, times).
+    """
+    from pydy.solvers.lanes import evaluate_lanes
+
+    n, m, number = states.shape
+    out = np.empty((len(kernel.program.outputs), m, number))
+    if out.size:
+        x = np.zeros(max(1, n) * BLOCK)
+        r, p, times = (np.ascontiguousarray(a) for a in (r, p, times))
+        evaluate_lanes(_problem(kernel, sampled), x, r, p, times, states, out)
+    return out
+
+
+def _problem(kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]]) -> LaneProblem:
+    program, addresses = kernel.program, kernel.addresses
+    assert addresses is not None
+    assert kernel.lanes == BLOCK
+    sizes = (program.num_states, program.num_specifieds, program.num_constants)
+    tables, knots, cubics = tables_of(sampled)
+
+    def room(items: int) -> np.ndarray:
+        return np.zeros(max(1, items) * BLOCK)
+
+    return LaneProblem(
+        words=np.array([*addresses, *sizes]),
+        clock=np.zeros(BLOCK),
+        r=room(program.num_specifieds),
+        p=room(program.num_constants),
+        c=room(len(program.carried)),
+        tables=np.ascontiguousarray(tables[:, :3]),
+        intervals=np.zeros((len(tables), BLOCK), dtype=np.int64),
+        knots=knots,
+        cubics=cubics,
+    )
