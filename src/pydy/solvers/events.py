@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
 from pydy._kernel import Kernel
+from pydy.trajectory import EventRecord
 
 __all__ = ["CompiledEvents", "Event", "EventRecord"]
 
@@ -70,27 +69,6 @@ class Event:
 
 
 @dataclass(frozen=True, eq=False)
-class EventRecord:
-    """An event that happened.
-
-    Attributes
-    ----------
-    time : float
-    name : str
-    index : int
-        Its place in `events`.
-    before, after : ndarray, shape (n,)
-        The states; the same without a reset.
-    """
-
-    time: float
-    name: str
-    index: int
-    before: np.ndarray
-    after: np.ndarray
-
-
-@dataclass(frozen=True, eq=False)
 class CompiledEvents:
     """Events as Kernels.
 
@@ -99,6 +77,8 @@ class CompiledEvents:
     names : tuple of str
     directions : tuple of int
     terminal : tuple of bool
+    constant : tuple of bool
+        Whether the expression depends on neither state nor time nor specifieds.
     values : Kernel
         The expressions.
     rates : Kernel
@@ -110,6 +90,7 @@ class CompiledEvents:
     names: tuple[str, ...]
     directions: tuple[int, ...]
     terminal: tuple[bool, ...]
+    constant: tuple[bool, ...]
     values: Kernel
     rates: Kernel
     resets: Sequence[Kernel | None]
