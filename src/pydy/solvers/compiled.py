@@ -23,6 +23,10 @@ __all__ = ["compiled", "inlined"]
 
 _LOG = logging.getLogger("pydy")
 
+# Arrays belong to the caller, who outlives the call: counting references to them, atomically, took
+# half of the time. Functions that make arrays have to say so.
+_OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "_nrt": False}
+
 
 @cache
 def _digest() -> str:
@@ -78,17 +82,34 @@ class _Cache(FunctionCache):
 
 def compiled(function: Callable[..., Any]) -> Any:
     """Compile a function that Python calls; it releases the interpreter's lock."""
-    dispatcher: Any = numba.njit(nogil=True, error_model="numpy")(function)
+    dispatcher: Any = numba.njit(**_OPTIONS)(function)
     if folder() is not None:
         dispatcher._cache = _Cache(function)  # type: ignore[no-untyped-call]
     return dispatcher
 
 
-def inlined(function: Callable[..., Any] | None = None, *, reassociate: bool = False) -> Any:
+def inlined(
+    function: Callable[..., Any] | None = None,
+    *,
+    reassociate: bool = False,
+    always: bool = False,
+    allocates: bool = False,
+) -> Any:
     """Compile a function that other compiled functions call.
 
-    With `reassociate`, its sums may be taken in any order, which lets them use vector registers.
+    Parameters
+    ----------
+    function : callable
+    reassociate : bool
+        Its sums may be taken in any order, which lets them use vector registers.
+    always : bool
+        It becomes a part of each caller. A call that hands over the tuples of `layout` passes a
+        hundred numbers, which takes longer than many a function; LLVM leaves it at that where a
+        function is long or has several callers.
+    allocates : bool
+        It makes arrays.
     """
     flags = {"contract", "reassoc", "nsz"} if reassociate else False
-    decorate = numba.njit(nogil=True, error_model="numpy", fastmath=flags)
+    options = {**_OPTIONS, "_nrt": allocates}
+    decorate = numba.njit(**options, fastmath=flags, forceinline=always)
     return decorate if function is None else decorate(function)

@@ -97,7 +97,7 @@ def _predict(memory, newton, n, h, last_size):
             newton.waves[k, i] = _TI[k, 0] * z[0, i] + _TI[k, 1] * z[1, i] + _TI[k, 2] * z[2, i]
 
 
-@inlined
+@inlined(allocates=True)
 def _solve_stages(problem, memory, run, newton, t, h, tolerance):
     """Iterate to the stages: (code, converged, iterations, rate of convergence)."""
     n = problem.words[STATES]
@@ -151,7 +151,7 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance):
     return 0, False, _ITERATIONS, rate
 
 
-@inlined
+@inlined(allocates=True)
 def _estimate(problem, memory, run, newton, t, h, first):
     """Return (code, error norm); a second, filtered estimate when the first is too large."""
     n = problem.words[STATES]

@@ -54,6 +54,54 @@ def call_prepare(typingctx, address, p, c):
 _TOGETHER = 4  # sums that grow side by side hide each other's latency, and share the weights
 
 
+def _combine_function(module: ir.Module) -> ir.Function:
+    """Return the function behind `combine`, one for all of a module's calls."""
+    kind = ir.FunctionType(ir.VoidType(), [_INT] * 8)
+    function = cgutils.get_or_insert_function(module, kind, "pydy_combine")
+    if not function.is_declaration:
+        return function
+    function.linkage = "internal"
+    function.attributes.add("noinline")
+    builder = ir.IRBuilder(function.append_basic_block())
+    y, x, h, stages, offsets, weights, count, blocks = function.args
+    three = ir.FunctionType(_BLOCK, [_BLOCK] * 3)
+    fma = cgutils.get_or_insert_function(module, three, f"llvm.fma.v{BLOCK}f64")
+    step = _load(builder, _pointer(builder, h, _BLOCK))
+    offsets = _pointer(builder, offsets, _INT)
+    weights = _pointer(builder, weights, _DOUBLE)
+    stages = _pointer(builder, stages, _DOUBLE)
+    zero = ir.Constant(_BLOCK, [0.0] * BLOCK)
+    totals = [cgutils.alloca_once(builder, _BLOCK) for _ in range(_TOGETHER)]
+
+    def write(first: Any, number: int) -> None:
+        """Write some blocks from `first` on."""
+        start = builder.mul(first, _INT(BLOCK))
+        starts = [builder.add(start, _INT(BLOCK * k)) for k in range(number)]
+        for total in totals[:number]:
+            builder.store(zero, total)
+        with cgutils.for_range(builder, count) as inner:
+            splat = _splat(builder, builder.load(builder.gep(weights, [inner.index])))
+            offset = builder.load(builder.gep(offsets, [inner.index]))
+            where = builder.gep(stages, [builder.add(offset, start)])
+            where = builder.bitcast(where, _BLOCK.as_pointer())
+            for k, total in enumerate(totals[:number]):
+                stage = _load(builder, builder.gep(where, [_INT(k)]))
+                builder.store(builder.call(fma, [splat, stage, builder.load(total)]), total)
+        for begin, total in zip(starts, totals, strict=False):
+            base = _load(builder, _block_at(builder, x, begin))
+            result = builder.call(fma, [step, builder.load(total), base])
+            builder.store(result, _block_at(builder, y, begin)).align = 8
+
+    groups = builder.udiv(blocks, _INT(_TOGETHER))
+    together = builder.mul(groups, _INT(_TOGETHER))
+    with cgutils.for_range(builder, groups) as outer:
+        write(builder.mul(outer.index, _INT(_TOGETHER)), _TOGETHER)
+    with cgutils.for_range(builder, builder.sub(blocks, together)) as outer:
+        write(builder.add(together, outer.index), 1)
+    builder.ret_void()
+    return function
+
+
 @intrinsic
 def combine(typingctx, y, x, h, stages, offsets, weights, count, blocks):
     """Compute ``y = x + h * sum(weights[j] * stages[offsets[j]:])`` for `blocks` blocks.
@@ -63,41 +111,7 @@ def combine(typingctx, y, x, h, stages, offsets, weights, count, blocks):
     """
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        y, x, h, stages, offsets, weights, count, blocks = arguments
-        kind = ir.FunctionType(_BLOCK, [_BLOCK] * 3)
-        fma = cgutils.get_or_insert_function(builder.module, kind, f"llvm.fma.v{BLOCK}f64")
-        step = _load(builder, _pointer(builder, h, _BLOCK))
-        offsets = _pointer(builder, offsets, _INT)
-        weights = _pointer(builder, weights, _DOUBLE)
-        stages = _pointer(builder, stages, _DOUBLE)
-        zero = ir.Constant(_BLOCK, [0.0] * BLOCK)
-        totals = [cgutils.alloca_once(builder, _BLOCK) for _ in range(_TOGETHER)]
-
-        def write(first: Any, number: int) -> None:
-            """Write some blocks from `first` on."""
-            start = builder.mul(first, _INT(BLOCK))
-            starts = [builder.add(start, _INT(BLOCK * k)) for k in range(number)]
-            for total in totals[:number]:
-                builder.store(zero, total)
-            with cgutils.for_range(builder, count) as inner:
-                splat = _splat(builder, builder.load(builder.gep(weights, [inner.index])))
-                offset = builder.load(builder.gep(offsets, [inner.index]))
-                where = builder.gep(stages, [builder.add(offset, start)])
-                where = builder.bitcast(where, _BLOCK.as_pointer())
-                for k, total in enumerate(totals[:number]):
-                    stage = _load(builder, builder.gep(where, [_INT(k)]))
-                    builder.store(builder.call(fma, [splat, stage, builder.load(total)]), total)
-            for begin, total in zip(starts, totals, strict=False):
-                base = _load(builder, _block_at(builder, x, begin))
-                result = builder.call(fma, [step, builder.load(total), base])
-                builder.store(result, _block_at(builder, y, begin)).align = 8
-
-        groups = builder.udiv(blocks, _INT(_TOGETHER))
-        together = builder.mul(groups, _INT(_TOGETHER))
-        with cgutils.for_range(builder, groups) as outer:
-            write(builder.mul(outer.index, _INT(_TOGETHER)), _TOGETHER)
-        with cgutils.for_range(builder, builder.sub(blocks, together)) as outer:
-            write(builder.add(together, outer.index), 1)
+        builder.call(_combine_function(builder.module), arguments)
         return context.get_dummy_value()
 
     return types.void(*[types.intp] * 8), codegen

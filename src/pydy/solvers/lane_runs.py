@@ -136,7 +136,8 @@ def evaluate_samples(
     if out.size:
         x = np.zeros(max(1, n) * BLOCK)
         r, p, times = (np.ascontiguousarray(a) for a in (r, p, times))
-        evaluate_lanes(_problem(kernel, sampled), x, r, p, times, states, out)
+        buffer = np.zeros(len(out) * BLOCK)
+        evaluate_lanes(_problem(kernel, sampled), x, buffer, r, p, times, states, out)
     return out
 
 

@@ -73,7 +73,7 @@ __all__ = ["evaluate_lanes", "step_lanes"]
 # -- the right-hand side --------------------------------------------------------------------------
 
 
-@inlined
+@inlined(always=True)
 def _set_inputs(problem):
     """Set the sampled inputs of each lane at its own time."""
     for k in range(problem.tables.shape[0]):
@@ -89,7 +89,7 @@ def _set_inputs(problem):
             problem.r[column * BLOCK + lane] = value
 
 
-@inlined
+@inlined(always=True)
 def _rates(problem, clock, x, out):
     """Evaluate; `x` and `out` are addresses. The bits of the lanes whose solve failed."""
     store(problem.clock, 0, clock)
@@ -109,19 +109,19 @@ def _rates(problem, clock, x, out):
 # -- samples come and go --------------------------------------------------------------------------
 
 
-@inlined
+@inlined(always=True)
 def _copy_in(values, buffer, lane):
     for i in range(values.size):
         buffer[i * BLOCK + lane] = values[i]
 
 
-@inlined
+@inlined(always=True)
 def _copy_over(buffer, count, source, target):
     for i in range(count):
         buffer[i * BLOCK + target] = buffer[i * BLOCK + source]
 
 
-@inlined
+@inlined(always=True)
 def _retire(lanes, queue, lane, status):
     """Write down how a lane's sample ended, and give the lane free."""
     sample = lanes.samples[lane]
@@ -134,7 +134,7 @@ def _retire(lanes, queue, lane, status):
     lanes.samples[lane] = VACANT
 
 
-@inlined
+@inlined(always=True)
 def _fill(problem, memory, lanes, queue):
     """Give vacant lanes the next samples; return the bits of these lanes and of all that work."""
     fresh = working = np.int64(0)
@@ -165,7 +165,7 @@ def _fill(problem, memory, lanes, queue):
     return fresh, working
 
 
-@inlined
+@inlined(always=True)
 def _norm(a, b, memory, n):
     """Return the root mean square of a − b in units of the tolerance at ``memory.x``."""
     total = splat(0.0)
@@ -176,7 +176,7 @@ def _norm(a, b, memory, n):
     return root(total / float(n))
 
 
-@inlined
+@inlined(always=True)
 def _first_size(method, problem, memory, largest, t):
     """Guess the first step: Hairer, Nørsett, Wanner, Solving ODEs I, II.4."""
     n = problem.words[STATES]
@@ -196,7 +196,7 @@ def _first_size(method, problem, memory, largest, t):
     return where(mask_of(failed), h0 * 1e-3, size)
 
 
-@inlined
+@inlined(always=True)
 def _start(method, problem, memory, lanes, queue, fresh):
     """Begin with the samples that lanes have just taken."""
     n, times = problem.words[STATES], queue.times
@@ -233,7 +233,7 @@ def _start(method, problem, memory, lanes, queue, fresh):
             _retire(lanes, queue, lane, FINISHED)
 
 
-@inlined
+@inlined(always=True)
 def _retire_some(lanes, queue, which, tired):
     for lane in range(BLOCK):
         if (which >> lane) & 1 == 1:
@@ -244,7 +244,7 @@ def _retire_some(lanes, queue, which, tired):
 # -- one step -------------------------------------------------------------------------------------
 
 
-@inlined
+@inlined(always=True)
 def _take_step(method, problem, memory, t, size):
     """Compute ``memory.new``; return the bits of the lanes whose solve failed."""
     length = memory.x.size
@@ -259,7 +259,7 @@ def _take_step(method, problem, memory, t, size):
     return failed
 
 
-@inlined
+@inlined(always=True)
 def _error(method, problem, memory):
     """Return the norm of the step's error: 1 is just good enough."""
     n, length, estimates = problem.words[STATES], memory.x.size, method.shape[ESTIMATES]
@@ -278,7 +278,7 @@ def _error(method, problem, memory):
     return root(first / float(n))
 
 
-@inlined
+@inlined(always=True)
 def _prepare_interpolant(method, problem, memory, t, size):
     """Compute ``memory.interpolant``; return the bits of the lanes whose solve failed."""
     n, length, stages = problem.words[STATES], memory.x.size, method.shape[STAGES]
@@ -301,7 +301,7 @@ def _prepare_interpolant(method, problem, memory, t, size):
     return failed
 
 
-@inlined
+@inlined(always=True)
 def _write_outputs(method, problem, memory, lanes, queue, within, at_end, t, size):
     """Write one output for each lane that has one due within its step, or at its end."""
     n, times = problem.words[STATES], queue.times
@@ -452,13 +452,12 @@ def step_lanes(method, problem, memory, lanes, queue):
 
 
 @compiled
-def evaluate_lanes(problem, x, r, p, times, states, out):
+def evaluate_lanes(problem, x, buffer, r, p, times, states, out):
     """Evaluate a kernel at all states (n, m, times); write (outputs, m, times).
 
     NaN states give NaN; so does a linear solve that fails.
     """
     n, m = states.shape[0], states.shape[1]
-    buffer = np.zeros(max(1, out.shape[0]) * BLOCK)
     for first in range(0, m, BLOCK):
         for lane in range(BLOCK):
             sample = min(first + lane, m - 1)

@@ -78,7 +78,7 @@ def _divide_transposed(factor, y):
         y[i] = value / factor[i, i]
 
 
-@inlined
+@inlined(allocates=True)
 def _minimum_norm(rows, right):
     """Return the least y with ``rows @ y = right``; `right` keeps what no y can reach.
 
@@ -129,7 +129,7 @@ def _minimum_norm(rows, right):
     return y
 
 
-@inlined
+@inlined(allocates=True)
 def project(problem, run, constraints, t, x):
     """Move the state `x`, an array, onto the constraints; 0, or UNPROJECTED."""
     words, values = constraints.words, constraints.values

@@ -20,7 +20,7 @@ from pydy.solvers.rates import rates
 __all__ = ["combine_row", "error_of_step", "interpolate", "prepare_interpolant", "take_step"]
 
 
-@inlined
+@inlined(always=True)
 def combine_row(method, problem, memory, row, y, x):
     """Compute y = x + h · (one row of the tableau · stages); y and x are addresses."""
     first = method.rows[row]
