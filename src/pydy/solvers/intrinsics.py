@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from llvmlite import ir
@@ -9,7 +10,7 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic as _intrinsic
 
-__all__ = ["BLOCK", "address_of", "call_kernel", "call_prepare", "combine", "nested"]
+__all__ = ["BLOCK", "address_of", "call_kernel", "call_prepare", "combine", "copy_items", "nested"]
 
 BLOCK = 8
 """Vectors are worked on in blocks of so many numbers, padded with zeros."""
@@ -60,9 +61,7 @@ def _combine_function(module: ir.Module) -> ir.Function:
     function = cgutils.get_or_insert_function(module, kind, "pydy_combine")
     if not function.is_declaration:
         return function
-    function.linkage = "internal"
-    function.attributes.add("noinline")
-    builder = ir.IRBuilder(function.append_basic_block())
+    builder = _begin(function)
     y, x, h, stages, offsets, weights, count, blocks = function.args
     three = ir.FunctionType(_BLOCK, [_BLOCK] * 3)
     fma = cgutils.get_or_insert_function(module, three, f"llvm.fma.v{BLOCK}f64")
@@ -92,12 +91,7 @@ def _combine_function(module: ir.Module) -> ir.Function:
             result = builder.call(fma, [step, builder.load(total), base])
             builder.store(result, _block_at(builder, y, begin)).align = 8
 
-    groups = builder.udiv(blocks, _INT(_TOGETHER))
-    together = builder.mul(groups, _INT(_TOGETHER))
-    with cgutils.for_range(builder, groups) as outer:
-        write(builder.mul(outer.index, _INT(_TOGETHER)), _TOGETHER)
-    with cgutils.for_range(builder, builder.sub(blocks, together)) as outer:
-        write(builder.add(together, outer.index), 1)
+    _in_groups(builder, blocks, write)
     builder.ret_void()
     return function
 
@@ -117,38 +111,99 @@ def combine(typingctx, y, x, h, stages, offsets, weights, count, blocks):
     return types.void(*[types.intp] * 8), codegen
 
 
+def _nested_function(module: ir.Module) -> ir.Function:
+    """Return the function behind `nested`, one for all of a module's calls."""
+    kind = ir.FunctionType(ir.VoidType(), [_INT] * 7)
+    function = cgutils.get_or_insert_function(module, kind, "pydy_nested")
+    if not function.is_declaration:
+        return function
+    builder = _begin(function)
+    y, x, parts, length, depth, theta, blocks = function.args
+    near = _load(builder, _pointer(builder, theta, _BLOCK))
+    far = builder.fsub(ir.Constant(_BLOCK, [1.0] * BLOCK), near)
+    parts = _pointer(builder, parts, _DOUBLE)
+    totals = [cgutils.alloca_once(builder, _BLOCK) for _ in range(_TOGETHER)]
+
+    def write(first: Any, number: int) -> None:
+        start = builder.mul(first, _INT(BLOCK))
+        for total in totals[:number]:
+            builder.store(ir.Constant(_BLOCK, [0.0] * BLOCK), total)
+        with cgutils.for_range(builder, depth) as inner:
+            level = builder.sub(builder.sub(depth, _INT(1)), inner.index)
+            where = builder.gep(parts, [builder.add(builder.mul(level, length), start)])
+            where = builder.bitcast(where, _BLOCK.as_pointer())
+            weight = builder.select(builder.trunc(level, ir.IntType(1)), far, near)
+            for k, total in enumerate(totals[:number]):
+                part = builder.fadd(_load(builder, builder.gep(where, [_INT(k)])), builder.load(total))
+                builder.store(builder.fmul(weight, part), total)
+        for k, total in enumerate(totals[:number]):
+            begin = builder.add(start, _INT(BLOCK * k))
+            base = _load(builder, _block_at(builder, x, begin))
+            result = builder.fadd(base, builder.load(total))
+            builder.store(result, _block_at(builder, y, begin)).align = 8
+
+    _in_groups(builder, blocks, write)
+    builder.ret_void()
+    return function
+
+
 @intrinsic
 def nested(typingctx, y, x, parts, length, depth, theta, blocks):
     """Compute ``y = x + θ (F0 + (1 − θ)(F1 + θ (F2 + …)))`` for `blocks` blocks.
 
-    `y`, `x` and `parts`, where `depth` vectors F lie `length` numbers apart, are addresses.
+    `y`, `x`, `parts`, where `depth` vectors F lie `length` numbers apart, and `theta`, one block,
+    are addresses.
     """
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        y, x, parts, length, depth, theta, blocks = arguments
-        near = _splat(builder, theta)
-        far = _splat(builder, builder.fsub(_DOUBLE(1.0), theta))
-        parts = _pointer(builder, parts, _DOUBLE)
-        total = cgutils.alloca_once(builder, _BLOCK)
-        with cgutils.for_range(builder, blocks) as outer:
-            start = builder.mul(outer.index, _INT(BLOCK))
-            builder.store(ir.Constant(_BLOCK, [0.0] * BLOCK), total)
-            with cgutils.for_range(builder, depth) as inner:
-                level = builder.sub(builder.sub(depth, _INT(1)), inner.index)
-                where = builder.gep(parts, [builder.add(builder.mul(level, length), start)])
-                part = _load(builder, builder.bitcast(where, _BLOCK.as_pointer()))
-                odd = builder.trunc(level, ir.IntType(1))
-                weight = builder.select(odd, far, near)
-                builder.store(builder.fmul(weight, builder.fadd(part, builder.load(total))), total)
-            base = _load(builder, _block_at(builder, x, start))
-            store = builder.store(
-                builder.fadd(base, builder.load(total)), _block_at(builder, y, start)
-            )
-            store.align = 8
+        builder.call(_nested_function(builder.module), arguments)
         return context.get_dummy_value()
 
-    arguments = [types.intp] * 5 + [types.float64, types.intp]
-    return types.void(*arguments), codegen
+    return types.void(*[types.intp] * 7), codegen
+
+
+def _copy_function(module: ir.Module) -> ir.Function:
+    """Return the function behind `copy_items`, one for all of a module's calls."""
+    kind = ir.FunctionType(ir.VoidType(), [_INT] * 5)
+    function = cgutils.get_or_insert_function(module, kind, "pydy_copy_items")
+    if not function.is_declaration:
+        return function
+    builder = _begin(function)
+    y, y_step, x, x_step, count = function.args
+    y, x = _pointer(builder, y, _DOUBLE), _pointer(builder, x, _DOUBLE)
+    with cgutils.for_range(builder, count) as loop:
+        value = builder.load(builder.gep(x, [builder.mul(loop.index, x_step)]))
+        builder.store(value, builder.gep(y, [builder.mul(loop.index, y_step)]))
+    builder.ret_void()
+    return function
+
+
+@intrinsic
+def copy_items(typingctx, y, y_step, x, x_step, count):
+    """Copy `count` numbers between two addresses, with the distance from one to the next."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        builder.call(_copy_function(builder.module), arguments)
+        return context.get_dummy_value()
+
+    return types.void(*[types.intp] * 5), codegen
+
+
+def _begin(function: ir.Function) -> ir.IRBuilder:
+    """Return a builder for a function that its module keeps to itself, and calls."""
+    function.linkage = "internal"
+    function.attributes.add("noinline")
+    return ir.IRBuilder(function.append_basic_block())
+
+
+def _in_groups(builder: Any, blocks: Any, write: Callable[[Any, int], None]) -> None:
+    """Call ``write(first, number)`` for all blocks, several together as long as there are."""
+    groups = builder.udiv(blocks, _INT(_TOGETHER))
+    together = builder.mul(groups, _INT(_TOGETHER))
+    with cgutils.for_range(builder, groups) as outer:
+        write(builder.mul(outer.index, _INT(_TOGETHER)), _TOGETHER)
+    with cgutils.for_range(builder, builder.sub(blocks, together)) as outer:
+        write(builder.add(together, outer.index), 1)
 
 
 def _splat(builder: Any, value: Any) -> Any:

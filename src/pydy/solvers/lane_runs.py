@@ -83,6 +83,7 @@ def integrate_samples(
         new=vectors[1],
         trial=vectors[2],
         step=np.zeros(BLOCK),
+        theta=np.zeros(BLOCK),
         zero=vectors[3],
         errors=vectors[4:6].ravel(),
         stages=vectors[6 : 6 + stages].ravel(),

@@ -11,7 +11,14 @@ from __future__ import annotations
 import numpy as np
 
 from pydy.solvers.compiled import compiled, inlined
-from pydy.solvers.intrinsics import BLOCK, address_of, call_kernel, call_prepare
+from pydy.solvers.intrinsics import (
+    BLOCK,
+    address_of,
+    call_kernel,
+    call_prepare,
+    copy_items,
+    nested,
+)
 from pydy.solvers.lane_layout import (
     BUDGET,
     CONSTANTS,
@@ -73,7 +80,7 @@ __all__ = ["evaluate_lanes", "step_lanes"]
 # -- the right-hand side --------------------------------------------------------------------------
 
 
-@inlined(always=True)
+@inlined
 def _set_inputs(problem):
     """Set the sampled inputs of each lane at its own time."""
     for k in range(problem.tables.shape[0]):
@@ -93,7 +100,8 @@ def _set_inputs(problem):
 def _rates(problem, clock, x, out):
     """Evaluate; `x` and `out` are addresses. The bits of the lanes whose solve failed."""
     store(problem.clock, 0, clock)
-    _set_inputs(problem)
+    if problem.tables.shape[0] > 0:
+        _set_inputs(problem)
     return np.int64(
         call_kernel(
             problem.words[KERNEL],
@@ -110,15 +118,25 @@ def _rates(problem, clock, x, out):
 
 
 @inlined(always=True)
-def _copy_in(values, buffer, lane):
-    for i in range(values.size):
-        buffer[i * BLOCK + lane] = values[i]
+def _copy_in(values, row, buffer, lane):
+    """Copy a row of an array into a lane."""
+    items = values.shape[1]
+    target, source = address_of(buffer, lane), address_of(values, row * items)
+    copy_items(target, BLOCK, source, 1, items)
 
 
 @inlined(always=True)
-def _copy_over(buffer, count, source, target):
-    for i in range(count):
-        buffer[i * BLOCK + target] = buffer[i * BLOCK + source]
+def _copy_over(buffer, items, source, target):
+    """Copy one lane to another."""
+    copy_items(address_of(buffer, target), BLOCK, address_of(buffer, source), BLOCK, items)
+
+
+@inlined(always=True)
+def _copy_out(problem, x, queue, lane, sample, k):
+    """Write a lane's state as output k of a sample."""
+    m, number = len(queue.x), queue.times.size
+    target = address_of(queue.states, sample * number + k)
+    copy_items(target, m * number, address_of(x, lane), BLOCK, problem.words[STATES])
 
 
 @inlined(always=True)
@@ -126,7 +144,8 @@ def _retire(lanes, queue, lane, status):
     """Write down how a lane's sample ended, and give the lane free."""
     sample = lanes.samples[lane]
     for k in range(lanes.next[lane], queue.times.size):
-        queue.states[:, sample, k] = np.nan
+        for i in range(queue.states.shape[0]):
+            queue.states[i, sample, k] = np.nan
     counts = queue.counts[sample]
     counts[STEPS], counts[REJECTED] = lanes.steps[lane], lanes.rejected[lane]
     counts[EVALUATIONS], counts[STATUS] = lanes.evaluations[lane], status
@@ -144,9 +163,9 @@ def _fill(problem, memory, lanes, queue):
             sample = queue.state[HEAD]
             queue.state[HEAD] += 1
             lanes.samples[lane] = sample
-            _copy_in(queue.x[sample], memory.x, lane)
-            _copy_in(queue.r[sample], problem.r, lane)
-            _copy_in(queue.p[sample], problem.p, lane)
+            _copy_in(queue.x, sample, memory.x, lane)
+            _copy_in(queue.r, sample, problem.r, lane)
+            _copy_in(queue.p, sample, problem.p, lane)
             lanes.time[lane] = queue.times[0]
             fresh |= np.int64(1) << lane
         if lanes.samples[lane] >= 0:
@@ -222,8 +241,7 @@ def _start(method, problem, memory, lanes, queue, fresh):
         k, sample = 0, lanes.samples[lane]
         bad = (failed >> lane) & 1 == 1
         while not bad and k < times.size and times[k] <= times[0]:
-            for i in range(n):
-                queue.states[i, sample, k] = memory.x[i * BLOCK + lane]
+            _copy_out(problem, memory.x, queue, lane, sample, k)
             k += 1
         lanes.next[lane] = k
         lanes.due[lane] = times[k] if k < times.size else np.inf
@@ -305,25 +323,24 @@ def _prepare_interpolant(method, problem, memory, t, size):
 def _write_outputs(method, problem, memory, lanes, queue, within, at_end, t, size):
     """Write one output for each lane that has one due within its step, or at its end."""
     n, times = problem.words[STATES], queue.times
-    if bits(within) != 0:
-        theta = where(within, (load(lanes.due, 0) - t) / size, 0.0)
-        rest = 1.0 - theta
+    store(memory.theta, 0, where(within, (load(lanes.due, 0) - t) / size, 0.0))
+    nested(
+        address_of(memory.trial, 0),
+        address_of(memory.x, 0),
+        address_of(memory.interpolant, 0),
+        memory.x.size,
+        method.shape[DEPTH],
+        address_of(memory.theta, 0),
+        n,
+    )
+    if bits(at_end) != 0:
         for i in range(n):
-            total = splat(0.0)
-            for level in range(method.shape[DEPTH] - 1, -1, -1):
-                part = load(memory.interpolant, level * n + i) + total
-                total = (theta if level % 2 == 0 else rest) * part
-            value = load(memory.x, i) + total
-            store(memory.trial, i, where(at_end, load(memory.new, i), value))
-    else:
-        for i in range(n):
-            store(memory.trial, i, load(memory.new, i))
+            store(memory.trial, i, where(at_end, load(memory.new, i), load(memory.trial, i)))
     wanted = bits(within | at_end)
     for lane in range(BLOCK):
         if (wanted >> lane) & 1 == 1:
             sample, k = lanes.samples[lane], lanes.next[lane]
-            for i in range(n):
-                queue.states[i, sample, k] = memory.trial[i * BLOCK + lane]
+            _copy_out(problem, memory.trial, queue, lane, sample, k)
             lanes.next[lane] = k + 1
             lanes.due[lane] = times[k + 1] if k + 1 < times.size else np.inf
 
@@ -461,8 +478,8 @@ def evaluate_lanes(problem, x, buffer, r, p, times, states, out):
     for first in range(0, m, BLOCK):
         for lane in range(BLOCK):
             sample = min(first + lane, m - 1)
-            _copy_in(r[sample], problem.r, lane)
-            _copy_in(p[sample], problem.p, lane)
+            _copy_in(r, sample, problem.r, lane)
+            _copy_in(p, sample, problem.p, lane)
         call_prepare(problem.words[PREPARE], address_of(problem.p, 0), address_of(problem.c, 0))
         for k in range(times.size):
             for lane in range(BLOCK):

@@ -64,6 +64,7 @@ class Memory(NamedTuple):
     new: np.ndarray
     trial: np.ndarray
     step: np.ndarray  # the step size, once for each place of a block
+    theta: np.ndarray  # a part of the step, the same way
     zero: np.ndarray
     errors: np.ndarray  # two vectors, one after the other
     stages: np.ndarray  # vectors

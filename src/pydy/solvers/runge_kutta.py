@@ -114,12 +114,14 @@ def prepare_interpolant(method, problem, memory, run, t, h):
 @inlined
 def interpolate(method, problem, memory, theta, out):
     """Write the state at t + θ h to the address `out`, in whole blocks."""
+    for i in range(memory.theta.size):
+        memory.theta[i] = theta
     nested(
         out,
         address_of(memory.x, 0),
         address_of(memory.interpolant, 0),
         memory.x.size,
         method.shape[DEPTH],
-        theta,
+        address_of(memory.theta, 0),
         problem.words[BLOCKS],
     )
