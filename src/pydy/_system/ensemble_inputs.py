@@ -1,0 +1,305 @@
+"""Turn what a user varies into the samples and the model of an ensemble."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pydy._names import latex_of, name_of, unique_names
+from pydy._numbers import number, real_array
+from pydy._system.definition import Definition
+from pydy._system.expressions import driven
+from pydy._system.inputs import check_mapping
+from pydy._system.solving import HANDLED, prepare
+from pydy._version import __version__
+from pydy.codegen.arguments import SpecifiedsPlan, describe, symbolic_entries
+from pydy.codegen.right_hand_side import RightHandSide
+from pydy.ensemble.engine import Ensemble
+from pydy.ensemble.model import Model
+from pydy.ensemble.samples import Coordinate, Samples, block_sizes
+from pydy.ensemble.work import Work, read_reductions
+from pydy.inputs import SampledInput
+from pydy.solvers.options import Options, read_options
+from pydy.solvers.solver import SOLVERS, Solver
+
+__all__ = ["make_ensemble", "split_specifieds"]
+
+_BYTES = 8e6  # of results in a block, about
+_LEAST, _MOST = 64, 8192  # samples in a block
+
+
+class _Axes:
+    """Collects dimensions, and coordinates along them.
+
+    Parameters
+    ----------
+    product : bool
+        Whether each plain array has a dimension of its own.
+    taken : iterable of str
+        Names that variables of the result have.
+    """
+
+    def __init__(self, product: bool, taken: Iterable[str]) -> None:
+        self.product = product
+        self.taken = {*taken, "time", "occurrence"}
+        self.dims: dict[str, int] = {}
+        self.coordinates: dict[str, Coordinate] = {}
+        self._from: dict[str, str] = {}
+
+    def add(self, what: str, value: Any, name: str, attrs: dict[str, Any]) -> tuple[Any, Any]:
+        """Take one value; return it as (dims, float array).
+
+        Parameters
+        ----------
+        what : str
+            Its name in messages.
+        value : number, array or xarray.DataArray
+        name : str
+            That of its coordinate.
+        attrs : dict
+        """
+        dims: tuple[str, ...]
+        if hasattr(value, "dims") and hasattr(value, "coords"):
+            dims = tuple(map(str, value.dims))
+            array = real_array(np.asarray(value), what)
+            for d in dims:
+                if d in value.coords and value.coords[d].ndim == 1:
+                    own = value.coords[d]
+                    self._label(what, d, Coordinate((d,), np.asarray(own), dict(own.attrs)))
+        else:
+            array = real_array(value, what)
+            if array.ndim > 1:
+                raise ValueError(
+                    f"{what} must be a number, a one-dimensional array, or an xarray.DataArray "
+                    f"that names its dimensions, got the shape {array.shape}."
+                )
+            dims = (name if self.product else "sample",) * array.ndim
+        if not np.isfinite(array).all():
+            where = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
+            raise ValueError(f"{what} must be finite, got {array[where]} at index {where}.")
+        for d, size in zip(dims, array.shape, strict=True):
+            self._dimension(what, d, size)
+        if dims:
+            self._label(what, name, Coordinate(dims, np.array(array), attrs))
+        return dims, array
+
+    def _dimension(self, what: str, dim: str, size: int) -> None:
+        if dim in self.taken:
+            raise ValueError(
+                f"{what} has the dimension `{dim}`, which is the name of a variable of the result. "
+                "Choose another name."
+            )
+        if size == 0:
+            raise ValueError(f"{what} must not be empty along `{dim}`.")
+        if self.dims.setdefault(dim, size) != size:
+            raise ValueError(
+                f"{what} has {size} values along `{dim}`, but {self._from[dim]} has "
+                f"{self.dims[dim]}. Make them equally long, give them different dimensions as "
+                "xarray.DataArray, or pass product=True for all combinations."
+            )
+        self._from.setdefault(dim, what)
+
+    def _label(self, what: str, name: str, coordinate: Coordinate) -> None:
+        known = self.coordinates.get(name)
+        if known is not None and not np.array_equal(known.values, coordinate.values):
+            raise ValueError(
+                f"{what} has other coordinates along `{name}` than {self._from.get(name, name)}: "
+                "values are matched by position, so labels must agree."
+            )
+        if known is None or "role" in coordinate.attrs:
+            self.coordinates[name] = coordinate
+
+
+def split_specifieds(given: Mapping[Any, Any]) -> tuple[dict[Any, Any], dict[Any, Any]]:
+    """Return the specifieds that vary from sample to sample, and those of all samples."""
+    varied, common = {}, {}
+    for key, value in check_mapping("specifieds", given).items():
+        plain = not isinstance(key, (tuple, list, str)) and not callable(value)
+        symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
+        several = hasattr(value, "dims") or (plain and not symbolic and np.ndim(value) > 0)
+        (varied if plain and several else common)[key] = value
+    return varied, common
+
+
+def _columns(
+    argument: str,
+    given: Mapping[Any, Any],
+    symbols: Sequence[Any],
+    base: np.ndarray,
+    axes: _Axes,
+    names: Mapping[Any, str],
+    role: str,
+) -> list[tuple[Any, Any]]:
+    """Return (dims, values) for each symbol; those that are not given are as in `base`."""
+    columns: list[tuple[Any, Any]] = [((), np.asarray(value)) for value in base]
+    place = {s: k for k, s in enumerate(symbols)}
+    for symbol, value in given.items():
+        if symbol not in place:
+            what = {"initial": "states", "constant": "constants"}.get(role, "specifieds")
+            raise ValueError(
+                f"`{argument}` has the key `{symbol}`, which is not one of the {what} of the "
+                f"system: {describe(symbols)}."
+            )
+        what = f"`{argument}[{symbol}]`"
+        if not hasattr(value, "dims") and np.ndim(value) == 0:
+            columns[place[symbol]] = ((), np.asarray(number(value, what, finite=True)))
+        else:
+            attrs = {"role": role, "latex": latex_of(symbol)}
+            columns[place[symbol]] = axes.add(what, value, names[symbol], attrs)
+    return columns
+
+
+def _aligned(columns: list[tuple[Any, Any]], dims: Mapping[str, int]) -> tuple[np.ndarray, ...]:
+    """Return arrays with one axis for each dimension, in order."""
+    result = []
+    for own, values in columns:
+        order = [own.index(d) for d in dims if d in own]
+        shape = [dims[d] if d in own else 1 for d in dims]
+        result.append(np.transpose(values, order).reshape(shape))
+    return tuple(result)
+
+
+def make_ensemble(
+    definition: Definition,
+    exact: RightHandSide,
+    plan: SpecifiedsPlan,
+    base: tuple[np.ndarray, np.ndarray],
+    given: tuple[Mapping[Any, Any], Mapping[Any, Any], Mapping[Any, Any]],
+    times: np.ndarray,
+    ode_solver: Any,
+    options: Mapping[str, Any],
+    *,
+    product: bool,
+    chunks: Any,
+    reduce: Any,
+    workers: int | None,
+    progress: bool,
+    units: Mapping[Any, str] | None,
+) -> Ensemble:
+    """Check everything and put it together.
+
+    Parameters
+    ----------
+    definition : Definition
+    exact : RightHandSide
+        With its linear solve compiled in.
+    plan : SpecifiedsPlan
+        The specifieds that are the same for all samples.
+    base : (x0, p)
+        The values of what is not given.
+    given : (initial_conditions, constants, specifieds)
+        The latter only those that vary.
+    times : ndarray
+    ode_solver : str or Solver
+    options : mapping
+        Of the solver, events and constraints included.
+    product, chunks, reduce, workers, progress, units
+        As in `System.integrate_ensemble`.
+    """
+    solver = _native(ode_solver)
+    if workers is not None and (isinstance(workers, bool) or not workers >= 1):
+        raise ValueError(f"`workers` must be at least 1, got {workers!r}.")
+    variables = (*definition.states, *definition.outputs_symbols)
+    names = dict(zip(variables, unique_names(variables), strict=True))
+    axes = _Axes(product, names.values())
+    labels = {s: f"initial_{names[s]}" for s in definition.states}
+    for s in (*definition.constants, *definition.specifieds):
+        name = name_of(s)
+        labels[s] = f"{name} (constant)" if name in axes.taken else name
+    initial, constants, specifieds = given
+    x = _columns("initial_conditions", initial, definition.states, base[0], axes, labels, "initial")
+    p = _columns("constants", constants, definition.constants, base[1], axes, labels, "constant")
+    r = _columns(
+        "specifieds", specifieds, definition.specifieds, plan.values, axes, labels, "specified"
+    )
+    for s, (dims, value) in zip(definition.constants, p, strict=True):
+        if not dims:
+            attrs = {"role": "constant", "latex": latex_of(s)}
+            axes.coordinates.setdefault(labels[s], Coordinate((), value, attrs))
+    samples = Samples(axes.dims, *(_aligned(c, axes.dims) for c in (x, r, p)), axes.coordinates)
+
+    driving = driven(exact, definition, plan)
+    implementation, rest = exact, dict(options)
+    if HANDLED & rest.keys():
+        implementation, rest = prepare(solver, definition, exact, driving, rest)
+    own = {k: v for k, v in rest.items() if k not in ("events", "constraints")}
+    read = read_options(solver.name, solver.adaptive, own)
+    read = Options(**{**vars(read), **rest, "full_output": True})
+    _check_tolerances(read, len(definition.states))
+    assembly = driven(implementation, definition, plan).assembly
+    model = Model(
+        rates=assembly.program("rates"),
+        outputs=assembly.program("outputs") if definition.outputs_symbols else None,
+        states=tuple(names[s] for s in definition.states),
+        output_names=tuple(names[s] for s in definition.outputs_symbols),
+        method=solver.name,
+        options=read,
+        times=times,
+        sampled=plan.sampled,
+        functions=tuple((columns, function) for columns, function, _ in plan.functions),
+        jacobian=assembly.jacobian_program("rates", "x") if solver.name == "radau" else None,
+    )
+    reductions = read_reductions(reduce, model, lambda key: names.get(key, name_of(key)))
+    described = _attributes(definition, names, units)
+    work = Work(model, reductions, described)
+    # Work with few samples goes to all threads; large results come in pieces.
+    row = 8.0 * len(names) * (len(times) if not reductions else 8)
+    default = int(min(max(_BYTES / row, _LEAST), _MOST))
+    about = {
+        "ode_solver": solver.name,
+        "lanes": 8 if model.in_lanes else 1,
+        "rtol": np.asarray(read.rtol).tolist(),
+        "atol": np.asarray(read.atol).tolist(),
+        "pydy_version": __version__,
+    }
+    sizes = block_sizes(samples.dims, chunks, default)
+    return Ensemble(work, samples, sizes, about, workers, progress)
+
+
+def _native(ode_solver: Any) -> Solver:
+    solver = SOLVERS.get(ode_solver) if isinstance(ode_solver, str) else ode_solver
+    if not isinstance(solver, Solver):
+        raise ValueError(
+            f"`ode_solver` must be a native solver, one of {', '.join(map(repr, SOLVERS))}, got "
+            f"{ode_solver!r}. For another one, integrate in a loop."
+        )
+    return solver
+
+
+def _check_tolerances(options: Options, n: int) -> None:
+    least = 10.0 * np.finfo(float).eps
+    for name in ("rtol", "atol"):
+        if np.shape(getattr(options, name)) not in ((), (n,)):
+            raise ValueError(
+                f"`{name}` must be a number or have the shape ({n},), got "
+                f"{np.shape(getattr(options, name))}."
+            )
+    if options.step is None and (np.maximum(options.rtol, options.atol) < least).any():
+        raise ValueError(
+            f"`rtol` or `atol` must be at least {least:.1e}, ten times the rounding unit, got "
+            f"rtol = {options.rtol} and atol = {options.atol}."
+        )
+
+
+def _attributes(
+    definition: Definition, names: Mapping[Any, str], units: Mapping[Any, str] | None
+) -> dict[str, dict[str, Any]]:
+    """Return the attributes of variables."""
+    equations = definition.equations
+    roles = {**dict.fromkeys(equations.coordinates, "coordinate")}
+    roles |= dict.fromkeys(equations.speeds, "speed")
+    roles |= dict.fromkeys(definition.auxiliaries, "auxiliary")
+    result = {
+        name: {"role": roles.get(s, "output"), "latex": latex_of(s)} for s, name in names.items()
+    }
+    for key, unit in check_mapping("units", units).items():
+        name = names.get(key, name_of(key))
+        if name not in result:
+            raise ValueError(
+                f"`units` has the key `{key}`, which is neither a state nor an output: "
+                f"{', '.join(result)}."
+            )
+        result[name]["units"] = str(unit)
+    return result

@@ -1,0 +1,206 @@
+"""Blocks of an ensemble on threads, as tasks of Dask, and into a Zarr store."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from math import prod
+from threading import Event
+from typing import Any
+
+import numpy as np
+
+from pydy._optional import require
+from pydy.ensemble import store as stores
+from pydy.ensemble.labels import Variable, to_dataset
+from pydy.ensemble.samples import Block, Samples
+from pydy.ensemble.work import Work
+
+__all__ = ["Ensemble"]
+
+
+@dataclass(frozen=True, eq=False)
+class Ensemble:
+    """An ensemble that is ready to run.
+
+    Attributes
+    ----------
+    work : Work
+    samples : Samples
+    sizes : tuple of int
+        Of blocks, along each dimension.
+    attrs : dict
+        Of the Dataset.
+    workers : int or None
+        How many threads; None for as many as there are processors.
+    progress : bool
+    """
+
+    work: Work
+    samples: Samples
+    sizes: tuple[int, ...]
+    attrs: dict[str, Any]
+    workers: int | None = None
+    progress: bool = False
+
+    # -- in memory ----------------------------------------------------------------------------
+
+    def run(self) -> Any:
+        """Return the Dataset, computed on threads."""
+        whole: dict[str, Variable] = {}
+
+        def take(block: Block, found: dict[str, Variable]) -> None:
+            for name, v in found.items():
+                if name not in whole:
+                    shape = (*self.samples.shape, *v.values.shape[len(block) :])
+                    whole[name] = Variable(v.dims, np.empty(shape, v.values.dtype), v.attrs)
+                whole[name].values[block] = v.values
+
+        self._on_threads(self._blocks(), lambda samples, stop: self.work(samples, stop), take)
+        return self._dataset(whole)
+
+    def _dataset(self, variables: dict[str, Variable]) -> Any:
+        times = self.work.model.times
+        return to_dataset(variables, self.samples.coordinates, times, self.attrs)
+
+    def _blocks(self) -> list[Block]:
+        return [block for _, block in self.samples.blocks(self.sizes)]
+
+    def _on_threads(
+        self,
+        blocks: Sequence[Block],
+        work: Callable[[Samples, Callable[[], bool]], Any],
+        take: Callable[[Block, Any], None],
+    ) -> None:
+        """Do some work for each block, and take its result in this thread."""
+        stop, bar = Event(), self._bar(blocks)
+        workers = self.workers or _processors()
+        todo = iter(blocks)
+        running: dict[Future[Any], Block] = {}
+        with ThreadPoolExecutor(max_workers=workers, thread_name_prefix="ensemble") as pool:
+            try:
+                while True:
+                    while len(running) < 2 * workers and (block := next(todo, None)) is not None:
+                        future = pool.submit(work, self.samples.of(block), stop.is_set)
+                        running[future] = block
+                    if not running:
+                        break
+                    for future in wait(running, return_when=FIRST_COMPLETED).done:
+                        block = running.pop(future)
+                        take(block, _result(future, block, self.samples))
+                        if bar is not None:
+                            bar.update(prod(s.stop - s.start for s in block))
+            finally:
+                stop.set()  # blocks that are under way end within a moment
+                for future in running:
+                    future.cancel()
+                if bar is not None:
+                    bar.close()
+
+    def _bar(self, blocks: Iterable[Block]) -> Any:
+        if not self.progress:
+            return None
+        tqdm = require("tqdm.auto", "ensemble", "`progress=True`").tqdm
+        total = sum(prod(s.stop - s.start for s in block) for block in blocks)
+        return tqdm(total=total, unit=" samples")
+
+    # -- lazily -------------------------------------------------------------------------------
+
+    def lazy(self) -> Any:
+        """Return a Dataset of Dask arrays, a task for each block."""
+        dask = require("dask", "ensemble", "`chunks`")
+        array = require("dask.array", "ensemble", "`chunks`")
+        work = dask.delayed(self.work, traverse=False)
+        compute = dask.delayed(_compute, pure=False)
+        example = self._example()
+        tasks: dict[tuple[int, ...], tuple[Any, Block]] = {}
+        for place, block in self.samples.blocks(self.sizes):
+            tasks[place] = compute(work, self.samples.of(block)), block
+        numbers = [-(-whole // size) for whole, size in zip(self.samples.shape, self.sizes, strict=True)]
+
+        def gather(name: str, v: Variable, place: tuple[int, ...] = ()) -> Any:
+            if len(place) == len(numbers):
+                task, block = tasks[place]
+                shape = (*(s.stop - s.start for s in block), *v.values.shape[len(block) :])
+                return array.from_delayed(task[name], shape, v.values.dtype)
+            axis = len(place)
+            parts = [gather(name, v, (*place, k)) for k in range(numbers[axis])]
+            return parts[0] if len(parts) == 1 else array.concatenate(parts, axis=axis)
+
+        variables = {n: Variable(v.dims, gather(n, v), v.attrs) for n, v in example.items()}
+        return self._dataset(variables)
+
+    def _example(self) -> dict[str, Variable]:
+        """Return the results of the first sample: their names, sizes and kinds."""
+        return self.work(self.samples.of(self._first()))
+
+    def _first(self) -> Block:
+        return tuple(slice(0, 1) for _ in self.samples.dims)
+
+    # -- into a store -------------------------------------------------------------------------
+
+    def into(self, path: Any, resume: bool) -> Any:
+        """Write a Zarr store block by block, and return it as a Dataset.
+
+        Blocks that the store has are not computed again. Tasks of Dask do it where a scheduler of
+        Dask is chosen or a client is connected, threads otherwise.
+        """
+        xarray = require("xarray", "ensemble", "System.integrate_ensemble")
+        require("zarr", "ensemble", "`store`")
+        path = os.fspath(path)
+        token = stores.token_of(self.work, self.samples, self.sizes)
+        if not stores.check(path, token, resume):
+            first, times = self.samples.of(self._first()), self.work.model.times
+            example = to_dataset(self._example(), first.coordinates, times, self.attrs)
+            stores.create(path, token, example, self.samples, self.sizes)
+        left = stores.missing(path, self._blocks())
+        scheduler = self._scheduler()
+        if scheduler is None:
+            self._on_threads(
+                left,
+                lambda samples, stop: self.work(samples, stop),
+                lambda block, found: stores.write(path, block, found),
+            )
+        elif left:
+            dask = require("dask", "ensemble", "`store`")
+            work = dask.delayed(self.work, traverse=False)
+            write = dask.delayed(_compute_and_write, pure=False)
+            dask.compute([write(work, self.samples.of(b), path, b) for b in left])
+        return xarray.open_zarr(path, consolidated=False, chunks={} if scheduler else None)
+
+    def _scheduler(self) -> Any:
+        try:
+            from dask.base import get_scheduler
+        except ImportError:
+            return None
+        return get_scheduler()
+
+
+def _processors() -> int:
+    """Return how many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _compute(work: Work, samples: Samples) -> dict[str, np.ndarray]:
+    """Do one block: the task of a lazy Dataset."""
+    return {name: v.values for name, v in work(samples).items()}
+
+
+def _compute_and_write(work: Work, samples: Samples, path: str, block: Block) -> None:
+    """Do one block and write it: the task of a store."""
+    stores.write(path, block, work(samples))
+
+
+def _result(future: Future[Any], block: Block, samples: Samples) -> Any:
+    try:
+        return future.result()
+    except Exception as error:
+        where = ", ".join(
+            f"{dim} {s.start} to {s.stop - 1}" for dim, s in zip(samples.dims, block, strict=True)
+        )
+        error.add_note(f"This happened in the samples {where or 'given'} of the ensemble.")
+        raise

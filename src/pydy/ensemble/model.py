@@ -1,0 +1,246 @@
+"""What an ensemble integrates: Programs, names and options, which travel to wherever it is done."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from threading import Lock
+from typing import Any
+
+import numpy as np
+
+from pydy._backends.registry import compile_program
+from pydy._graph.program import Program
+from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.options import Options
+
+__all__ = ["STATUSES", "Model", "Results", "evaluate_outputs", "run"]
+
+# What the numbers in `status` mean. The first five are those of `pydy.solvers.lane_layout`.
+STATUSES = {
+    -1: "not_computed",
+    0: "finished",
+    1: "too_many_steps",
+    2: "step_underflow",
+    3: "singular",
+    4: "not_finite",
+    5: "terminated",
+    6: "constraints_not_met",
+    7: "no_convergence",
+    8: "failed",
+}
+# How the solvers begin to say why they stopped.
+_REASONS = {
+    "took": 1, "needs ever": 2, "met a singular": 3, "met derivatives": 4, "could not bring": 6,
+    "could not solve": 7,
+}  # fmt: skip
+_LANES = 8
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A model with the options of its integration.
+
+    Attributes
+    ----------
+    rates : Program
+        The derivatives of the states.
+    outputs : Program or None
+    states, output_names : tuple of str
+    method : str
+        The name of a native solver.
+    options : Options
+    times : ndarray
+    sampled : tuple of (columns, SampledInput)
+        The places in r that are samples in time, alike for all members of the ensemble.
+    functions : tuple of (columns, function)
+        Those that Python functions ``g(x, t)`` give; this costs a call each time.
+    jacobian : Program or None
+        ∂f/∂x, for an implicit method.
+    """
+
+    rates: Program
+    outputs: Program | None
+    states: tuple[str, ...]
+    output_names: tuple[str, ...]
+    method: str
+    options: Options
+    times: np.ndarray
+    sampled: tuple[tuple[np.ndarray, Any], ...] = ()
+    functions: tuple[tuple[np.ndarray, Callable[..., Any]], ...] = ()
+    jacobian: Program | None = None
+
+    @property
+    def in_lanes(self) -> bool:
+        """Whether trajectories are integrated several at a time."""
+        asks = self.options.events is not None or self.options.constraints is not None
+        return self.method != "radau" and not self.functions and not asks
+
+
+@dataclass(eq=False)
+class Results:
+    """What became of m samples.
+
+    Attributes
+    ----------
+    states : ndarray, shape (n, m, times)
+    steps, rejected, evaluations, status : ndarray of int64, shape (m,)
+    reached : ndarray, shape (m,)
+        The time up to which each was integrated.
+    events : list
+        For each sample, pairs of the number of an event and its time; empty without events.
+    """
+
+    states: np.ndarray
+    steps: np.ndarray
+    rejected: np.ndarray
+    evaluations: np.ndarray
+    status: np.ndarray
+    reached: np.ndarray
+    events: list[list[tuple[int, float]]] = field(default_factory=list)
+
+
+_KERNELS: dict[tuple[str, int], Kernel] = {}
+_LOCK = Lock()
+
+
+def _kernel(program: Program, lanes: int) -> Kernel:
+    """Return the Kernel of a Program, compiled or loaded once in a process."""
+    key = (program.digest, lanes)
+    with _LOCK:
+        if key not in _KERNELS:
+            _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
+        return _KERNELS[key]
+
+
+def run(
+    model: Model,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+    times: np.ndarray,
+    stopped: Callable[[], bool],
+) -> Results:
+    """Integrate m samples: x (m, n), r (m, s), p (m, k)."""
+    if not model.in_lanes:
+        return _run_one_by_one(model, x, r, p, times, stopped)
+    from pydy.solvers.lane_runs import integrate_samples
+
+    kernel = _kernel(model.rates, _LANES)
+    found = integrate_samples(
+        kernel, model.method, x, r, p, model.sampled, times, model.options, stopped
+    )
+    steps, rejected, evaluations, status = (np.array(c) for c in found.counts.T)
+    return Results(found.states, steps, rejected, evaluations, status, found.reached)
+
+
+def evaluate_outputs(
+    model: Model, r: np.ndarray, p: np.ndarray, times: np.ndarray, states: np.ndarray
+) -> np.ndarray:
+    """Return the outputs along trajectories (n, m, times), shape (outputs, m, times)."""
+    program = model.outputs
+    if program is None:
+        return np.empty((0, *states.shape[1:]))
+    if not model.functions:
+        from pydy.solvers.lane_runs import evaluate_samples
+
+        return evaluate_samples(_kernel(program, _LANES), r, p, model.sampled, times, states)
+    kernel = _kernel(program, 1)
+    out = np.empty((len(program.outputs), *states.shape[1:]))
+    for k in range(states.shape[1]):
+        inputs = _inputs(model, r[k])
+        x = np.ascontiguousarray(states[:, k].T)
+        reached = np.isfinite(x).all(axis=1)
+        rows = np.array(
+            [inputs(s, float(t)) if ok else r[k] for s, t, ok in zip(x, times, reached, strict=True)]
+        )
+        values, failed = kernel.evaluate(times, x, rows, np.ascontiguousarray(p[k]))
+        values[failed | ~reached] = np.nan
+        out[:, k] = values.T
+    return out
+
+
+# -- one by one -----------------------------------------------------------------------------------
+
+
+def _inputs(model: Model, r: np.ndarray) -> Callable[[np.ndarray, float], np.ndarray]:
+    """Return the function that gives all specifieds of one sample."""
+
+    def inputs(x: np.ndarray, t: float) -> np.ndarray:
+        result = r.copy()
+        for columns, samples in model.sampled:
+            result[columns] = samples.at(t)
+        for columns, function in model.functions:
+            result[columns] = function(x, t)
+        return result
+
+    return inputs
+
+
+def _run_one_by_one(
+    model: Model,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+    times: np.ndarray,
+    stopped: Callable[[], bool],
+) -> Results:
+    """Integrate with the solver of single trajectories."""
+    from pydy._errors import IntegrationError
+    from pydy.solvers.integration import integrate
+
+    m, n = x.shape
+    kernel = _kernel(model.rates, 1)
+    results = Results(
+        np.full((n, m, len(times)), np.nan),
+        *(np.zeros(m, dtype=np.int64) for _ in range(4)),
+        np.full(m, times[0]),
+    )
+    jacobian = model.jacobian
+    for k in range(m):
+        if stopped():
+            raise KeyboardInterrupt
+        call = KernelCall(
+            kernel,
+            np.ascontiguousarray(p[k]),
+            np.ascontiguousarray(r[k]),
+            model.sampled,
+            _inputs(model, r[k]) if model.functions else None,
+            lambda: model.states,
+            None if jacobian is None else lambda: _kernel(jacobian, 1),
+        )
+        try:
+            states, info = integrate(
+                model.method, _Rates(call), x[k], times, (r[k], p[k]), model.options
+            )
+            stopped_early = str(info["status"]).startswith("terminated")
+            results.status[k] = 5 if stopped_early else 0
+        except IntegrationError as error:
+            states, info = error.states, error.info
+            results.status[k] = _status(str(info["status"]))
+        results.states[:, k, : len(states)] = states.T
+        _take(results, k, info)
+    return results
+
+
+def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:
+    results.steps[k], results.rejected[k] = info["steps"], info["rejected"]
+    results.evaluations[k], results.reached[k] = info["evaluations"], info["time"]
+    results.events.append([(record.index, record.time) for record in info["events"]])
+
+
+def _status(text: str) -> int:
+    return next((code for start, code in _REASONS.items() if text.startswith(start)), 8)
+
+
+class _Rates:
+    """``f(x, t, r, p)`` with the attribute by which native solvers find its Kernel."""
+
+    def __init__(self, call: KernelCall) -> None:
+        self._call = call
+
+    def native(self, args: tuple[Any, ...]) -> KernelCall:
+        return self._call
+
+    def __call__(self, x: np.ndarray, t: float, r: np.ndarray, p: np.ndarray) -> np.ndarray:
+        return self._call.evaluate(self._call.kernel, np.asarray(x), t)

@@ -1,0 +1,233 @@
+"""One block of an ensemble: integrated, reduced, and given names."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy.ensemble.labels import Variable, to_dataset
+from pydy.ensemble.model import STATUSES, Model, Results, evaluate_outputs, run
+from pydy.ensemble.samples import Samples
+
+__all__ = ["Extreme", "Reduction", "Work", "read_reductions"]
+
+_OCCURRENCES = 8
+
+
+@dataclass(frozen=True)
+class Extreme:
+    """The largest or smallest value of a state or output."""
+
+    kind: str
+    name: str
+
+
+@dataclass(frozen=True)
+class _Final:
+    """States and outputs at the last time."""
+
+
+@dataclass(frozen=True)
+class _EventTimes:
+    """The first times at which events happened."""
+
+    occurrences: int
+
+
+Reduction = Extreme | _Final | _EventTimes | Callable[[Any], Any]
+
+
+def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tuple[Reduction, ...]:
+    """Check the argument `reduce`.
+
+    Parameters
+    ----------
+    reduce : None, one reduction or a list of them
+    model : Model
+    name : callable
+        Turns a symbol into its name.
+    """
+    if reduce is None:
+        return ()
+    wanted = reduce if isinstance(reduce, list) else [reduce]
+    names = (*model.states, *model.output_names)
+    result: list[Reduction] = []
+    for entry in wanted:
+        kind, *rest = entry if isinstance(entry, tuple) and entry else (entry,)
+        if callable(kind) and not rest:
+            result.append(kind)
+        elif kind == "final" and not rest:
+            result.append(_Final())
+        elif kind in ("max", "min") and len(rest) == 1:
+            if name(rest[0]) not in names:
+                raise ValueError(
+                    f"`reduce` asks for the {kind} of `{rest[0]}`, which is neither a state nor an "
+                    f"output: {', '.join(names)}."
+                )
+            result.append(Extreme(kind, name(rest[0])))
+        elif kind == "events" and len(rest) < 2:
+            number = rest[0] if rest else _OCCURRENCES
+            if model.options.events is None:
+                raise ValueError("`reduce='events'` needs `events`, a list of pydy.solvers.Event.")
+            if isinstance(number, bool) or not isinstance(number, int) or number < 1:
+                raise ValueError(f"`reduce` must have how many events to keep, got {number!r}.")
+            result.append(_EventTimes(number))
+        else:
+            raise ValueError(
+                "`reduce` must be 'final', ('max', name), ('min', name), 'events', ('events', "
+                f"number), a function of a Dataset, or a list of these, got {entry!r}."
+            )
+    functions = [entry for entry in result if callable(entry)]
+    if functions and len(result) > 1:
+        raise ValueError(
+            "`reduce` must be one function alone, or a list of the other reductions; a function "
+            "can do what they do."
+        )
+    return tuple(result)
+
+
+@dataclass(frozen=True, eq=False)
+class Work:
+    """What is done with each block; this travels to the workers.
+
+    Attributes
+    ----------
+    model : Model
+    reductions : tuple
+        Nothing: all times are kept.
+    attrs : dict of str to dict
+        Attributes of variables, by name.
+    """
+
+    model: Model
+    reductions: tuple[Reduction, ...]
+    attrs: dict[str, dict[str, Any]]
+
+    @property
+    def function(self) -> Callable[[Any], Any] | None:
+        """The user's own reduction."""
+        return next((f for f in self.reductions if callable(f)), None)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of states and outputs."""
+        return (*self.model.states, *self.model.output_names)
+
+    def __call__(
+        self, samples: Samples, stopped: Callable[[], bool] = lambda: False
+    ) -> dict[str, Variable]:
+        """Return the results for some samples, dimensions of samples first."""
+        model, times = self.model, self.model.times
+        if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
+            times = times[[0, -1]]  # steps do not depend on the outputs
+        x, r, p = samples.rows()
+        results = run(model, x, r, p, times, stopped)
+        found = self._reduced(results, times, samples, r, p)
+        for name in ("steps", "rejected", "evaluations", "status"):
+            found[name] = Variable((), getattr(results, name))
+        found["end_time"] = Variable((), results.reached)
+        shape, dims = samples.shape, tuple(samples.dims)
+        variables = {
+            name: Variable(
+                (*dims, *v.dims), v.values.reshape(*shape, *v.values.shape[1:]), v.attrs
+            )
+            for name, v in found.items()
+        }
+        variables = self._described(variables)
+        return self._by_function(variables, samples) if self.function else variables
+
+    def _described(self, variables: dict[str, Variable]) -> dict[str, Variable]:
+        own = {**self.attrs, "status": _STATUS_ATTRS, **_STATISTICS}
+        return {
+            name: Variable(v.dims, v.values, {**v.attrs, **own.get(name, {})})
+            for name, v in variables.items()
+        }
+
+    def _values(
+        self, names: Sequence[str], states: np.ndarray, times: np.ndarray, r: Any, p: Any
+    ) -> dict[str, np.ndarray]:
+        """Return states and outputs by name, each of the shape (m, times)."""
+        values = dict(zip(self.model.states, states, strict=True))
+        if not set(names) <= set(values):
+            outputs = evaluate_outputs(self.model, r, p, times, states)
+            values |= dict(zip(self.model.output_names, outputs, strict=True))
+        return values
+
+    def _reduced(
+        self, results: Results, times: np.ndarray, samples: Samples, r: Any, p: Any
+    ) -> dict[str, Variable]:
+        states = results.states
+        if not self.reductions or self.function:
+            values = self._values(self.names, states, times, r, p)
+            return {name: Variable(("time",), values[name]) for name in self.names}
+        found: dict[str, Variable] = {}
+        extremes = [e for e in self.reductions if isinstance(e, Extreme)]
+        along = self._values([e.name for e in extremes], states, times, r, p) if extremes else {}
+        for entry in self.reductions:
+            if isinstance(entry, Extreme):
+                take = np.fmax if entry.kind == "max" else np.fmin  # NaN is where there is nothing
+                name = f"{entry.name}_{entry.kind}"
+                attrs = self.attrs.get(entry.name, {})
+                found[name] = Variable((), take.reduce(along[entry.name], axis=1), dict(attrs))
+            elif isinstance(entry, _Final):
+                last = self._values(self.names, states[:, :, -1:], times[-1:], r, p)
+                found |= {name: Variable((), last[name][:, 0]) for name in self.names}
+            elif isinstance(entry, _EventTimes):
+                found |= self._event_times(results, entry.occurrences)
+        return found
+
+    def _event_times(self, results: Results, occurrences: int) -> dict[str, Variable]:
+        wanted = self.model.options.events
+        assert wanted is not None
+        found = {}
+        for index, name in enumerate(wanted.names):
+            when = np.full((len(results.events), occurrences), np.nan)
+            count = np.zeros(len(results.events), dtype=np.int64)
+            for k, events in enumerate(results.events):
+                mine = [t for number, t in events if number == index]
+                count[k] = len(mine)
+                when[k, : len(mine)] = mine[:occurrences]
+            found[f"{name}_count"] = Variable((), count, {"role": "event"})
+            found[f"{name}_times"] = Variable(("occurrence",), when, {"role": "event"})
+        return found
+
+    def _by_function(self, variables: dict[str, Variable], samples: Samples) -> dict[str, Variable]:
+        """Call the user's function and check what it returns."""
+        assert self.function is not None
+        dataset = to_dataset(variables, samples.coordinates, self.model.times)
+        result = self.function(dataset)
+        if hasattr(result, "to_dataset") and not hasattr(result, "data_vars"):
+            result = result.to_dataset(name=result.name or "result")
+        if not hasattr(result, "data_vars"):
+            raise TypeError(
+                "`reduce` must return an xarray.Dataset or DataArray, got "
+                f"{type(result).__name__}."
+            )
+        dims, kept = tuple(samples.dims), ("steps", "rejected", "evaluations", "status", "end_time")
+        found = {}
+        for name, array in result.data_vars.items():
+            missing = [d for d in dims if array.sizes.get(d) != samples.dims[d]]
+            if missing:
+                raise ValueError(
+                    f"`reduce` must keep the sample dimensions {', '.join(dims)} in what it "
+                    f"returns: `{name}` has {dict(array.sizes)}."
+                )
+            array = array.transpose(*dims, ...)
+            found[str(name)] = Variable(array.dims, np.asarray(array), dict(array.attrs))
+        return {**{name: variables[name] for name in kept}, **found}
+
+
+_STATUS_ATTRS = {
+    "long_name": "how the integration ended",
+    "flag_values": list(STATUSES),
+    "flag_meanings": " ".join(STATUSES.values()),
+}
+_STATISTICS = {
+    "steps": {"long_name": "accepted steps"},
+    "rejected": {"long_name": "rejected steps"},
+    "evaluations": {"long_name": "evaluations of the equations"},
+    "end_time": {"long_name": "time up to which the sample was integrated"},
+}
