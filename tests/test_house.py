@@ -49,7 +49,7 @@ FLOORS = {
 SHARED_ROOMS = {"__main__": "cli", "": "_version"}
 
 # What numba compiles; `pydy.solvers.solver` imports these inside a function.
-COMPILED = {"pydy.solvers.compiled", "pydy.solvers.intrinsics"}
+COMPILED = {"pydy.solvers.compiled", "pydy.solvers.intrinsics", "pydy.solvers.vectors"}
 
 # room -> what it never imports, whatever the floors say.
 NEVER = {
@@ -58,6 +58,7 @@ NEVER = {
     "solvers": ("pydy.system", "sympy", "pydy._graph"),
     "_kernel": ("pydy.system", "sympy"),
     "inputs": ("pydy.system", "sympy"),
+    "ensemble": ("pydy.system", "sympy"),
     "_numbers": ("pydy.system", "sympy"),
     "plot": ("pydy.system",),
     "viz": ("pydy.system",),
@@ -73,6 +74,7 @@ LATE = {
     "xarray",
     "dask",
     "distributed",
+    "zarr",
     "tqdm",
     "Cython",
     "setuptools",
@@ -249,7 +251,7 @@ def test_importing_pydy_loads_neither_sympy_nor_numpy():
 
 
 def test_a_worker_that_receives_a_kernel_never_loads_sympy():
-    loaded = modules_loaded_by("import pydy._backends.registry, pydy._kernel, pydy.inputs")
+    loaded = modules_loaded_by("import pydy._kernel, pydy.inputs, pydy.ensemble.engine")
     assert "sympy" not in loaded
 
 

@@ -1121,7 +1121,9 @@ class System:
         varied, common = split_specifieds(specifieds or {})
         plan = self._plan(self._specifieds)
         plan = plan.updated(SpecifiedsPlan(common, symbols, argument="specifieds"))
-        plan = plan.updated(SpecifiedsPlan(dict.fromkeys(varied, 0.0), symbols, argument="specifieds"))
+        plan = plan.updated(
+            SpecifiedsPlan(dict.fromkeys(varied, 0.0), symbols, argument="specifieds")
+        )
         chosen = self._times if times is None else times
         instants = check_times(chosen)
         if len(instants) < 2:

@@ -114,7 +114,8 @@ class _Axes:
 
 def split_specifieds(given: Mapping[Any, Any]) -> tuple[dict[Any, Any], dict[Any, Any]]:
     """Return the specifieds that vary from sample to sample, and those of all samples."""
-    varied, common = {}, {}
+    varied: dict[Any, Any] = {}
+    common: dict[Any, Any] = {}
     for key, value in check_mapping("specifieds", given).items():
         plain = not isinstance(key, (tuple, list, str)) and not callable(value)
         symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
@@ -218,7 +219,8 @@ def make_ensemble(
         if not dims:
             attrs = {"role": "constant", "latex": latex_of(s)}
             axes.coordinates.setdefault(labels[s], Coordinate((), value, attrs))
-    samples = Samples(axes.dims, *(_aligned(c, axes.dims) for c in (x, r, p)), axes.coordinates)
+    aligned = [_aligned(c, axes.dims) for c in (x, r, p)]
+    samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
 
     driving = driven(exact, definition, plan)
     implementation, rest = exact, dict(options)

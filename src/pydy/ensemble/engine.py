@@ -118,7 +118,9 @@ class Ensemble:
         tasks: dict[tuple[int, ...], tuple[Any, Block]] = {}
         for place, block in self.samples.blocks(self.sizes):
             tasks[place] = compute(work, self.samples.of(block)), block
-        numbers = [-(-whole // size) for whole, size in zip(self.samples.shape, self.sizes, strict=True)]
+        numbers = [
+            -(-whole // size) for whole, size in zip(self.samples.shape, self.sizes, strict=True)
+        ]
 
         def gather(name: str, v: Variable, place: tuple[int, ...] = ()) -> Any:
             if len(place) == len(numbers):

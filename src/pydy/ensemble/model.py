@@ -152,7 +152,10 @@ def evaluate_outputs(
         x = np.ascontiguousarray(states[:, k].T)
         reached = np.isfinite(x).all(axis=1)
         rows = np.array(
-            [inputs(s, float(t)) if ok else r[k] for s, t, ok in zip(x, times, reached, strict=True)]
+            [
+                inputs(s, float(t)) if ok else r[k]
+                for s, t, ok in zip(x, times, reached, strict=True)
+            ]
         )
         values, failed = kernel.evaluate(times, x, rows, np.ascontiguousarray(p[k]))
         values[failed | ~reached] = np.nan
@@ -191,11 +194,9 @@ def _run_one_by_one(
 
     m, n = x.shape
     kernel = _kernel(model.rates, 1)
-    results = Results(
-        np.full((n, m, len(times)), np.nan),
-        *(np.zeros(m, dtype=np.int64) for _ in range(4)),
-        np.full(m, times[0]),
-    )
+    counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
+    states = np.full((n, m, len(times)), np.nan)
+    results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
     jacobian = model.jacobian
     for k in range(m):
         if stopped():
@@ -210,15 +211,15 @@ def _run_one_by_one(
             None if jacobian is None else lambda: _kernel(jacobian, 1),
         )
         try:
-            states, info = integrate(
+            found, info = integrate(
                 model.method, _Rates(call), x[k], times, (r[k], p[k]), model.options
             )
             stopped_early = str(info["status"]).startswith("terminated")
             results.status[k] = 5 if stopped_early else 0
         except IntegrationError as error:
-            states, info = error.states, error.info
+            found, info = error.states, error.info
             results.status[k] = _status(str(info["status"]))
-        results.states[:, k, : len(states)] = states.T
+        results.states[:, k, : len(found)] = found.T
         _take(results, k, info)
     return results
 

@@ -127,7 +127,7 @@ def block_sizes(dims: Mapping[str, int], chunks: Any, default: int) -> tuple[int
         chunks = default
     _check_size(chunks, "`chunks`")
     left, result = int(chunks), []
-    for whole in reversed(dims.values()):
+    for whole in reversed(list(dims.values())):
         size = max(1, min(whole, left))
         result.append(size)
         left //= max(1, whole)

@@ -39,7 +39,15 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int]) -> str:
         reductions += [repr((events.names, events.directions, events.terminal))]
     if constraints is not None:
         programs.append(constraints.kernel.program.digest)
-    about = (__version__, programs, model.states, model.output_names, model.method, options, reductions)
+    about = (
+        __version__,
+        programs,
+        model.states,
+        model.output_names,
+        model.method,
+        options,
+        reductions,
+    )
     digest.update(repr((*about, samples.dims, tuple(sizes))).encode())
     for part in (model.times, *samples.x, *samples.r, *samples.p):
         digest.update(repr(part.shape).encode() + np.ascontiguousarray(part).tobytes())
@@ -98,10 +106,14 @@ def create(path: str, token: str, example: Any, samples: Samples, sizes: Sequenc
     for name, variable in example.variables.items():
         attrs = {**variable.attrs}
         if name in example.coords:
-            values = np.asarray(samples.coordinates[name].values) if name in samples.coordinates else (
-                np.asarray(variable)
+            values = (
+                np.asarray(samples.coordinates[name].values)
+                if name in samples.coordinates
+                else (np.asarray(variable))
             )
-            made = _array(group, name, values.shape, values.shape, values.dtype, variable.dims, attrs)
+            made = _array(
+                group, name, values.shape, values.shape, values.dtype, variable.dims, attrs
+            )
             made[...] = values
             continue
         rest = tuple(variable.sizes[d] for d in variable.dims if d not in dims)

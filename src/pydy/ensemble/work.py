@@ -132,7 +132,7 @@ class Work:
         shape, dims = samples.shape, tuple(samples.dims)
         variables = {
             name: Variable(
-                (*dims, *v.dims), v.values.reshape(*shape, *v.values.shape[1:]), v.attrs
+                (*dims, *v.dims), v.values.reshape((*shape, *v.values.shape[1:])), v.attrs
             )
             for name, v in found.items()
         }
@@ -203,8 +203,7 @@ class Work:
             result = result.to_dataset(name=result.name or "result")
         if not hasattr(result, "data_vars"):
             raise TypeError(
-                "`reduce` must return an xarray.Dataset or DataArray, got "
-                f"{type(result).__name__}."
+                f"`reduce` must return an xarray.Dataset or DataArray, got {type(result).__name__}."
             )
         dims, kept = tuple(samples.dims), ("steps", "rejected", "evaluations", "status", "end_time")
         found = {}

@@ -134,7 +134,9 @@ def _nested_function(module: ir.Module) -> ir.Function:
             where = builder.bitcast(where, _BLOCK.as_pointer())
             weight = builder.select(builder.trunc(level, ir.IntType(1)), far, near)
             for k, total in enumerate(totals[:number]):
-                part = builder.fadd(_load(builder, builder.gep(where, [_INT(k)])), builder.load(total))
+                part = builder.fadd(
+                    _load(builder, builder.gep(where, [_INT(k)])), builder.load(total)
+                )
                 builder.store(builder.fmul(weight, part), total)
         for k, total in enumerate(totals[:number]):
             begin = builder.add(start, _INT(BLOCK * k))

@@ -91,8 +91,9 @@ def integrate_samples(
         rtol=np.broadcast_to(np.asarray(options.rtol, dtype=float), (n,)).copy(),
         atol=np.maximum(np.broadcast_to(np.asarray(options.atol, dtype=float), (n,)), 1e-300),
     )
-    floats = np.zeros((9, BLOCK))
-    lanes = Lanes(*floats, np.full(BLOCK, at.VACANT), np.zeros(BLOCK, dtype=np.int64))
+    lanes = Lanes(**{name: np.zeros(BLOCK) for name in Lanes._fields})._replace(
+        samples=np.full(BLOCK, at.VACANT), next=np.zeros(BLOCK, dtype=np.int64)
+    )
     queue = Queue(
         state=np.array([0, 0, options.max_steps], dtype=np.int64),
         numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),

@@ -63,15 +63,15 @@ block, mask = _BlockType("Block"), _MaskType("Mask")
 
 
 @register_model(_BlockType)
-class _BlockModel(models.PrimitiveModel):  # type: ignore[misc]
+class _BlockModel(models.PrimitiveModel):
     def __init__(self, manager: Any, kind: Any) -> None:
-        super().__init__(manager, kind, _DOUBLES)
+        super().__init__(manager, kind, _DOUBLES)  # type: ignore[no-untyped-call]
 
 
 @register_model(_MaskType)
-class _MaskModel(models.PrimitiveModel):  # type: ignore[misc]
+class _MaskModel(models.PrimitiveModel):
     def __init__(self, manager: Any, kind: Any) -> None:
-        super().__init__(manager, kind, _FLAGS)
+        super().__init__(manager, kind, _FLAGS)  # type: ignore[no-untyped-call]
 
 
 def _spread(builder: Any, value: Any, kind: Any = _DOUBLES) -> Any:

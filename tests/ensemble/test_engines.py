@@ -1,0 +1,176 @@
+"""Where an ensemble is computed changes nothing: threads, Dask's schedulers, stores that resume."""
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from ensembles import constant, identical, pendulum, random_values, same_bits
+
+dask = pytest.importorskip("dask")
+pytest.importorskip("zarr")
+
+
+@pytest.mark.parametrize("chunks", [1, 7, 64, 1000, "auto", {"sample": 30}])
+def test_the_size_of_chunks_changes_no_bit(reference, chunks):
+    system, values, whole = reference
+    lazy = system.integrate_ensemble(**values, chunks=chunks)
+    assert dask.is_dask_collection(lazy.q1)
+    identical(lazy.compute(scheduler="threads"), whole)
+
+
+def test_a_product_is_computed_in_blocks_of_its_dimensions(reference):
+    system, _, _ = reference
+    grid = {
+        "initial_conditions": {system.states[1]: np.linspace(-1.0, 1.0, num=5)},
+        "constants": {constant(system, "g"): [1, 2, 3]},
+        "product": True,
+    }
+    whole = system.integrate_ensemble(**grid)
+    lazy = system.integrate_ensemble(**grid, chunks={"initial_q1": 2, "g": 2})
+    assert lazy.q1.chunks[:2] == ((2, 2, 1), (2, 1))
+    identical(lazy.compute(), whole)
+
+
+def test_processes_need_neither_sympy_nor_the_system(reference):
+    system, values, whole = reference
+    code = (
+        "import pickle, sys; from pathlib import Path\n"
+        "work, samples = pickle.loads(Path(sys.argv[1]).read_bytes())\n"
+        "found = work(samples)\n"
+        "assert 'sympy' not in sys.modules\n"
+        "Path(sys.argv[2]).write_bytes(found['q1'].values.tobytes())\n"
+    )
+    ensemble = _ensemble(system, values)
+    folder = Path(os.environ["PYDY_CACHE_DIR"])
+    folder.mkdir(exist_ok=True)
+    given, found = folder / "work.pickle", folder / "found"
+    given.write_bytes(pickle.dumps((ensemble.work, ensemble.samples)))
+    done = subprocess.run(
+        [sys.executable, "-c", code, given, found], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert found.read_bytes() == whole.q1.values.tobytes()
+
+
+def _ensemble(system, values, **options):
+    """What the System would run."""
+    taken = {}
+
+    def take(self):
+        taken["ensemble"] = self
+        return self
+
+    from pydy.ensemble.engine import Ensemble
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(Ensemble, "run", take)
+        return system.integrate_ensemble(**values, **options)
+
+
+# -- stores ---------------------------------------------------------------------------------------
+
+
+def test_a_store_holds_the_results(reference, tmp_path):
+    system, values, whole = reference
+    made = system.integrate_ensemble(**values, store=tmp_path / "s.zarr", chunks=25)
+    identical(made.load(), whole)
+    again = xr.open_zarr(tmp_path / "s.zarr", consolidated=False)
+    identical(again.load(), whole)
+    assert again.q1.attrs == whole.q1.attrs
+
+
+def test_only_what_is_missing_in_a_store_is_computed(reference, tmp_path):
+    system, values, whole = reference
+    path = tmp_path / "s.zarr"
+    system.integrate_ensemble(**values, store=path, chunks=25)
+    (path / "status" / "c" / "1").unlink()  # never finished
+    (path / "q1" / "c" / "1" / "0").write_bytes(b"half")  # and half written
+    (path / "status" / "c" / "3").write_bytes(b"")  # the last thing a killed process did
+    from pydy.ensemble.work import Work
+
+    done = []
+    with pytest.MonkeyPatch.context() as patch:
+        call = Work.__call__
+        patch.setattr(
+            Work, "__call__", lambda self, s, *a: done.append(s.size) or call(self, s, *a)
+        )
+        made = system.integrate_ensemble(**values, store=path, chunks=25, resume=True)
+    assert done == [25, 25]
+    identical(made.load(), whole)
+
+
+def test_a_store_of_another_ensemble_is_left_alone(reference, tmp_path):
+    system, values, _ = reference
+    path = tmp_path / "s.zarr"
+    system.integrate_ensemble(**values, store=path, chunks=50)
+    with pytest.raises(ValueError, match="Pass resume=True"):
+        system.integrate_ensemble(**values, store=path, chunks=50)
+    with pytest.raises(ValueError, match="was written by another ensemble"):
+        system.integrate_ensemble(**values, store=path, chunks=50, resume=True, rtol=1e-3)
+
+
+def test_a_function_that_raises_names_its_samples_and_leaves_the_finished(reference, tmp_path):
+    system, values, whole = reference
+    path = tmp_path / "s.zarr"
+    wrong = [True]
+
+    def picky(dataset):
+        if (
+            wrong[0]
+            and dataset.sizes["sample"] > 1
+            and dataset.initial_q1[0] == whole.initial_q1[60]
+        ):
+            raise ZeroDivisionError("no")
+        return dataset[["q1"]]
+
+    options = {"store": path, "chunks": 20, "reduce": picky, "workers": 1}
+    with pytest.raises(ZeroDivisionError, match="no") as caught:
+        system.integrate_ensemble(**values, **options)
+    assert "samples sample 60 to 79" in caught.value.__notes__[0]
+    wrong[0] = False
+    made = system.integrate_ensemble(**values, **options, resume=True)
+    assert same_bits(made.q1, whole.q1)
+
+
+def test_an_interrupt_ends_the_work_within_a_moment_and_keeps_finished_blocks(tmp_path):
+    system = pendulum(2)
+    values = random_values(system, 4000)
+    options = {"store": tmp_path / "s.zarr", "chunks": 100, "times": np.linspace(0.0, 20.0, num=5)}
+    timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+    system.integrate_ensemble(
+        initial_conditions={s: v[:2] for s, v in values["initial_conditions"].items()}
+    )  # whatever has to be compiled
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        system.integrate_ensemble(**values, **options, rtol=1e-11, atol=1e-11)
+    timer.join()
+    status = xr.open_zarr(tmp_path / "s.zarr", consolidated=False).status.values
+    blocks = status.reshape(-1, 100)
+    assert ((blocks == 0).all(axis=1) | (blocks == -1).all(axis=1)).all()
+    assert (blocks == -1).any()
+
+
+# -- without Dask ---------------------------------------------------------------------------------
+
+
+def test_threads_of_the_standard_library_serve_without_dask(reference, monkeypatch):
+    system, values, whole = reference
+    monkeypatch.setitem(sys.modules, "dask", None)
+    identical(system.integrate_ensemble(**values), whole)
+    with pytest.raises(ImportError, match=r"pip install 'pydy\[ensemble\]'"):
+        system.integrate_ensemble(**values, chunks=10)
+
+
+def test_a_bar_counts_samples(reference, capsys):
+    pytest.importorskip("tqdm")
+    system, values, _ = reference
+    system.integrate_ensemble(**values, progress=True)
+    assert "100/100" in capsys.readouterr().err

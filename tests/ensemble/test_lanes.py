@@ -1,0 +1,153 @@
+"""Eight trajectories at once: the same results as one by one, whatever the neighbours."""
+
+import numpy as np
+import pytest
+
+from ensembles import pendulum, random_values, runaway, same_bits
+from pydy.inputs import SampledInput
+from pydy.models import multi_mass_spring_damper
+
+
+def one_by_one(system, method, values, m, **options):
+    """The trajectories of the solver for one, shape (m, times, n), and their statistics."""
+    system.ode_solver = method
+    states, infos = [], []
+    for k in range(m):
+        system.initial_conditions = {s: v[k] for s, v in values["initial_conditions"].items()}
+        system.constants = {s: v[k] for s, v in values["constants"].items()}
+        x, info = system.integrate(full_output=True, **options)
+        states.append(x)
+        infos.append(info)
+    return np.array(states), infos
+
+
+def stacked(system, dataset):
+    return np.stack([dataset[s.name].values for s in system.states], axis=-1)
+
+
+@pytest.mark.parametrize(
+    ("method", "options"),
+    [
+        ("dop853", {"rtol": 1e-9, "atol": 1e-9}),
+        ("tsit5", {"rtol": 1e-7, "atol": 1e-8}),
+        ("vern9", {"rtol": 1e-8, "atol": 1e-8}),
+        ("rk4", {"step": 0.01}),
+        ("dop853", {"rtol": 1e-6, "max_step": 0.1, "first_step": 0.01}),
+    ],
+)
+def test_lanes_take_the_steps_of_the_solver_for_one(method, options):
+    system, m = pendulum(), 13
+    values = random_values(system, m)
+    many = system.integrate_ensemble(**values, ode_solver=method, **options)
+    states, infos = one_by_one(system, method, values, m, **options)
+    np.testing.assert_allclose(stacked(system, many), states, rtol=1e-9, atol=1e-9)
+    for name in ("steps", "rejected"):
+        counts = np.array([info[name] for info in infos])
+        assert (
+            np.abs(many[name].values - counts).max() <= 1
+        )  # an error of just 1 may fall either way
+    assert (many.status == 0).all()
+    assert (many.end_time == 2.0).all()
+
+
+def test_a_sample_has_the_same_bits_in_any_lane_beside_any_neighbours():
+    system, m = pendulum(2), 37
+    values = random_values(system, m)
+    whole = system.integrate_ensemble(**values, rtol=1e-9, atol=1e-9)
+    rng = np.random.default_rng(1)
+    for number in (1, 5, m):
+        chosen = rng.permutation(m)[:number]
+        part = {k: {s: v[chosen] for s, v in d.items()} for k, d in values.items()}
+        some = system.integrate_ensemble(**part, rtol=1e-9, atol=1e-9)
+        for name in some.data_vars:
+            assert same_bits(some[name], whole[name].isel(sample=chosen)), name
+
+
+@pytest.mark.parametrize("workers", [1, 2, 3])
+def test_the_number_of_threads_changes_no_bit(workers):
+    system = pendulum()
+    values = random_values(system, 300)
+    one = system.integrate_ensemble(**values, workers=1)
+    assert one.identical(system.integrate_ensemble(**values, workers=workers))
+
+
+def test_an_angle_that_needs_the_c_library_leaves_the_others_untouched():
+    system = pendulum()
+    values = random_values(system, 16)
+    q = system.coordinates[1]
+    before = system.integrate_ensemble(**values)
+    values["initial_conditions"][q][5] += 1e9  # far beyond what the own sine reduces
+    after = system.integrate_ensemble(**values)
+    others = np.arange(16) != 5
+    for name in before.data_vars:
+        assert same_bits(before[name][others], after[name][others]), name
+    assert not same_bits(before[q.name][5], after[q.name][5])
+
+
+def test_a_sample_that_diverges_is_nan_from_there_on_and_alone():
+    system, _x, v, _mass = runaway()
+    speeds = np.array([0.1, 1.0, 0.2, 0.3, 0.1, 0.25, 0.05, 0.4, 0.15, 0.35])
+    results = system.integrate_ensemble(initial_conditions={v: speeds})
+    assert results.status.values.tolist() == [0, 2] + [0] * 8
+    assert "step_underflow" in results.status.attrs["flag_meanings"].split()
+    assert results.end_time.values[1] == pytest.approx(1.0, abs=1e-6)  # m / v
+    reached = results.time.values < 1.0
+    bad = results[v.name].values[1]
+    np.testing.assert_allclose(bad[reached], 1.0 / (1.0 - results.time.values[reached]), rtol=1e-5)
+    assert np.isnan(bad[results.time.values > 1.0]).all()
+    without = np.arange(10) != 1
+    alone = system.integrate_ensemble(initial_conditions={v: speeds[without]})
+    for name in alone.data_vars:
+        assert same_bits(alone[name], results[name][without]), name
+
+
+def test_a_singular_sample_says_so_and_is_alone():
+    system, x, v, mass = runaway()
+    masses = np.array([1.0, 2.0, 0.0, 3.0])
+    results = system.integrate_ensemble(initial_conditions={v: 0.1}, constants={mass: masses})
+    assert results.status.values.tolist() == [0, 0, 3, 0]
+    assert results.status.attrs["flag_meanings"].split()[4] == "singular"
+    assert np.isnan(results[x.name].values[2]).all()
+    exact = 0.1 / (1.0 - 0.1 * 2.0 / masses[[0, 1, 3]])
+    np.testing.assert_allclose(results[v.name].values[[0, 1, 3], -1], exact, rtol=1e-6)
+
+
+def test_too_many_steps_end_a_sample():
+    system = pendulum()
+    results = system.integrate_ensemble(
+        initial_conditions={system.coordinates[1]: [0.0, 0.0, 1.0]}, max_steps=10
+    )
+    assert results.status.values.tolist() == [0, 0, 1]
+    assert (results.steps + results.rejected).values[2] == 10
+
+
+def test_sampled_inputs_are_taken_at_each_lanes_own_time():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    x, _v = system.states
+    system.times = np.linspace(0.0, 3.0, num=7)
+    t = np.linspace(0.0, 3.0, num=9)
+    push = SampledInput(t, np.cos(3.0 * t), interpolation="pchip")
+    starts = np.linspace(-1.0, 1.0, num=11)
+    options = {"rtol": 1e-10, "atol": 1e-10}
+    many = system.integrate_ensemble(
+        initial_conditions={x: starts}, specifieds={force: push}, **options
+    )
+    system.specifieds, system.ode_solver = {force: push}, "dop853"
+    for k, start in enumerate(starts):
+        system.initial_conditions = {x: start}
+        one = system.integrate(**options)
+        np.testing.assert_allclose(many[x.name][k], one[:, 0], rtol=0, atol=1e-7)
+
+
+def test_equal_times_and_a_start_before_the_first_output_are_written():
+    system = pendulum()
+    times = [0.0, 0.0, 0.5, 0.5, 1.0]
+    results = system.integrate_ensemble(
+        initial_conditions={system.coordinates[1]: [0.1, 0.2]}, times=times
+    )
+    q = results[system.coordinates[1].name].values
+    assert np.isfinite(q).all()
+    assert same_bits(q[:, 0], q[:, 1])
+    assert same_bits(q[:, 2], q[:, 3])
+    assert same_bits(q[:, 0], [0.1, 0.2])

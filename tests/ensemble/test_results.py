@@ -1,0 +1,267 @@
+"""What `System.integrate_ensemble` takes and returns."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import xarray as xr
+
+from ensembles import constant, pendulum, random_values, same_bits
+from pydy.models import multi_mass_spring_damper
+from pydy.solvers import Event
+
+
+@pytest.fixture
+def oscillator():
+    """x'' = −k x / m, with the exact solution x0 cos(√(k/m) t)."""
+    system = multi_mass_spring_damper()
+    system.constants = {constant(system, "c0"): 0.0}
+    system.times = np.linspace(0.0, 2.0, num=9)
+    return system
+
+
+def exact(dataset, x0, k):
+    return x0 * np.cos(np.sqrt(k) * dataset.time)
+
+
+def test_a_sample_dimension_and_time_label_the_results(oscillator):
+    x, v = oscillator.states
+    k = constant(oscillator, "k0")
+    oscillator.outputs = {sm.Symbol("energy"): v**2 / 2 + k * x**2 / 2}
+    starts, stiffness = np.array([1.0, 2.0, 3.0]), np.array([1.0, 4.0, 9.0])
+    results = oscillator.integrate_ensemble(
+        initial_conditions={x: starts}, constants={k: stiffness}, rtol=1e-10, units={x: "m"}
+    )
+    assert dict(results.sizes) == {"sample": 3, "time": 9}
+    assert results.x0.dims == ("sample", "time")
+    assert results.x0.attrs == {"role": "coordinate", "latex": "x_{0}", "units": "m"}
+    assert results.energy.attrs["role"] == "output"
+    np.testing.assert_array_equal(results.initial_x0, starts)
+    np.testing.assert_array_equal(results.k0, stiffness)
+    assert results.c0.item() == 0.0
+    np.testing.assert_allclose(
+        results.x0, exact(results, results.initial_x0, results.k0), atol=1e-7
+    )
+    energy = stiffness * starts**2 / 2.0
+    np.testing.assert_allclose(results.energy, np.outer(energy, np.ones(9)), rtol=1e-7)
+    assert results.attrs["ode_solver"] == "dop853"
+    assert results.attrs["lanes"] == 8
+
+
+def test_a_product_gives_each_symbol_a_dimension(oscillator):
+    x, _ = oscillator.states
+    k = constant(oscillator, "k0")
+    results = oscillator.integrate_ensemble(
+        initial_conditions={x: [1.0, -1.0]}, constants={k: [1.0, 4.0, 9.0]}, product=True
+    )
+    assert results.x0.dims == ("initial_x0", "k0", "time")
+    one = results.x0.sel(initial_x0=-1.0, k0=4.0)
+    np.testing.assert_allclose(one, -np.cos(2.0 * results.time), atol=1e-6)
+
+
+def test_arrays_with_named_dimensions_are_broadcast_by_name(oscillator):
+    x, v = oscillator.states
+    k = constant(oscillator, "k0")
+    starts = xr.DataArray([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]], dims=("row", "col"))
+    stiffness = xr.DataArray([1.0, 4.0, 9.0], dims="col", coords={"col": [10, 20, 30]})
+    results = oscillator.integrate_ensemble(
+        initial_conditions={x: starts, v: 0.0}, constants={k: stiffness}
+    )
+    assert results.x0.dims == ("row", "col", "time")
+    assert results.col.values.tolist() == [10, 20, 30]
+    np.testing.assert_allclose(results.x0, exact(results, starts, stiffness), atol=1e-6)
+    turned = oscillator.integrate_ensemble(
+        initial_conditions={x: starts.transpose("col", "row")}, constants={k: stiffness}
+    )
+    assert turned.x0.dims == ("col", "row", "time")
+    assert same_bits(turned.x0.transpose("row", "col", "time"), results.x0)
+
+
+def test_numbers_alone_make_one_sample_without_dimensions(oscillator):
+    x, _ = oscillator.states
+    results = oscillator.integrate_ensemble(initial_conditions={x: 1.0})
+    assert results.x0.dims == ("time",)
+    np.testing.assert_allclose(results.x0, np.cos(results.time), atol=1e-6)
+
+
+def test_specifieds_vary_and_the_systems_own_values_fill_the_rest():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    system.specifieds = {force: lambda x, t: 1 / 0}  # replaced for this call
+    results = system.integrate_ensemble(
+        specifieds={force: [0.0, 1.0, 2.0]}, times=np.linspace(0.0, 40.0, num=3)
+    )
+    np.testing.assert_allclose(results.x0[:, -1], [0.0, 1.0, 2.0], atol=1e-6)
+    assert results[force.name].dims == ("sample",)
+
+
+def test_an_expression_is_compiled_into_the_lanes():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    x, v = system.states
+    m = constant(system, "m0")
+    times = np.linspace(0.0, 3.0, num=4)
+    results = system.integrate_ensemble(
+        specifieds={force: x + v}, constants={m: [1.0, 2.0]}, initial_conditions={v: 1.0},
+        times=times,
+    )  # fmt: skip
+    np.testing.assert_allclose(results.x0, np.outer([1.0, 1.0], times), atol=1e-6)
+
+
+def test_a_python_function_is_called_for_each_sample():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    x, _ = system.states
+    system.outputs = {sm.Symbol("push"): 2 * force}
+    times = np.linspace(0.0, 1.0, num=5)
+    slow = system.integrate_ensemble(
+        specifieds={force: lambda x, t: np.sin(t)}, initial_conditions={x: [0.0, 1.0]}, times=times
+    )
+    t = sm.Symbol("t")
+    fast = system.integrate_ensemble(
+        specifieds={force: sm.sin(system.eom_method.q[0].args[0])},
+        initial_conditions={x: [0.0, 1.0]},
+        times=times,
+    )
+    assert t.name == "t"
+    np.testing.assert_allclose(slow.x0, fast.x0, atol=1e-6)
+    np.testing.assert_allclose(slow.push, fast.push, atol=1e-12)
+    assert slow.attrs["lanes"] == 1
+
+
+def test_radau_serves_one_by_one(oscillator):
+    x, _ = oscillator.states
+    results = oscillator.integrate_ensemble(initial_conditions={x: [1.0, 2.0]}, ode_solver="radau")
+    np.testing.assert_allclose(results.x0[1], 2.0 * np.cos(results.time), atol=1e-5)
+
+
+# -- reductions -----------------------------------------------------------------------------------
+
+
+def test_the_final_state_is_that_of_the_whole_trajectory_to_the_last_bit():
+    system = pendulum()
+    values = random_values(system, 50)
+    whole = system.integrate_ensemble(**values)
+    final = system.integrate_ensemble(**values, reduce="final")
+    assert "time" not in final.sizes
+    for s in system.states:
+        assert same_bits(final[s.name], whole[s.name].isel(time=-1))
+
+
+def test_extremes_are_those_at_the_times():
+    system = pendulum()
+    q = system.coordinates[1]
+    system.outputs = {sm.Symbol("height"): sm.cos(q)}
+    values = random_values(system, 20)
+    whole = system.integrate_ensemble(**values)
+    reduced = system.integrate_ensemble(**values, reduce=[("max", "height"), ("min", q), "final"])
+    assert same_bits(reduced.height_max, whole.height.max("time"))
+    assert same_bits(reduced.q1_min, whole.q1.min("time"))
+    assert same_bits(reduced.height, whole.height.isel(time=-1))
+
+
+def test_a_function_reduces_the_dataset_of_a_block():
+    system = pendulum()
+    values = random_values(system, 30)
+    whole = system.integrate_ensemble(**values)
+
+    def spread(dataset):
+        return (dataset.q1.max("time") - dataset.q1.min("time")).rename("spread")
+
+    for chunks in (None, 7):
+        reduced = system.integrate_ensemble(**values, reduce=spread, chunks=chunks).compute()
+        assert same_bits(reduced.spread, whole.q1.max("time") - whole.q1.min("time"))
+        assert same_bits(reduced.steps, whole.steps)
+
+
+def test_a_function_that_drops_samples_is_refused():
+    system = pendulum()
+    with pytest.raises(ValueError, match="must keep the sample dimensions sample"):
+        system.integrate_ensemble(
+            **random_values(system, 3), reduce=lambda dataset: dataset.mean("sample")
+        )
+
+
+def test_event_times_are_kept_for_each_sample(oscillator):
+    x, _ = oscillator.states
+    k = constant(oscillator, "k0")
+    stiffness = np.array([1.0, 4.0, 9.0])
+    options = {"initial_conditions": {x: 1.0}, "constants": {k: stiffness}, "rtol": 1e-10}
+    results = oscillator.integrate_ensemble(
+        **options,
+        times=[0.0, 7.0],
+        events=[Event(x, direction=-1, name="down")],
+        reduce=("events", 2),
+    )
+    down = (np.pi / 2.0 + 2.0 * np.pi * np.arange(4)) / np.sqrt(stiffness)[:, None]
+    np.testing.assert_allclose(
+        results.down_times, np.where(down < 7.0, down, np.nan)[:, :2], rtol=1e-8
+    )
+    assert results.down_count.values.tolist() == (down < 7.0).sum(axis=1).tolist()
+
+
+def test_a_terminal_event_leaves_nan_and_says_so(oscillator):
+    x, _ = oscillator.states
+    results = oscillator.integrate_ensemble(
+        initial_conditions={x: [1.0, 2.0]}, events=[Event(x - 1.5, direction=-1, terminal=True)]
+    )
+    assert results.status.values.tolist() == [0, 5]
+    assert np.isfinite(results.x0[0]).all()
+    late = results.time > np.arccos(0.75)
+    np.testing.assert_array_equal(np.isnan(results.x0[1]), late)
+
+
+# -- errors, before anything runs -----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error", "match"),
+    [
+        ({"initial_conditions": {"x": [1.0, 2.0], "v": [1.0]}}, ValueError, "1 values along"),
+        ({"initial_conditions": {"x": np.ones((2, 2))}}, ValueError, "xarray.DataArray"),
+        ({"initial_conditions": {"x": [1.0, np.nan]}}, ValueError, r"must be finite, got nan at"),
+        ({"initial_conditions": {"x": []}}, ValueError, "must not be empty"),
+        ({"initial_conditions": {"q": [1.0]}}, ValueError, "not one of the states"),
+        ({"constants": {"q": [1.0]}}, ValueError, "not one of the constants"),
+        ({"specifieds": {"q": [1.0]}}, ValueError, "not a specified"),
+        ({"times": [1.0]}, ValueError, "at least two values"),
+        ({"times": [1.0, 0.0]}, ValueError, "must be ascending"),
+        ({"ode_solver": "odeint"}, ValueError, "must be a native solver"),
+        ({"rtoll": 1e-3}, TypeError, "`dop853` has no option `rtoll`"),
+        ({"rtol": 1e-17, "atol": 0.0}, ValueError, "ten times the rounding unit"),
+        ({"rtol": [1e-3]}, ValueError, r"have the shape \(2,\)"),
+        ({"reduce": "mean"}, ValueError, "`reduce` must be 'final'"),
+        ({"reduce": ("max", "speed")}, ValueError, "neither a state nor an output: x0, v0"),
+        ({"reduce": "events"}, ValueError, "needs `events`"),
+        ({"workers": 0}, ValueError, "`workers` must be at least 1"),
+        ({"chunks": 0}, ValueError, "positive whole number"),
+        ({"chunks": {"row": 3}}, ValueError, "not one of the sample dimensions"),
+        ({"units": {"weight": "kg"}}, ValueError, "neither a state nor an output"),
+        ({"resume": True}, ValueError, "needs `store`"),
+        ({"constraints": "project"}, ValueError, "the system has none"),
+    ],
+)  # fmt: skip
+def test_errors_name_the_argument(oscillator, arguments, error, match):
+    x, v = oscillator.states
+    names = {"x": x, "v": v, "q": sm.Symbol("q")}
+    arguments = {
+        key: {names.get(k, k): a for k, a in value.items()}
+        if key in ("initial_conditions", "constants", "specifieds")
+        else value
+        for key, value in arguments.items()
+    }
+    with pytest.raises(error, match=match):
+        oscillator.integrate_ensemble(**arguments)
+
+
+def test_a_dimension_must_not_be_called_like_a_result(oscillator):
+    x, _ = oscillator.states
+    with pytest.raises(ValueError, match="the name of a variable of the result"):
+        oscillator.integrate_ensemble(initial_conditions={x: xr.DataArray([1.0, 2.0], dims="x0")})
+
+
+def test_labels_of_one_dimension_must_agree(oscillator):
+    x, v = oscillator.states
+    a = xr.DataArray([1.0, 2.0], dims="run", coords={"run": [0, 1]})
+    b = xr.DataArray([1.0, 2.0], dims="run", coords={"run": [1, 0]})
+    with pytest.raises(ValueError, match="labels must agree"):
+        oscillator.integrate_ensemble(initial_conditions={x: a, v: b})
