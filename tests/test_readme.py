@@ -35,7 +35,13 @@ def test_the_examples_of_a_page_print_what_they_show(path):
 
 @pytest.mark.parametrize(
     ("name", "least"),
-    [("README.md", 20), ("docs/system.md", 80), ("docs/results.md", 50), ("docs/solvers.md", 30)],
+    [
+        ("README.md", 20),
+        ("docs/ensembles.md", 10),
+        ("docs/system.md", 80),
+        ("docs/results.md", 50),
+        ("docs/solvers.md", 30),
+    ],
 )
 def test_the_main_pages_have_examples(name, least):
     assert len(examples(ROOT / name).examples) >= least
