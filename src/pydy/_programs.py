@@ -78,6 +78,8 @@ class Assembly:
         The bodies behind the equations.
     external : bool
         Whether the accelerations are inputs at the end of r.
+    given : mapping of input nodes to nodes
+        What `substituted` put in place of inputs.
     """
 
     graph: Graph
@@ -95,6 +97,7 @@ class Assembly:
     speeds: list[int] = field(default_factory=list)
     mechanism: Mechanism | None = None
     external: bool = False
+    given: Mapping[int, int] = field(default_factory=dict)
 
     @property
     def constraints(self) -> list[int]:
@@ -104,28 +107,36 @@ class Assembly:
     @property
     def kinetic_energy(self) -> list[int]:
         """The kinetic energy of the bodies: one node, or none where no bodies are known."""
-        if self.mechanism is None or not self.mechanism.bodies:
-            return []
-        return self.read([self.mechanism.kinetic_energy], "the kinetic energy")
+        return substitute(self.graph, self._kinetic_energy(), self.given)
 
     @property
     def kinetic_hessian(self) -> list[int]:
         """Second derivatives of the kinetic energy by all speeds, dependent ones included.
 
-        This is the mass matrix before any constraint reduces it, row by row.
+        This is the mass matrix before any constraint reduces it, row by row. Specifieds are held,
+        those that are given as expressions too.
         """
-        energy = self.kinetic_energy
+        energy = self._kinetic_energy()
         if not energy:
             return []
         g, n = self.graph, len(self.speeds)
         momenta = jacobian(g, energy, self.speeds)[0]
         rows = jacobian(g, [momenta.get(k, g.zero) for k in range(n)], self.speeds)
         # One triangle for both, so that the matrix is symmetric to the last bit.
-        return [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
+        cells = [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
+        return substitute(g, cells, self.given)
+
+    def _kinetic_energy(self) -> list[int]:
+        if self.mechanism is None or not self.mechanism.bodies:
+            return []
+        return self._reader("the kinetic energy").all([self.mechanism.kinetic_energy])
 
     def read(self, expressions: Iterable[Any], what: str) -> list[int]:
         """Return further expressions in the states and symbols as nodes; `what` is for messages."""
-        return SymPyReader(self.graph, self.atoms, what).all(expressions)
+        return substitute(self.graph, self._reader(what).all(expressions), self.given)
+
+    def _reader(self, what: str) -> SymPyReader:
+        return SymPyReader(self.graph, self.atoms, what)
 
     def program(self, *names: str) -> Program:
         """Return the Program of the named blocks.
@@ -180,8 +191,7 @@ class Assembly:
                 substitute(self.graph, [n for part in blocks.values() for n in part], mapping)
             )
         new: dict[str, Any] = {name: [next(nodes) for _ in part] for name, part in blocks.items()}
-        new["atoms"] = {s: mapping.get(node, node) for s, node in self.atoms.items()}
-        return replace(self, **new)
+        return replace(self, given=dict(mapping), **new)
 
     def lowered(
         self,

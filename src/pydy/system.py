@@ -600,24 +600,22 @@ class System:
     def _evaluate(
         self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: str | None = None
     ) -> np.ndarray:
-        if wrt is None:
-            return self._sweep(self._current(), lambda f: f.compiled(block), x, t, r, p)
-        return self._sweep(
-            self._differentiable(),
-            lambda f: f.compiled_jacobian(block, wrt),
-            x, t, r, p,
-            perturbed=wrt == "r",
-        )  # fmt: skip
+        def kernel(implementation: RightHandSide) -> Kernel:
+            if wrt:
+                return implementation.compiled_jacobian(block, wrt)
+            return implementation.compiled(block)
+
+        implementation = self._differentiable() if wrt else self._current()
+        return self._sweep(implementation, kernel, x, t, r, p, perturbed=wrt == "r")
 
     def _sweep(
         self,
         implementation: RightHandSide,
-        choose: Callable[[RightHandSide], Kernel],
+        kernel: Callable[[RightHandSide], Kernel],
         x: Any,
         t: Any,
         r: Any,
         p: Any,
-        *,
         perturbed: bool = False,
     ) -> np.ndarray:
         """Evaluate a Kernel at one state or several, with the defaults of the evaluations."""
@@ -631,9 +629,9 @@ class System:
         else:
             rows = specified_rows(r, instants, len(layout.specifieds))
         constants = override(p, self._p(), layout.constants)
-        kernel = choose(implementation)
-        out = evaluate(kernel, layout, instants, states, rows, constants)
-        out = out.reshape(len(out), *kernel.program.blocks[0].shape)
+        made = kernel(implementation)
+        out = evaluate(made, layout, instants, states, rows, constants)
+        out = out.reshape(len(out), *made.program.blocks[0].shape)
         result: np.ndarray = out[0] if single else out
         return result
 
@@ -958,13 +956,14 @@ class System:
             Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
             ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
             ``'dense_output'`` are the trajectory's, and the rest is its `statistics`.
-            `scipy.integrate.odeint` is called with ``full_output=True``.
+            `scipy.integrate.odeint` and the solvers of `pydy.solvers` are called with
+            ``full_output=True``.
 
         Returns
         -------
         Trajectory
             The states, the outputs and specifieds along them, and the numbers that were used;
-            later changes of the System do not reach it.
+            later changes of the System do not reach it. It ends where an event ended it.
 
         Raises
         ------
@@ -994,6 +993,9 @@ class System:
         events = statistics.pop("events", ())
         dense = statistics.pop("dense_output", None)
         times, states = np.array(times, dtype=float), np.array(states, dtype=float)
+        if len(states) == len(times):  # what is NaN to the end comes after a terminal event
+            reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
+            times, states = times[:reached], states[:reached]
         plan = self._plan(self._specifieds)
         implementation = driven(self._current(), self._definition, plan)
         model = Snapshot(implementation, plan, self._p(), self._energies)

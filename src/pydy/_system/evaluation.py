@@ -137,9 +137,6 @@ class Snapshot:
 
     def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the specifieds, shape (m, s)."""
-        if not self.plan.expressions:
-            rows = self.plan.rows(states, times)
-            return np.broadcast_to(rows, (len(times), rows.shape[1]))
         symbols = self.implementation.layout.specifieds
         kernel = self.implementation.compiled_expressions(
             "the specifieds", (len(symbols),), symbols
@@ -159,6 +156,5 @@ class Snapshot:
         return self._sweep(self.energies.kernel(self.implementation), times, states)
 
     def _sweep(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        states = np.ascontiguousarray(states)
-        rows = self.plan.rows(states, times)
-        return evaluate(kernel, self.implementation.layout, times, states, rows, self.p)
+        layout, states = self.implementation.layout, np.ascontiguousarray(states)
+        return evaluate(kernel, layout, times, states, self.plan.rows(states, times), self.p)
