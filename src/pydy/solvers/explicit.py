@@ -107,6 +107,8 @@ def advance(method, problem, memory, run, constraints, watch):
             return FINISHED
         if h == 0.0:
             h = _first_size(method, problem, memory, run, t)
+            if not math.isfinite(h):
+                count[FAILURE] = NOT_FINITE
     while True:
         if count[BUDGET] == 0:
             state[SIZE] = h
@@ -137,6 +139,9 @@ def advance(method, problem, memory, run, constraints, watch):
         if code == 0:
             if adaptive:
                 error = error_of_step(method, problem, memory)
+            else:
+                for i in range(length):
+                    error += 0.0 * memory.new[i]  # NaN where the state is not finite
             if error < 1.0 and (held or method.shape[END_IN_ESTIMATE] == 0):
                 if held and project(problem, run, constraints, after, memory.new) != 0:
                     state[SIZE] = size

@@ -230,6 +230,8 @@ def advance_implicit(method, problem, memory, run, constraints, watch, newton):
             return FINISHED
         if h == 0.0:
             h = _first_size(problem, memory, run, t)
+            if not math.isfinite(h):
+                count[FAILURE] = NOT_FINITE
     while True:
         if count[BUDGET] == 0:
             state[SIZE] = h

@@ -63,7 +63,8 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
     ValueError
         A value that makes no sense.
     """
-    names = {f.name for f in fields(Options)} - ({"step"} if adaptive else {"rtol", "atol"})
+    foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
+    names = {f.name for f in fields(Options)} - foreign
     unknown = [name for name in given if name not in names]
     if unknown:
         raise TypeError(

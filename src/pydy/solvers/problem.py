@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.layout import Problem
 
 __all__ = ["Callback", "bind_constants", "callback_problem", "kernel_problem"]
@@ -38,17 +39,21 @@ def bind_constants(kernel: Kernel, p: np.ndarray) -> tuple[int, np.ndarray]:
 def kernel_problem(call: KernelCall, n: int) -> Problem:
     """Return the arrays for a Kernel."""
     address, c = bind_constants(call.kernel, call.p)
-    r = np.array(call.r, dtype=float)
     tables, knots, cubics = _tables(call.sampled)
     return Problem(
         words=np.array([address, n, blocks(n)]),
         clock=np.zeros(1),
-        r=r if r.size else np.zeros(1),
+        r=_inputs(call),
         c=c,
         tables=tables,
         knots=knots,
         cubics=cubics,
     )
+
+
+def _inputs(call: KernelCall) -> np.ndarray:
+    r = np.array(call.r, dtype=float)
+    return r if r.size else np.zeros(1)
 
 
 def _tables(
@@ -79,8 +84,10 @@ class Callback:
         ``function(x, t)`` returns the derivative.
     n : int
         Number of states.
-    outputs : int, optional
-        Number of values the function returns, n if it is not given.
+    outputs : int
+        Number of values the function returns.
+    interrupts : Interrupts
+        Looked at before each call.
 
     Attributes
     ----------
@@ -89,12 +96,17 @@ class Callback:
     """
 
     def __init__(
-        self, function: Callable[[np.ndarray, float], Any], n: int, outputs: int | None = None
+        self,
+        function: Callable[[np.ndarray, float], Any],
+        n: int,
+        outputs: int,
+        interrupts: Interrupts,
     ) -> None:
         self.error: BaseException | None = None
         self._function = function
         self._n = n
-        self._outputs = n if outputs is None else outputs
+        self._outputs = outputs
+        self._interrupts = interrupts
         self._views: dict[int, np.ndarray] = {}
         self._native = _FUNCTION(self._call)
         self.address = ctypes.cast(self._native, ctypes.c_void_p).value or 0
@@ -109,6 +121,7 @@ class Callback:
 
     def _call(self, t: Any, x: int, r: int, c: int, out: int) -> int:
         try:
+            self._interrupts.check()
             state = self._view(x, self._n).copy()
             self._view(out, self._outputs)[:] = self._function(state, t[0])
         except BaseException as error:  # noqa: BLE001 - it is raised again outside native code
@@ -117,9 +130,10 @@ class Callback:
         return 0
 
 
-def callback_problem(callback: Callback, n: int) -> Problem:
-    """Return the arrays for a Python function."""
-    tables, knots, cubics = _tables(())
-    nothing = np.zeros(1)
+def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Problem:
+    """Return the arrays for a Python function, and the inputs for other Kernels of its `call`."""
+    r, tables = np.zeros(1), _tables(())
+    if call is not None and call.inputs is None:
+        r, tables = _inputs(call), _tables(call.sampled)
     words = np.array([callback.address, n, blocks(n)])
-    return Problem(words, np.zeros(1), nothing, nothing, tables, knots, cubics)
+    return Problem(words, np.zeros(1), r, np.zeros(1), *tables)

@@ -176,10 +176,14 @@ def project(problem, run, constraints, t, x):
         kinematics = values[at_kinematics:at_velocity].reshape((q, u))
         rows = np.zeros((h, u))
         for i in range(h):
-            for j in range(q):
-                if gradient[i, j] != 0.0:
-                    for k in range(u):
-                        rows[i, k] += gradient[i, j] * kinematics[j, k]
+            for k in range(u):
+                size = 0.0
+                for j in range(q):
+                    term = gradient[i, j] * kinematics[j, k]
+                    rows[i, k] += term
+                    size += abs(term)
+                if abs(rows[i, k]) <= 4.0 * q * _EPS * size:
+                    rows[i, k] = 0.0  # nothing but rounding, as in the norm of a quaternion
         _divide_rows(rows, factor)
         right = -values[:h]
         step = _minimum_norm(rows, right)
