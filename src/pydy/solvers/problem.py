@@ -122,7 +122,10 @@ class Callback:
     def _call(self, t: Any, x: int, r: int, c: int, out: int) -> int:
         try:
             self._interrupts.check()
-            state = self._view(x, self._n).copy()
+            # Not a copy of the view, whose data type is another object than float64 and makes
+            # generated functions convert it.
+            state = np.empty(self._n)
+            state[:] = self._view(x, self._n)
             self._view(out, self._outputs)[:] = self._function(state, t[0])
         except BaseException as error:  # noqa: BLE001 - it is raised again outside native code
             self.error = error
