@@ -153,17 +153,21 @@ def project(problem, run, constraints, t, x):
         )
         if code < 0:
             return UNPROJECTED
-        worst = 0.0  # in units of rounding errors
+        # In units of rounding errors: of angles and lengths as they are, and of 1 at least, for
+        # expressions in which larger terms cancel.
+        worst = rough = 0.0
         gradient = values[at_gradient:at_kinematics].reshape((h, q))
         for i in range(h):
-            scale = 0.0
+            scale = wide = 0.0
             for j in range(q):
                 scale += abs(gradient[i, j]) * max(abs(x[j]), 1e-3)
+                wide += abs(gradient[i, j]) * max(abs(x[j]), 1.0)
             if values[i] != 0.0:
                 worst = max(worst, abs(values[i]) / (_EPS * scale))
+                rough = max(rough, abs(values[i]) / (_EPS * wide))
             if values[i] != values[i]:
                 return UNPROJECTED
-        if worst <= 4.0 or (worst >= 0.5 * before and worst <= 256.0):
+        if worst <= 4.0 or (worst >= 0.5 * before and rough <= 256.0):
             break
         if iteration == _ITERATIONS - 1:
             return UNPROJECTED
