@@ -38,7 +38,12 @@ def test_published_solutions_are_met_in_fixed_steps(name, steps, expected):
 def test_stiff_published_solutions_are_met(name, tolerance, expected):
     problem = getattr(problems, name)()
     x = radau(
-        problem.f, problem.x0, [0.0, problem.end], problem.args, rtol=tolerance, atol=1e-3 * tolerance
+        problem.f,
+        problem.x0,
+        [0.0, problem.end],
+        problem.args,
+        rtol=tolerance,
+        atol=1e-3 * tolerance,
     )
     np.testing.assert_allclose(x[-1], problem.final, rtol=expected)
 

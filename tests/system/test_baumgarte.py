@@ -65,7 +65,11 @@ def test_a_nonholonomic_residual_dies_out_exponentially(name):
     def residual(x):
         return system.evaluate_velocity_constraints(x, system.times)
 
-    close(100 * residual(free), np.broadcast_to(100 * residual(free)[0], (11, 1 + (name == "disc"))), 1e-6)
+    close(
+        100 * residual(free),
+        np.broadcast_to(100 * residual(free)[0], (11, 1 + (name == "disc"))),
+        1e-6,
+    )
     decay = np.exp(-2 * gain * system.times)[:, None]
     close(100 * residual(held), 100 * residual(held)[0] * decay, 1e-6)
 

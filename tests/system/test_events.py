@@ -310,7 +310,9 @@ def test_a_chatter_that_does_not_slow_down_in_time_is_left_to_max_steps():
 
 @pytest.mark.parametrize("solver", ADAPTIVE)
 def test_the_same_event_may_be_at_its_root_right_after_a_reset(solver):
-    _, info = run(ball(solver, times=[0.0, 1.0]), [Event(Z, direction=-1, reset={Z: 0, V: 3}, name="up")])
+    _, info = run(
+        ball(solver, times=[0.0, 1.0]), [Event(Z, direction=-1, reset={Z: 0, V: 3}, name="up")]
+    )
     first = np.sqrt(2 / 9.81)
     expected = first + 6 / 9.81 * np.arange(10)
     close(moments(info), expected[expected <= 1.0], 1e-9)

@@ -24,9 +24,7 @@ CONSTRAINED = ["disc", "disc_contact", "sleigh", "fourbar", "track", "track_reve
 
 
 def at_times(model, end, num=31, solver="dop853", **options):
-    return system_of(
-        model, times=np.linspace(0.0, end, num=num), ode_solver=solver, **options
-    )
+    return system_of(model, times=np.linspace(0.0, end, num=num), ode_solver=solver, **options)
 
 
 def options_of(solver, rtol=1e-9, step=2e-3):
@@ -216,7 +214,7 @@ def test_the_correction_is_the_least_in_the_norm_of_the_mass_matrix():
 
 def test_events_and_projection_go_together():
     model = zoo.fourbar()
-    q1, q2, q3, u1, u2, u3 = model.states
+    q1, _, _, u1, u2, u3 = model.states
     system = at_times(model, 4.0)
     # Impacts of the crank; the speeds before them are scaled, which keeps the constraints.
     flip = {u: -0.9 * u for u in (u1, u2, u3)}

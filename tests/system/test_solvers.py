@@ -172,7 +172,7 @@ def test_a_trajectory_knows_the_work_of_the_solver():
 
 def test_long_chains_are_integrated_too():
     system = n_link_pendulum_on_cart(8, cart_force=False)
-    system.initial_conditions = {q: 0.3 for q in system.coordinates[1:]}
+    system.initial_conditions = dict.fromkeys(system.coordinates[1:], 0.3)
     system.times = np.linspace(0.0, 0.5, num=6)
     expected = system.integrate(rtol=1e-11, atol=1e-11)
     for solver in ADAPTIVE:
@@ -228,7 +228,7 @@ def test_failures_name_the_states(solver):
 def test_a_singular_mass_matrix_is_an_integration_error():
     system = pendulum({}, "dop853")
     system.constants = dict.fromkeys(system.constants, 0.0)
-    with pytest.raises(IntegrationError, match="met a singular mass matrix at t = 0.0 in the st"):
+    with pytest.raises(IntegrationError, match=r"met a singular mass matrix at t = 0\.0 in "):
         system.integrate()
     system.ode_solver = odeint
     with pytest.raises(SingularMatrixError):

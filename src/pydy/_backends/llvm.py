@@ -6,6 +6,7 @@ order of operations are kept, and fused multiply-adds are those that the IR spel
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterable
 from typing import Any
 
@@ -56,12 +57,11 @@ class LLVMBackend:
         )
         calls = bool((_SOLVES | _ANGLES) & set(program.ops))
         routines = _routines(lanes, at_best=lanes > 1) if calls else None
-        symbols = routines.addresses if routines else None
-        code = jit.load(source, symbols) if lanes > 1 else jit.find(source, symbols)
+        code = jit.load(source, routines) if lanes > 1 else jit.find(source, routines)
         quick = code is None
         if code is None:
-            code = jit.load_quickly(source, symbols)
-        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), (code, routines))
+            code = jit.load_quickly(source, routines)
+        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), code)
         if quick:
             entry.better = background.Task(lambda: _improve(entry, source, calls))
             background.submit(entry.better)
@@ -71,11 +71,12 @@ class LLVMBackend:
 def _improve(entry: Entry, source: jit.Source, calls: bool) -> None:
     """Compile at LLVM's best and put the result in the entry's place."""
     routines = _routines(1, at_best=True) if calls else None
-    code = jit.load(source, routines.addresses if routines else None)
-    entry.replace((code.addresses["kernel"], code.addresses["prepare"]), (code, routines))
+    code = jit.load(source, routines)
+    entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
 
 
 _ROUTINES: dict[tuple[int, bool], jit.Code] = {}
+_ROUTINES_LOCK = threading.Lock()
 
 
 def _routines(lanes: int, at_best: bool) -> jit.Code:
@@ -85,10 +86,13 @@ def _routines(lanes: int, at_best: bool) -> jit.Code:
         return best
     names = solver_names(lanes) + sincos_names(lanes)
     source = jit.Source(f"routines {lanes}", lambda brief: _routines_text(lanes), names, loops=True)
-    code = jit.load(source) if at_best else jit.find(source)
+    if at_best:
+        with _ROUTINES_LOCK:  # whoever comes second finds what the first one compiled
+            code = jit.load(source)
+    else:
+        code = jit.find(source)
     if code is not None:
-        _ROUTINES[lanes, True] = code
-        return code
+        return _ROUTINES.setdefault((lanes, True), code)
     quick = _ROUTINES.get((lanes, False))
     if quick is None:
         quick = _ROUTINES[lanes, False] = jit.load_quickly(source)

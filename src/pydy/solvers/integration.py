@@ -23,6 +23,7 @@ from pydy._errors import (
 )
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
+from pydy.solvers.complaints import complaint
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, EventRecord
 from pydy.solvers.interrupts import Interrupts
@@ -471,45 +472,9 @@ class _Integration:
 
     def _fail(self, code: int) -> None:
         """Raise the error of a code with which compiled code gave up."""
-        state, count = self.progress.state, self.progress.counts
-        size = state[at.SIZE]
-        if code == at.TOO_MANY:
-            self._stop(
-                f"took {self.options.max_steps} steps, `max_steps`",
-                "Raise `max_steps`, loosen `rtol` and `atol`, or try 'radau' if the system is "
-                "stiff.",
-            )
-        if code == at.UNPROJECTED:
-            self._stop(
-                f"could not bring the state back onto the constraints after a step of {size:.3g}",
-                "Check that the constraints can be met together there, or limit `max_step`.",
-            )
-        what, remedy = {
-            at.SINGULAR: (
-                "met a singular mass matrix",
-                "Check that no mass or inertia is zero, that no constraint is redundant there, and "
-                "that the configuration is not a singular one.",
-            ),
-            at.NOT_FINITE: (
-                "met derivatives that are not finite",
-                "Check the loads, specifieds and constants there for a division by zero or a "
-                "function outside its domain.",
-            ),
-            at.NO_CONVERGENCE: (
-                "could not solve for its stages",
-                "Check that loads are continuous there; an Event can carry the state over a jump.",
-            ),
-        }.get(
-            int(count[at.FAILURE]),
-            (
-                "needs ever smaller steps",
-                "The motion is not smooth there or runs away. Look for a jump in the loads, which "
-                "an Event can carry the state over, loosen `rtol` and `atol`, or try 'radau' if "
-                "the system is stiff.",
-            ),
-        )
-        with_size = f" with a step size of {size:.3g}" if np.isfinite(size) and size else ""
-        self._stop(what + with_size, remedy)
+        failure = int(self.progress.counts[at.FAILURE])
+        size = float(self.progress.state[at.SIZE])
+        self._stop(*complaint(code, failure, size, self.options.max_steps))
 
     def _stop(
         self,
