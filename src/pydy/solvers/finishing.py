@@ -15,7 +15,7 @@ from pydy.solvers.layout import (
     UNPROJECTED,
 )
 from pydy.solvers.projecting import project
-from pydy.solvers.runge_kutta import interpolate
+from pydy.solvers.runge_kutta import copy_vector, interpolate
 from pydy.solvers.watching import scan_events
 
 __all__ = ["finish_step", "write_start"]
@@ -27,7 +27,8 @@ def write_start(problem, memory, run):
     n, times = problem.words[STATES], run.times
     k = run.counts[NEXT]
     while k < times.size and times[k] <= run.state[TIME]:
-        run.flat[k * n : (k + 1) * n] = memory.x[:n]
+        for i in range(n):
+            run.flat[k * n + i] = memory.x[i]
         k += 1
     run.counts[NEXT] = k
     return k == times.size
@@ -66,10 +67,10 @@ def finish_step(method, problem, memory, run, constraints, watch, t, h):
     if status != 0:
         if theta < 1.0:
             interpolate(method, problem, memory, theta, address_of(memory.trial, 0))
-            memory.new[:] = memory.trial
+            copy_vector(memory.trial, memory.new)
             held = constraints.words[ACTIVE] == 1
             if held and project(problem, run, constraints, end, memory.new) != 0:
                 return UNPROJECTED
-        memory.x[:] = memory.new
+        copy_vector(memory.new, memory.x)
         run.state[TIME], run.state[SIZE], run.counts[STARTED] = end, 0.0, 0
     return status
