@@ -21,7 +21,7 @@ from pydy._errors import PyDyUserWarning
 from pydy._programs import check_accelerations
 from pydy._system.definition import Definition, define
 from pydy._system.dependents import check_dependents, solve_dependents
-from pydy._system.evaluation import evaluate, override, samples, specified_rows
+from pydy._system.evaluation import Snapshot, evaluate, override, samples, specified_rows
 from pydy._system.inputs import (
     SymbolSet,
     check_mapping,
@@ -34,6 +34,7 @@ from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_system_function
 from pydy.codegen.right_hand_side import RightHandSide
+from pydy.trajectory import Trajectory
 
 __all__ = ["System"]
 
@@ -215,6 +216,30 @@ class System:
         """Column matrix of the holonomic, then the nonholonomic constraint expressions."""
         rows = [*self._equations.holonomic, *self._equations.nonholonomic]
         return sm.Matrix(rows) if rows else sm.Matrix()
+
+    @property
+    def kinetic_energy(self) -> Any:
+        """The kinetic energy of the method's bodies: an expression in states and symbols.
+
+        It is not simplified. Auxiliary speeds are zero in it.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().kinetic_energy
+        m0*v0(t)**2/2
+        """
+        energy = self._equations.kinetic_energy
+        if energy is None:
+            raise ValueError(
+                "The system's energy cannot be told: its `eom_method` was given no bodies."
+            )
+        return energy
 
     @property
     def outputs_symbols(self) -> list[Any]:
@@ -782,3 +807,70 @@ class System:
         r = plan.base if plan.constant else plan
         args = (r, self._p())
         return self._ode_solver(f, self._x0(), times, args=args, **solver_kwargs)
+
+    def simulate(self, **solver_kwargs: Any) -> Trajectory:
+        """Integrate like `integrate`, and return the result with its names.
+
+        Parameters
+        ----------
+        **solver_kwargs
+            Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
+            ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
+            ``'dense_output'`` are the trajectory's, and the rest is its `statistics`.
+            `scipy.integrate.odeint` is called with ``full_output=True``.
+
+        Returns
+        -------
+        Trajectory
+            The states, the outputs and specifieds along them, and the numbers that were used;
+            later changes of the System do not reach it.
+
+        Raises
+        ------
+        ValueError, SingularMatrixError
+            As `integrate`.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> x0, v0 = sys.states
+        >>> sys.initial_conditions = {x0: 1.0}
+        >>> sys.times = [0.0, 0.5, 1.0]
+        >>> trajectory = sys.simulate(rtol=1e-10, atol=1e-10)
+        >>> trajectory[x0].round(6)
+        array([1.      , 0.895595, 0.6597  ])
+        """
+        if self._ode_solver is odeint:
+            solver_kwargs.setdefault("full_output", True)
+        result = self.integrate(**solver_kwargs)
+        states, info = result if isinstance(result, tuple) else (result, None)
+        statistics = dict(info) if isinstance(info, dict) else {}
+        times = statistics.pop("times", self._times)
+        events = statistics.pop("events", ())
+        dense = statistics.pop("dense_output", None)
+        times, states = np.array(times, dtype=float), np.array(states, dtype=float)
+        model = Snapshot(self._current(), self._plan(self._specifieds), self._p())
+        equations, forces = self._equations, self.noncontributing_forces
+        known = {*self._residuals, *forces}
+        symbols = {
+            "coordinate": equations.coordinates,
+            "speed": equations.speeds,
+            "auxiliary": self.auxiliaries,
+            "output": [s for s in self.outputs_symbols if s not in known],
+            "constraint": list(self._residuals),
+            "force": forces,
+            "specified": self._definition.specifieds,
+        }
+        return Trajectory(
+            times,
+            states,
+            symbols,
+            outputs=model.outputs(times, states),
+            specifieds=model.specifieds(times, states),
+            constants=dict(zip(self._definition.constants, model.p.tolist(), strict=True)),
+            events=events,
+            statistics=statistics or None,
+            model=model,
+            dense=dense,
+        )

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from pydy._kernel import Kernel
-from pydy.codegen.arguments import number, real_array
-from pydy.codegen.right_hand_side import Layout, raise_singular
+from pydy.codegen.arguments import SpecifiedsPlan, number, real_array
+from pydy.codegen.right_hand_side import Layout, RightHandSide, raise_singular
 
-__all__ = ["evaluate", "samples"]
+__all__ = ["Snapshot", "evaluate", "override", "samples", "specified_rows"]
 
 
 def samples(
@@ -122,3 +123,41 @@ def override(p: Any, base: np.ndarray, symbols: tuple[Any, ...]) -> np.ndarray:
             raise ValueError(f"`p` has a value for `{key}`, which is not a constant of the system.")
         result[symbols.index(key)] = number(value, f"`p[{key}]`", finite=True)
     return result
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshot:
+    """The compiled model with the numbers of one simulation, as a `trajectory.Model`.
+
+    Attributes
+    ----------
+    implementation : RightHandSide
+    plan : SpecifiedsPlan
+    p : ndarray
+    """
+
+    implementation: RightHandSide
+    plan: SpecifiedsPlan
+    p: np.ndarray
+
+    def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the specifieds, shape (m, s)."""
+        rows = self._rows(times, states)
+        return np.broadcast_to(rows, (len(times), rows.shape[1]))
+
+    def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the states, shape (m, n)."""
+        return self._block("rates", times, states)
+
+    def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the outputs, shape (m, o)."""
+        return self._block("outputs", times, states)
+
+    def _block(self, block: str, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        kernel, layout = self.implementation.compiled(block), self.implementation.layout
+        rows = self._rows(times, states)
+        return evaluate(kernel, layout, times, np.ascontiguousarray(states), rows, self.p)
+
+    def _rows(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        size = len(self.implementation.layout.specifieds)
+        return specified_rows(None, lambda r: self.plan, times, states, size)

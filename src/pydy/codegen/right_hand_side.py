@@ -92,7 +92,11 @@ class RightHandSide:
         return state
 
     def compiled(self, *blocks: str) -> Kernel:
-        """Return the Kernel of some blocks of the assembly, compiled at most once."""
+        """Return the Kernel of some blocks of the assembly, compiled at most once.
+
+        ``compiled('kinetic_hessian')`` is the mass matrix of all speeds, before any constraint
+        reduces it; it is assembled only when asked for, as is ``'kinetic_energy'``.
+        """
         kernel = self._kernels.get(blocks)
         if kernel is None:
             kernel = self._compiler.compile(self._assembly.program(*blocks))
