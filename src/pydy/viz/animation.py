@@ -179,9 +179,7 @@ def animate(
             points.update(dict.fromkeys(visual.shape.points))
     arrows = [v for v in visuals if isinstance(v.shape, Arrow)]
     vectors = tuple(v.shape.vector for v in arrows if isinstance(v.shape, Arrow))
-    geometry = Geometry(
-        reference, origin, tuple(frames), tuple(points), vectors, tuple(series)
-    )
+    geometry = Geometry(reference, origin, tuple(frames), tuple(points), vectors, tuple(series))
     placed = place(geometry, motion.names)(
         motion.times, motion.states, motion.specifieds, motion.constants
     )
@@ -230,9 +228,7 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
         if isinstance(shape, Line):
             line = np.stack([placed.positions[p] for p in shape.points], 1)
         rotations = identity if visual.frame is None else placed.rotations[visual.frame]
-        items.append(
-            Item(visual, shape, rotations, placed.positions[visual.point], vector, line)
-        )
+        items.append(Item(visual, shape, rotations, placed.positions[visual.point], vector, line))
     rows = np.unique(np.linspace(0, m - 1, min(m, _SEEN)).astype(int))
     shown = [i for i in items if not isinstance(i.shape, Plane)] or items
     reach = np.stack([item.reach(rows) for item in shown])

@@ -15,7 +15,7 @@ CYCLE = (
 """For visuals without a colour of their own: told apart on white and on nearly black."""
 
 # The names of CSS Color Module Level 4, each with its value.
-_WORDS = """
+_TABLE = """
 aliceblue f0f8ff antiquewhite faebd7 aqua 00ffff aquamarine 7fffd4 azure f0ffff beige f5f5dc
 bisque ffe4c4 black 000000 blanchedalmond ffebcd blue 0000ff blueviolet 8a2be2 brown a52a2a
 burlywood deb887 cadetblue 5f9ea0 chartreuse 7fff00 chocolate d2691e coral ff7f50 cornflowerblue
@@ -43,8 +43,8 @@ salmon fa8072 sandybrown f4a460 seagreen 2e8b57 seashell fff5ee sienna a0522d si
 skyblue 87ceeb slateblue 6a5acd slategray 708090 slategrey 708090 snow fffafa springgreen 00ff7f
 steelblue 4682b4 tan d2b48c teal 008080 thistle d8bfd8 tomato ff6347 turquoise 40e0d0 violet
 ee82ee wheat f5deb3 white ffffff whitesmoke f5f5f5 yellow ffff00 yellowgreen 9acd32
-""".split()
-NAMES = dict(zip(_WORDS[::2], _WORDS[1::2], strict=True))
+"""
+NAMES: dict[str, str] = dict(re.findall(r"(\w+)\s+([0-9a-f]{6})\b", _TABLE))
 
 
 def hex_colour(colour: Any, what: str = "`colour`") -> str:

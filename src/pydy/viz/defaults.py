@@ -12,7 +12,7 @@ from sympy.physics.vector import Vector
 
 from pydy.viz.shapes import Box, Shape, Sphere
 
-__all__ = ["default_shape", "find_origin", "guess_up", "unit_vector"]
+__all__ = ["default_shape", "find_origin", "guess_up", "skeleton", "unit_vector"]
 
 # A plate is drawn no thinner than this part of its greatest edge.
 _THINNEST = 0.03
@@ -62,6 +62,26 @@ def find_origin(frame: Any, points: Iterable[Any]) -> Any:
         seen.update(near)
         waiting += near
     return None
+
+
+def skeleton(origin: Any, points: Iterable[Any]) -> list[tuple[Any, Any]]:
+    """Return the pairs of points that lead from the origin to the given ones.
+
+    Two points make a pair where the position of one was given relative to the other.
+    """
+    before = {origin: origin}
+    waiting = [origin]
+    while waiting:
+        point = waiting.pop(0)
+        near = [p for p in point._pos_dict if p not in before]
+        before.update(dict.fromkeys(near, point))
+        waiting += near
+    pairs: dict[tuple[Any, Any], None] = {}
+    for point in points:
+        while before.get(point, point) is not point:
+            pairs[before[point], point] = None
+            point = before[point]
+    return list(pairs)
 
 
 def guess_up(

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._errors import MissingDependencyError
+from pydy._optional import require
 from pydy.viz.animation import Animation
 from pydy.viz.framing import Framing, Look, frame
 from pydy.viz.shapes import Line, Trace
@@ -18,19 +18,9 @@ _PICTURES = (".png", ".pdf", ".svg", ".jpg", ".jpeg")
 _FILMS = (".mp4", ".gif")
 
 
-def _matplotlib() -> None:
-    try:
-        import matplotlib  # noqa: F401 - only whether it is there
-    except ImportError:
-        raise MissingDependencyError(
-            "Pictures and films of a scene need Matplotlib, which is not installed: "
-            "python -m pip install 'pydy[plot]'. `to_html` needs nothing."
-        ) from None
-
-
 def draw(animation: Animation, look: Look, t: float, axes: Any = None) -> Any:
     """Draw an animation at a time; return the axes."""
-    _matplotlib()
+    require("matplotlib", "plot", "A picture or film of a scene")
     seen = frame(animation, look)
     if axes is None:
         from matplotlib.figure import Figure
@@ -54,7 +44,7 @@ def save(
     fps: float,
     dpi: int,
     size: tuple[float, float],
-) -> Path:
+) -> None:
     """Save a film or a picture, as the suffix of the path says."""
     suffix = path.suffix.lower()
     if suffix not in _PICTURES + _FILMS:
@@ -64,7 +54,7 @@ def save(
         )
     if not fps > 0:
         raise ValueError(f"`fps` must be positive, got {fps!r}.")
-    _matplotlib()
+    require("matplotlib", "plot", "A picture or film of a scene")
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, layout="tight")
@@ -73,7 +63,7 @@ def save(
     if suffix in _PICTURES:
         drawing.draw(float(animation.times[0]))
         figure.savefig(path, dpi=dpi)
-        return path
+        return
     writer = _writer(suffix, fps)
     start, end = float(animation.times[0]), float(animation.times[-1])
     count = max(1, round((end - start) / speed * fps)) + 1
@@ -82,20 +72,16 @@ def save(
             axes.clear()
             drawing.draw(float(t))
             writer.grab_frame()
-    return path
 
 
-def _writer(suffix: str, fps: float) -> Any:
+def _writer(suffix: str, fps: Any) -> Any:
     from matplotlib.animation import FFMpegWriter, PillowWriter
 
     if suffix == ".gif":
-        if not PillowWriter.isAvailable():
-            raise MissingDependencyError(
-                "GIF films need Pillow, which is not installed: python -m pip install 'pydy[plot]'."
-            )
+        require("PIL", "plot", "A GIF film of a scene")
         return PillowWriter(fps=fps)
     if not FFMpegWriter.isAvailable():
-        raise MissingDependencyError(
+        raise FileNotFoundError(
             "MP4 films need the program ffmpeg, which was not found. Install it (Debian and "
             "Ubuntu: apt install ffmpeg; macOS: brew install ffmpeg; Windows: winget install "
             "ffmpeg), or save a '.gif', or call `to_html`."
@@ -172,7 +158,8 @@ class _Drawing:
         axes.set_box_aspect(limits[:, 1] - limits[:, 0], zoom=1.25)
         x, y, z = self.turn @ seen.direction
         axes.view_init(
-            elev=float(np.degrees(np.arcsin(np.clip(z, -1, 1)))), azim=float(np.degrees(np.arctan2(y, x)))
+            elev=float(np.degrees(np.arcsin(np.clip(z, -1, 1)))),
+            azim=float(np.degrees(np.arctan2(y, x))),
         )
         axes.set_axis_off()
         if seen.ground is None:

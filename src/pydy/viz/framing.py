@@ -84,7 +84,7 @@ def frame(animation: Animation, look: Look) -> Framing:
     right, depth = _level_axes(up, extent)
     direction = look.view
     if direction is None:
-        flat = np.abs(depth @ extent) < 0.05 * np.abs(right @ extent)
+        flat = np.abs(depth @ extent) < 0.2 * np.abs(right @ extent)
         direction = depth + (0.25 * right + 0.2 * up if flat else 0.55 * right + 0.45 * up)
         direction = direction / np.linalg.norm(direction)
     height = None
@@ -125,7 +125,8 @@ def _path(animation: Animation, up: np.ndarray) -> np.ndarray:
     ] or [animation.items[0].positions]
     path = np.mean(moving, axis=0)
     path -= path[0]
-    return path - np.outer(path @ up, up)
+    level: np.ndarray = path - np.outer(path @ up, up)
+    return level
 
 
 def _nice(value: float) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -83,5 +84,5 @@ def _read_obj(data: bytes) -> tuple[np.ndarray, np.ndarray]:
             places = [n - 1 if n > 0 else len(vertices) + n for n in numbers]
             if len(places) < 3 or not all(0 <= k < len(vertices) for k in places):
                 raise ValueError(f"the face `{line.strip()}` does not fit the vertices before it")
-            faces += [(places[0], b, c) for b, c in zip(places[1:], places[2:], strict=False)]
+            faces += [(places[0], b, c) for b, c in pairwise(places[1:])]
     return np.array(vertices, dtype=float).reshape(-1, 3), np.array(faces, dtype=int).reshape(-1, 3)

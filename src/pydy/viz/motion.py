@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._names import name_of
 from pydy.viz.poses import Names
 
 __all__ = ["Model", "Motion", "motion_of_arrays", "motion_of_trajectory", "sampled"]
@@ -68,7 +69,9 @@ class Model:
 def _samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:
     t, x = np.asarray(times, dtype=float), np.asarray(states, dtype=float)
     if t.ndim != 1 or not len(t):
-        raise ValueError(f"`times` must be a sequence of one time or more, got the shape {t.shape}.")
+        raise ValueError(
+            f"`times` must be a sequence of one time or more, got the shape {t.shape}."
+        )
     if x.shape != (len(t), width):
         raise ValueError(
             f"`states` must have the shape ({len(t)}, {width}), a row for each of the times and a "
@@ -120,7 +123,8 @@ def motion_of_trajectory(trajectory: Any, model: Model | None, constants: Any = 
             f"{type(trajectory).__name__} {trajectory!r}."
         )
     symbols = tuple(trajectory.state_symbols)
-    if model is not None and set(model.states) != set(symbols):
+    # A trajectory from a file has names in the place of symbols.
+    if model is not None and set(map(name_of, model.states)) != set(map(name_of, symbols)):
         raise ValueError(
             f"The trajectory is one of another system: it has the states {_listed(symbols)}, the "
             f"scene's system has {_listed(model.states)}. Animate a trajectory of this system, or "
@@ -128,9 +132,7 @@ def motion_of_trajectory(trajectory: Any, model: Model | None, constants: Any = 
         )
     values = {**dict(getattr(trajectory, "constants", None) or {}), **_constants(constants)}
     specified = tuple(getattr(trajectory, "specifieds_symbols", None) or ())
-    names = Names(
-        symbols, specified, tuple(values), model.definitions if model is not None else {}
-    )
+    names = Names(symbols, specified, tuple(values), model.definitions if model is not None else {})
     times, states = _samples(trajectory.times, trajectory.states, len(symbols))
     rows = np.asarray(trajectory.specifieds, dtype=float) if specified else np.zeros((1, 0))
     rows = np.ascontiguousarray(np.broadcast_to(rows, (len(times), len(specified))))
@@ -199,7 +201,7 @@ def _listed(symbols: Sequence[Any]) -> str:
 
 
 def sampled(times: np.ndarray, step: float) -> np.ndarray:
-    """Return the indices of the samples to keep: no two closer than `step`, first and last always.
+    """Return the indices of the samples to keep: no two closer than `step` but the last.
 
     Only samples that were computed are kept, so the poses at them are exact.
 

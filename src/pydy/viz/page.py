@@ -107,27 +107,46 @@ class _Tracks:
     def __init__(self, animation: Animation) -> None:
         low, high = animation.box
         self.entries: list[dict[str, Any]] = []
-        self._bases: list[tuple[Any, Item]] = []
+        self._bases: list[tuple[Any, np.ndarray, np.ndarray]] = []
+        self._frames = {item.visual.frame: item.rotations for item in animation.items}
+        self._frames.setdefault(None, np.broadcast_to(np.eye(3), (len(animation.times), 3, 3)))
         # Below what a 32-bit float can tell apart at that distance.
         self._tolerance = 1e-8 * float(np.abs([low, high]).max(initial=0.0))
 
-    def find(self, item: Item) -> tuple[int, list[float]]:
-        """Return the number of the track an item moves with, and its offset from that."""
-        frame = item.visual.frame
-        for k, (other, base) in enumerate(self._bases):
-            if other is not frame:
-                continue
-            away = item.positions - base.positions
-            offset = np.einsum("mji,mj->mi", base.rotations, away)
-            if np.ptp(offset, axis=0).max() <= self._tolerance:
+    def find(self, frame: Any, positions: np.ndarray) -> tuple[int, list[float]]:
+        """Return the number of the track that moves with a frame, and a point's offset from it."""
+        for k, (other, rotations, base) in enumerate(self._bases):
+            offset = self._seen_from(rotations, positions - base)
+            if other is frame and self._constant(offset):
                 return k, offset[0].tolist()
-        self._bases.append((frame, item))
-        quaternions = Rotation.from_matrix(item.rotations).as_quat()
+        rotations = self._frames[frame]
+        self._bases.append((frame, rotations, positions))
+        quaternions = Rotation.from_matrix(rotations).as_quat()
         # Neighbours on the same side of the sphere, so that interpolation takes the short way.
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
-        self.entries.append({"p": _column(item.positions), "q": _column(quaternions)})
+        self.entries.append({"p": _column(positions), "q": _column(quaternions)})
         return len(self._bases) - 1, [0.0, 0.0, 0.0]
+
+    def carrier(self, points: np.ndarray) -> tuple[Any, np.ndarray] | None:
+        """Return a frame in which points, shape (m, k, 3), rest, and their offsets from the first.
+
+        None where they move relative to each other.
+        """
+        away = points - points[:, :1]
+        for frame, rotations in self._frames.items():
+            offset = self._seen_from(rotations, away)
+            if self._constant(offset):
+                return frame, offset[0]
+        return None
+
+    @staticmethod
+    def _seen_from(rotations: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+        result: np.ndarray = np.einsum("mji,m...j->m...i", rotations, vectors)
+        return result
+
+    def _constant(self, values: np.ndarray) -> bool:
+        return bool(np.ptp(values, axis=0).max() <= self._tolerance)
 
 
 def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
@@ -141,8 +160,16 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
     }
     if item.points is not None:
         assert isinstance(shape, Line)
-        return {**entry, "radius": shape.radius, "points": _column(item.points)}
-    entry["track"], entry["offset"] = tracks.find(item)
+        entry["radius"] = shape.radius
+        carried = tracks.carrier(item.points)
+        if carried is None:
+            entry["points"] = _column(item.points)
+        else:
+            # A rod of a rigid body.
+            entry["points"] = _column(carried[1][None])
+            entry["track"], entry["offset"] = tracks.find(carried[0], item.points[:, 0])
+        return entry
+    entry["track"], entry["offset"] = tracks.find(item.visual.frame, item.positions)
     if item.vectors is not None:
         assert isinstance(shape, Arrow)
         return {**entry, "radius": shape.radius, "vectors": _column(item.vectors)}

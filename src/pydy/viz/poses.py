@@ -7,8 +7,9 @@ matrices, not n². The Program's outputs for all frames of an animation come fro
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -24,8 +25,9 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
+from pydy._names import name_of
 
-__all__ = ["Geometry", "Names", "Placement", "pose_program"]
+__all__ = ["Geometry", "Names", "Placement", "place", "pose_program"]
 
 Matrix3 = list[list[int]]
 Vector3 = list[int]
@@ -112,7 +114,7 @@ def place(geometry: Geometry, names: Names) -> Callable[..., Placement]:
 
     def evaluate(t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> Placement:
         out, _ = kernel.evaluate(t, x, r, p)
-        blocks = {b.name: out[:, b.start : b.stop].reshape(-1, *b.shape) for b in program.blocks}
+        blocks = {b.name: out[:, b.start : b.stop].reshape(len(t), *b.shape) for b in program.blocks}
         rotations, positions = blocks["rotations"], blocks["positions"]
         return Placement(
             {f: rotations[:, k] for k, f in enumerate(geometry.frames)},
@@ -133,6 +135,8 @@ class _Poses:
         self.graph = graph = Graph()
         groups = (("p", names.constants), ("r", names.specifieds), ("x", names.states))
         atoms = {s: graph.input(g, k) for g, symbols in groups for k, s in enumerate(symbols)}
+        # A trajectory from a file has names in the place of symbols.
+        self.by_name = {s: node for s, node in atoms.items() if isinstance(s, str)}
         atoms[names.time] = graph.input("t", 0)
         self.read = SymPyReader(graph, atoms, "the scene")
         one, zero = graph.one, graph.zero
@@ -161,13 +165,15 @@ class _Poses:
         ):
             blocks.append((name, shape, flat[start : start + len(part)]))
             start += len(part)
-        return lower(graph, (len(names.states), len(names.specifieds), len(names.constants)), blocks)
+        return lower(
+            graph, (len(names.states), len(names.specifieds), len(names.constants)), blocks
+        )
 
     def rotation(self, frame: Any) -> Matrix3:
         """Return the direction cosines that turn components in `frame` into the reference's."""
         if frame not in self.rotations:
             path = self._path_to(frame)
-            for before, after in zip(path, path[1:], strict=False):
+            for before, after in pairwise(path):
                 if after not in self.rotations:
                     step = self.nodes(
                         before.dcm(after), f"the orientation of frame `{after}` in `{before}`"
@@ -219,6 +225,9 @@ class _Poses:
         return self.read.all(rows)
 
     def _define(self, symbol: Any, what: str) -> None:
+        if name_of(symbol) in self.by_name:
+            self.read.define(symbol, self.by_name[name_of(symbol)])
+            return
         if symbol in self.names.definitions:
             (node,) = self.nodes([self.names.definitions[symbol]], what)
             self.read.define(symbol, node)
@@ -238,11 +247,9 @@ class _Poses:
     def _product(self, a: Matrix3, b: list[int]) -> Matrix3:
         graph = self.graph
         return [
-            [graph.sum([(graph.mul(row[k], b[3 * k + j]), 1.0) for k in range(3)]) for j in range(3)]
+            [
+                graph.sum([(graph.mul(row[k], b[3 * k + j]), 1.0) for k in range(3)])
+                for j in range(3)
+            ]
             for row in a
         ]
-
-
-def distinct(things: Sequence[Any]) -> tuple[Any, ...]:
-    """Return each thing once, in order."""
-    return tuple(dict.fromkeys(things))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 import webbrowser
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Literal, Self
 
@@ -43,7 +44,8 @@ class Scene:
     view : sequence of 3 numbers, optional
         From which side the camera looks at the start, in the reference frame.
     series : mapping of str to expressions, or iterable of expressions, optional
-        What to plot over time below the animation.
+        What to plot over time below the animation. What is in the trajectory, an output for
+        instance, is taken from there by symbol or name; the rest is evaluated.
     title : str, optional
 
     Raises
@@ -183,14 +185,29 @@ class Scene:
         rows = np.arange(len(motion.times))
         if fps is not None:
             rows = sampled(motion.times, self._speed / fps)
-        extra = _columns(series, len(motion.times))
-        shown = motion.taken(rows)
+        columns = self._recorded(trajectory if states is None else None)
+        columns.update(_columns(series, len(motion.times)))
+        formulas = tuple((k, e) for k, e in self.series.items() if k not in columns)
         animation = animate(
-            self.reference_frame, self.origin, self.visuals, tuple(self.series.items()), shown
+            self.reference_frame, self.origin, self.visuals, formulas, motion.taken(rows)
         )
-        animation.series.update((label, values[rows]) for label, values in extra.items())
-        self._animation = animation
+        values = {**animation.series, **{label: c[rows] for label, c in columns.items()}}
+        order = dict.fromkeys((*self.series, *columns))
+        self._animation = replace(animation, series={label: values[label] for label in order})
         return self
+
+    def _recorded(self, trajectory: Any) -> dict[str, np.ndarray]:
+        """Return those of the series that a trajectory holds."""
+        columns = {}
+        for label, expression in self.series.items():
+            if hasattr(trajectory, "__contains__") and expression in trajectory:
+                columns[label] = np.asarray(trajectory[expression], dtype=float)
+            elif isinstance(expression, str):
+                raise ValueError(
+                    f"`series` has '{expression}', which is none of the trajectory's quantities. "
+                    "Give an expression, or the name of a state, output or specified."
+                )
+        return columns
 
     @property
     def times(self) -> np.ndarray:
@@ -236,9 +253,9 @@ class Scene:
         -------
         Path
         """
-        path = Path(path)
-        path.write_text(self.html(theme), encoding="utf-8")
-        return path
+        target = Path(path)
+        target.write_text(self.html(theme), encoding="utf-8")
+        return target
 
     def show(self) -> Any:
         """Show the scene: inline in Jupyter, otherwise in the browser, from a temporary file."""
@@ -281,7 +298,7 @@ class Scene:
 
         Raises
         ------
-        MissingDependencyError
+        ImportError
             Matplotlib is not installed.
         """
         from pydy.viz.figure import draw
@@ -310,12 +327,16 @@ class Scene:
 
         Raises
         ------
-        MissingDependencyError
-            Matplotlib, Pillow (for GIF) or the program ffmpeg (for MP4) is not installed.
+        ImportError
+            Matplotlib, or Pillow for a GIF, is not installed.
+        FileNotFoundError
+            The program ffmpeg, for an MP4, is not installed.
         """
         from pydy.viz.figure import save
 
-        return save(self._moving(), self._look, self._speed, Path(path), fps, dpi, size)
+        target = Path(path)
+        save(self._moving(), self._look, self._speed, target, fps, dpi, size)
+        return target
 
 
 def _visual(thing: Any) -> Visual:

@@ -72,7 +72,7 @@ class Shape:
     def _set(self, attribute: str, value: Any) -> None:
         object.__setattr__(self, attribute, value)  # the shape is still in the making
 
-    def measured(self, values: Mapping[Any, float]) -> Self:
+    def measured(self, values: Mapping[Any, Any]) -> Self:
         """Return this shape with numbers for lengths.
 
         Parameters
@@ -84,19 +84,21 @@ class Shape:
         ValueError
             A symbol has no value, or the length comes out as no positive number.
         """
-        numbers = {}
+        numbers: dict[str, Any] = {}
         kind = type(self).__name__
         for attribute in self.lengths:
             expression = getattr(self, attribute)
             if not isinstance(expression, sm.Basic):
                 continue
-            missing = sorted(map(str, expression.free_symbols - set(values)))
+            # By name too: a trajectory from a file has names in the place of symbols.
+            known = {s: values.get(s, values.get(s.name)) for s in expression.free_symbols}
+            missing = sorted(s.name for s, value in known.items() if value is None)
             if missing:
                 raise ValueError(
                     f"`{attribute}` of {kind} is `{expression}`, but `{missing[0]}` has no value: "
                     "shapes may depend on constants only. Give its value in `constants`."
                 )
-            value = _number(expression.xreplace({k: sm.Float(v) for k, v in values.items()}))
+            value = _number(expression.xreplace({s: sm.Float(v) for s, v in known.items()}))
             if value is None or not 0 < value < np.inf:
                 raise ValueError(
                     f"`{attribute}` of {kind} is `{expression}`, which must be positive, but comes "

@@ -34,22 +34,24 @@ const tracks = data.tracks.map((entry) => new Track(entry));
 /** One visual: `anchor` is at its point; `object` is what is seen and can be hidden. */
 const visuals = data.visuals.map((visual) => {
   const track = tracks[visual.track];
-  const made = { ...visual, trackOf: track, moving: null };
+  const made = { ...visual, trackOf: track, moving: null, anchor: new THREE.Group() };
+  if (track) {
+    made.anchor.position.fromArray(visual.offset);
+    track.add(made.anchor);
+  } else scene.add(made.anchor);
   if (visual.points) {
     made.object = visual.radius === null ? new ThinLine(visual) : new RodShape(visual);
-    made.moving = () => made.object.update();
-    made.anchor = visual.radius === null ? new THREE.Group() : made.object.joints[0];
-    scene.add(made.object);
-    if (visual.radius === null) {
-      scene.add(made.anchor);
-      made.moving = () => { made.object.update(); made.anchor.position.fromArray(made.object.row); };
+    if (track) {
+      made.anchor.add(made.object);
+      made.object.update(); // once: its points rest in the track's frame
+    } else {
+      scene.add(made.object);
+      made.moving = () => {
+        made.object.update();
+        made.anchor.position.fromArray(made.object.row);
+      };
     }
-    return made;
-  }
-  made.anchor = new THREE.Group();
-  made.anchor.position.fromArray(visual.offset);
-  track.add(made.anchor);
-  if (visual.vectors) {
+  } else if (visual.vectors) {
     const place = new THREE.Vector3();
     made.object = new ArrowShape(visual);
     scene.add(made.object);

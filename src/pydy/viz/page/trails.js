@@ -3,7 +3,7 @@
 /** Where a visual's point is at every frame, in the scene. */
 function pathOf(visual) {
   const places = new Float32Array(3 * times.length);
-  if (visual.points) {
+  if (!visual.trackOf) {
     const column = new Column(visual.points);
     for (let k = 0; k < times.length; k++)
       for (let i = 0; i < 3; i++) places[3 * k + i] = column.values[column.offset(k) + i];
