@@ -1,7 +1,7 @@
 // What the animation page uses of three.js; `make three` bundles it into src/pydy/viz/page/three.min.js.
 export {
   BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, Color, ConeGeometry, CylinderGeometry,
-  DirectionalLight, DoubleSide, FrontSide, Group, HemisphereLight, MathUtils, Matrix4, Mesh, MeshStandardMaterial,
+  DirectionalLight, DoubleSide, FrontSide, Group, HemisphereLight, InstancedMesh, MathUtils, Matrix4, Mesh, MeshStandardMaterial, Object3D,
   PerspectiveCamera, PlaneGeometry, Quaternion, Scene, ShaderMaterial, ShadowMaterial, SphereGeometry,
   TorusGeometry, Vector3, WebGLRenderer,
 } from "three";

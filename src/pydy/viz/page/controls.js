@@ -234,23 +234,26 @@ window.pydy = {
     scene.updateMatrixWorld();
     return visuals.map((visual) => {
       const low = new THREE.Vector3(Infinity, Infinity, Infinity), high = low.clone().negate();
-      const corner = new THREE.Vector3();
+      const corner = new THREE.Vector3(), each = new THREE.Matrix4();
       visual.object.traverse((part) => {
         const place = part.isMesh && part.visible && !part.isLine2 && part.geometry.attributes.position;
-        for (let i = 0; place && i < place.count; i++) {
-          corner.fromBufferAttribute(place, i).applyMatrix4(part.matrixWorld);
-          low.min(corner);
-          high.max(corner);
+        for (let n = 0; place && n < (part.count ?? 1); n++) {
+          if (part.isInstancedMesh) part.getMatrixAt(n, each);
+          for (let i = 0; i < place.count; i++) {
+            corner.fromBufferAttribute(place, i).applyMatrix4(each).applyMatrix4(part.matrixWorld);
+            low.min(corner);
+            high.max(corner);
+          }
         }
       });
       return low.x <= high.x ? [low.toArray(), high.toArray()] : null;
     });
   },
-  /** What the last frames cost in milliseconds of script, drawing commands included. */
+  /** What the last frames cost, medians in milliseconds of script; `drawing` commands are part of `all`. */
   costs() {
-    const sorted = [...costs.last].sort((a, b) => a - b), n = sorted.length;
-    const at = (share) => (n ? sorted[Math.min(n - 1, Math.floor(share * n))] : NaN);
-    return { frames: costs.frames, mean: sorted.reduce((a, b) => a + b, 0) / n, median: at(0.5), most: at(0.95) };
+    const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];
+    return { frames: costs.frames, all: median(costs.last), drawing: median(costs.drawn),
+      calls: renderer ? renderer.info.render.calls : 0 };
   },
-  forgetCosts() { costs.last.length = 0; costs.frames = 0; },
+  forgetCosts() { costs.last.length = costs.drawn.length = costs.frames = 0; },
 };

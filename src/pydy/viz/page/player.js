@@ -1,6 +1,6 @@
 // Time: playing, pausing, seeking; one callback of the browser draws when there is something new.
 const player = { playing: false, speed: data.speed, loop: true, before: null, stale: true };
-const costs = { last: [], frames: 0 };
+const costs = { last: [], drawn: [], frames: 0 };
 const KEPT = 600; // frames whose cost is remembered
 
 const playButton = document.getElementById("play"), slider = document.getElementById("time");
@@ -26,7 +26,9 @@ function show() {
     slider.setAttribute("aria-valuetext", text + " seconds");
   }
   drawCursor();
+  const begin = performance.now();
   draw();
+  costs.drawing = performance.now() - begin;
 }
 
 function seek(time) {
@@ -60,8 +62,19 @@ function advance(instant) {
   seek(time);
 }
 
+const SLOW = 45, PATIENCE = 30; // milliseconds from frame to frame; so many of them
+const pace = { last: 0, slow: 0 };
+
+function watchPace(instant) {
+  const gap = instant - pace.last;
+  pace.last = instant;
+  pace.slow = gap > SLOW && gap < 1000 ? pace.slow + 1 : 0;
+  if (pace.slow > PATIENCE && !simple) simplify();
+}
+
 function tick(instant) {
   requestAnimationFrame(tick);
+  if (player.playing) watchPace(instant);
   const begin = performance.now();
   if (player.playing) advance(instant);
   if (controls.update()) invalidate();
@@ -70,5 +83,9 @@ function tick(instant) {
   show();
   costs.frames += 1;
   costs.last.push(performance.now() - begin);
-  if (costs.last.length > KEPT) costs.last.shift();
+  costs.drawn.push(costs.drawing);
+  if (costs.last.length > KEPT) {
+    costs.last.shift();
+    costs.drawn.shift();
+  }
 }

@@ -109,31 +109,44 @@ class ArrowShape extends THREE.Group {
 class RodShape extends THREE.Group {
   constructor(visual) {
     super();
-    const material = materialOf(visual), r = visual.radius;
+    const material = materialOf(visual);
     this.column = new Column(visual.points);
-    const count = this.column.width / 3;
-    const ball = new THREE.SphereGeometry(r, 24, 16), shaft = unitShaft();
-    this.joints = Array.from({ length: count }, () => solid(ball, material));
-    this.rods = Array.from({ length: count - 1 }, () => solid(shaft, material));
-    this.add(...this.joints, ...this.rods);
-    this.radius = r;
-    this.row = new Float32Array(3 * count);
-    this.direction = new THREE.Vector3();
+    this.count = this.column.width / 3;
+    this.radius = visual.radius;
+    // All rods in one drawing command, all joints in another.
+    this.joints = many(new THREE.SphereGeometry(1, 20, 14), material, this.count);
+    this.rods = many(unitShaft(), material, this.count - 1);
+    this.add(this.joints, this.rods);
+    this.row = new Float32Array(this.column.width);
+    this.end = new THREE.Vector3();
+    this.part = new THREE.Object3D();
   }
   update() {
-    this.column.blend(now.k, now.part, this.row);
-    this.joints.forEach((joint, i) => joint.position.fromArray(this.row, 3 * i));
-    this.rods.forEach((rod, i) => {
-      const from = this.joints[i].position;
-      const v = this.direction.copy(this.joints[i + 1].position).sub(from);
-      const length = v.length();
-      rod.visible = length > 0;
-      if (!rod.visible) return;
-      rod.position.copy(from);
-      rod.quaternion.setFromUnitVectors(Y, v.divideScalar(length));
-      rod.scale.set(this.radius, length, this.radius);
-    });
+    const { column, row, part, end, radius: r } = this;
+    column.blend(now.k, now.part, row);
+    for (let i = 0; i < this.count; i++) {
+      part.position.fromArray(row, 3 * i);
+      part.quaternion.identity();
+      part.scale.setScalar(r);
+      part.updateMatrix();
+      this.joints.setMatrixAt(i, part.matrix);
+      if (i + 1 === this.count) break;
+      const length = end.fromArray(row, 3 * i + 3).sub(part.position).length();
+      if (length > 0) part.quaternion.setFromUnitVectors(Y, end.divideScalar(length));
+      part.scale.set(r, Math.max(length, 1e-9), r);
+      part.updateMatrix();
+      this.rods.setMatrixAt(i, part.matrix);
+    }
+    this.joints.instanceMatrix.needsUpdate = this.rods.instanceMatrix.needsUpdate = true;
   }
+}
+
+function many(geometry, material, count) {
+  const mesh = new THREE.InstancedMesh(geometry, material, count);
+  mesh.castShadow = material.opacity > 0.3;
+  mesh.receiveShadow = true;
+  mesh.frustumCulled = false;
+  return mesh;
 }
 
 class ThinLine extends WideLine {

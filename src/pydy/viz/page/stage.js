@@ -195,6 +195,16 @@ try {
   notice.hidden = false;
 }
 
+let simple = false;
+
+/** Leave out what is dear, where there is no graphics card. */
+function simplify() {
+  simple = true;
+  sun.castShadow = false;
+  floor.visible = false;
+  resize();
+}
+
 function cssColour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
@@ -210,7 +220,7 @@ function resize() {
   camera.aspect = width / height;
   camera.updateProjectionMatrix();
   if (renderer) {
-    renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    renderer.setPixelRatio(simple ? 1 : Math.min(devicePixelRatio, 2));
     renderer.setSize(width, height, false);
   }
 }
