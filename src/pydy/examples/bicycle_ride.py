@@ -28,6 +28,7 @@ import sympy as sm
 from pydy.examples import bicycle_scene, whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
 from pydy.system import System
+from pydy.trajectory import Trajectory
 from pydy.viz import Scene
 
 __all__ = ["Ride", "animate", "draw", "push", "ride"]
@@ -74,8 +75,10 @@ class Ride:
         Those of position, heading, wheel angles, speed and auxiliary states: zero.
     seconds : Mapping of str to float
         How long each stage took.
+    trajectory : pydy.trajectory.Trajectory
+        The ride with the push.
     scene : pydy.viz.Scene
-        The ride with the push, ready to be shown.
+        The same, ready to be shown.
     """
 
     states: Mapping[str, int]
@@ -97,6 +100,7 @@ class Ride:
     published: np.ndarray
     other_eigenvalues: np.ndarray
     seconds: Mapping[str, float]
+    trajectory: Trajectory
     scene: Scene
 
     @property
@@ -216,6 +220,7 @@ def ride() -> Ride:
         published=published,
         other_eigenvalues=np.delete(found, nearest),
         seconds=clock.seconds,
+        trajectory=pushed,
         scene=scene,
     )
 

@@ -84,7 +84,8 @@ def frame(animation: Animation, look: Look) -> Framing:
     right, depth = _level_axes(up, extent)
     direction = look.view
     if direction is None:
-        flat = np.abs(depth @ extent) < 0.2 * np.abs(right @ extent)
+        cloud = np.concatenate([item.positions for item in animation.items])
+        flat = np.ptp(cloud @ depth) < 0.02 * np.ptp(cloud @ right)
         direction = depth + (0.25 * right + 0.2 * up if flat else 0.55 * right + 0.45 * up)
         direction = direction / np.linalg.norm(direction)
     height = None

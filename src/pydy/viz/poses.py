@@ -114,7 +114,9 @@ def place(geometry: Geometry, names: Names) -> Callable[..., Placement]:
 
     def evaluate(t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> Placement:
         out, _ = kernel.evaluate(t, x, r, p)
-        blocks = {b.name: out[:, b.start : b.stop].reshape(len(t), *b.shape) for b in program.blocks}
+        blocks = {
+            b.name: out[:, b.start : b.stop].reshape(len(t), *b.shape) for b in program.blocks
+        }
         rotations, positions = blocks["rotations"], blocks["positions"]
         return Placement(
             {f: rotations[:, k] for k, f in enumerate(geometry.frames)},

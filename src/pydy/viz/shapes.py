@@ -57,9 +57,10 @@ class Shape:
 
     def __post_init__(self) -> None:
         kind = type(self).__name__
+        optional = {entry.name for entry in fields(self) if entry.default is None}
         for attribute in self.lengths:
             value = getattr(self, attribute)
-            if value is not None:
+            if value is not None or attribute not in optional:
                 self._set(attribute, _length(value, f"`{attribute}` of {kind}"))
         if self.colour is not None:
             self._set("colour", hex_colour(self.colour, f"`colour` of {kind}"))

@@ -76,8 +76,8 @@ class WideLine extends THREE.Line2 {
 const Y = new THREE.Vector3(0, 1, 0);
 const HEAD_LENGTH = 6, HEAD_RADIUS = 2.5; // of an arrow, relative to the radius of its shaft
 
-function unitShaft() {
-  return new THREE.CylinderGeometry(1, 1, 1, 24).translate(0, 0.5, 0);
+function unitShaft(corners) {
+  return new THREE.CylinderGeometry(1, 1, 1, corners).translate(0, 0.5, 0);
 }
 
 class ArrowShape extends THREE.Group {
@@ -86,7 +86,7 @@ class ArrowShape extends THREE.Group {
     const material = materialOf(visual);
     this.radius = visual.radius;
     this.column = new Column(visual.vectors);
-    this.shaft = solid(unitShaft(), material);
+    this.shaft = solid(unitShaft(24), material);
     this.head = solid(new THREE.ConeGeometry(1, 1, 32).translate(0, 0.5, 0), material);
     this.add(this.shaft, this.head);
     this.vector = new Float32Array(3);
@@ -113,9 +113,10 @@ class RodShape extends THREE.Group {
     this.column = new Column(visual.points);
     this.count = this.column.width / 3;
     this.radius = visual.radius;
-    // All rods in one drawing command, all joints in another.
-    this.joints = many(new THREE.SphereGeometry(1, 20, 14), material, this.count);
-    this.rods = many(unitShaft(), material, this.count - 1);
+    // All rods in one drawing command, all joints in another; a spoke needs few corners.
+    const corners = visual.radius > 0.02 * data.view.radius ? 20 : 8;
+    this.joints = many(new THREE.SphereGeometry(1, corners, corners / 2), material, this.count);
+    this.rods = many(unitShaft(corners), material, this.count - 1);
     this.add(this.joints, this.rods);
     this.row = new Float32Array(this.column.width);
     this.end = new THREE.Vector3();
