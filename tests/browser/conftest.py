@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from waiting import until
+
 BUILD = Path(__file__).parents[2] / "build"
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 # Drawing by the processor: no graphics card is needed. There is nothing here to be sandboxed from.
@@ -58,7 +60,7 @@ def open_page(browser):
         url = Path(path).resolve().as_uri()
         page.on("request", lambda r: r.url == url or complaints.append(f"request: {r.url}"))
         page.goto(url)
-        page.wait_for_function("window.pydy && window.pydy.ready")
+        until(page, "window.pydy && window.pydy.ready")
         return page
 
     yield open_page

@@ -5,6 +5,7 @@ import pytest
 
 from pydy.examples import bicycle_ride
 from pydy.examples.whipple_bicycle import BENCHMARK
+from waiting import until
 
 MOST = 4.0  # milliseconds of script for each frame
 
@@ -66,7 +67,7 @@ def test_the_wheels_are_where_numpy_says(ride, path, open_page, screenshot):
 
 def test_scrubbing_and_playing_agree(path, open_page):
     page = open_page(path)
-    page.wait_for_function("pydy.time > 0.3")
+    until(page, "pydy.time > 0.3")
     page.evaluate("pydy.pause()")
     played = page.evaluate("[pydy.time, pydy.positions()]")
     page.evaluate(f"pydy.seek(0); pydy.seek({played[0]})")
@@ -78,7 +79,7 @@ def test_a_frame_costs_little_script(path, open_page):
     page = open_page(path, 320, 260)
     page.wait_for_timeout(1500)
     page.evaluate("pydy.forgetCosts()")
-    page.wait_for_function("pydy.costs().frames >= 30")
+    until(page, "pydy.costs().frames >= 30")
     costs = page.evaluate("pydy.costs()")
     assert costs["all"] < MOST, costs
     assert costs["calls"] < 200

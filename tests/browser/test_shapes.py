@@ -22,6 +22,7 @@ from pydy.viz import (
     Trace,
     Visual,
 )
+from waiting import until
 
 q, x = dynamicsymbols("q, x")
 EVIL = "</script><img src=x onerror=alert(1)>"
@@ -108,12 +109,10 @@ def test_an_iframe_as_in_a_notebook_shows_the_same(zoo, browser, tmp_path):
     outer.write_text(f"<!DOCTYPE html><body>{zoo.scene._repr_html_()}", encoding="utf-8")
     page = browser.new_page()
     errors = []
-    page.on("pageerror", errors.append)
+    page.on("pageerror", lambda error: errors.append(str(error)))
     page.goto(outer.as_uri())
-    frame = page.frame_locator("iframe")
-    frame.locator("#legend-rows li").first.wait_for()
     inner = page.frames[1]
-    inner.wait_for_function("window.pydy && window.pydy.ready")
+    until(inner, "window.pydy && window.pydy.ready")
     assert len(inner.evaluate("pydy.positions()")) == len(zoo.scene.visuals)
     assert errors == []
     page.close()

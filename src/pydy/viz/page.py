@@ -134,10 +134,10 @@ class _Tracks:
         None where they move relative to each other.
         """
         away = points - points[:, :1]
-        for frame, rotations in self._frames.items():
+        for carrier, rotations in self._frames.items():
             offset = self._seen_from(rotations, away)
             if self._constant(offset):
-                return frame, offset[0]
+                return carrier, offset[0]
         return None
 
     @staticmethod

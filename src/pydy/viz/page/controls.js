@@ -249,6 +249,8 @@ window.pydy = {
       return low.x <= high.x ? [low.toArray(), high.toArray()] : null;
     });
   },
+  /** Where the camera is and what it looks at. */
+  camera() { return [camera.position.toArray(), controls.target.toArray()]; },
   /** What the last frames cost, medians in milliseconds of script; `drawing` commands are part of `all`. */
   costs() {
     const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];

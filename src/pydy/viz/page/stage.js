@@ -163,6 +163,9 @@ function fitDistance() {
 
 /** Look at everything from `direction`, an array, or from where the scene is best seen. */
 function lookFrom(direction) {
+  controls.enableDamping = false; // what is left of the last swing is done with now
+  controls.update();
+  controls.enableDamping = true;
   controls.target.fromArray(view.target);
   if (path && followed.on) controls.target.add(followed.at.fromArray(path.blend(now.k, now.part, followed.row)));
   const away = new THREE.Vector3().fromArray(direction || view.direction).normalize();

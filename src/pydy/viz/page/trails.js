@@ -29,12 +29,12 @@ class Trail {
     this.line = new WideLine(times.length, visual.colour, 0.85, 2.5);
     this.whole = -1; // segments written so far that are complete
     this.tip = new THREE.Vector3();
-    this.end = new Float32Array(3);
+    this.tipRow = new Float32Array(3);
     scene.add(this.line);
   }
   update() {
-    const { line, places, end } = this, k = now.k;
-    this.visual.anchor.getWorldPosition(this.tip).toArray(end);
+    const { line, places, tipRow } = this, k = now.k;
+    this.visual.anchor.getWorldPosition(this.tip).toArray(tipRow);
     let from = 0;
     if (this.duration < Infinity) {
       while (from < k && times[from] < now.time - this.duration) from++;
@@ -42,10 +42,11 @@ class Trail {
     }
     const first = Math.max(this.whole, from) - from;
     for (let i = first; i + from < k; i++) line.put(i, places, 3 * (i + from), places, 3 * (i + from) + 3);
-    line.put(k - from, places, 3 * k, end, 0);
+    line.put(k - from, places, 3 * k, tipRow, 0);
     this.whole = k; // the segment from here on is written anew each time
     line.geometry.instanceCount = times.length < 2 ? 0 : Math.min(k - from + 1, times.length - 1);
-    line.buffer.addUpdateRange(6 * Math.min(first, k - from), 6 * (Math.max(k - from - first, 0) + 1));
+    const begin = 6 * Math.min(first, k - from), end = Math.min(6 * (k - from + 1), line.buffer.array.length);
+    if (end > begin) line.buffer.addUpdateRange(begin, end - begin);
     line.buffer.needsUpdate = true;
   }
   remove() {
