@@ -33,6 +33,8 @@ def test_the_examples_of_a_page_print_what_they_show(path):
     assert results.failed == 0, "".join(report)
 
 
-@pytest.mark.parametrize(("name", "least"), [("README.md", 20), ("docs/system.md", 80)])
+@pytest.mark.parametrize(
+    ("name", "least"), [("README.md", 20), ("docs/system.md", 80), ("docs/results.md", 50)]
+)
 def test_the_main_pages_have_examples(name, least):
     assert len(examples(ROOT / name).examples) >= least

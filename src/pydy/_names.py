@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-__all__ = ["latex_of", "name_of", "unique_names"]
+__all__ = ["latex_of", "latex_of_rate", "name_of", "unique_names"]
 
 
 def name_of(symbol: Any) -> str:
@@ -33,3 +33,10 @@ def latex_of(symbol: Any) -> str:
     from sympy.physics.mechanics import vlatex
 
     return str(vlatex(symbol))
+
+
+def latex_of_rate(symbol: Any) -> str:
+    """Return the LaTeX of a symbol's derivative by time: with a dot."""
+    if getattr(symbol, "args", ()):  # a function of time, which says by itself where the dot goes
+        return latex_of(symbol.diff(symbol.args[0]))
+    return rf"\dot{{{latex_of(symbol)}}}"

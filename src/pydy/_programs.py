@@ -8,7 +8,7 @@ for nothing else.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -31,6 +31,7 @@ __all__ = [
     "assemble_system",
     "auxiliary_groups",
     "check_accelerations",
+    "substitute",
 ]
 
 
@@ -75,6 +76,10 @@ class Assembly:
     speeds : list of nodes
     mechanism : Mechanism or None
         The bodies behind the equations.
+    external : bool
+        Whether the accelerations are inputs at the end of r.
+    given : mapping of input nodes to nodes
+        What `substituted` put in place of inputs.
     """
 
     graph: Graph
@@ -91,6 +96,8 @@ class Assembly:
     atoms: Mapping[Any, int] = field(default_factory=dict)
     speeds: list[int] = field(default_factory=list)
     mechanism: Mechanism | None = None
+    external: bool = False
+    given: Mapping[int, int] = field(default_factory=dict)
 
     @property
     def constraints(self) -> list[int]:
@@ -100,24 +107,29 @@ class Assembly:
     @property
     def kinetic_energy(self) -> list[int]:
         """The kinetic energy of the bodies: one node, or none where no bodies are known."""
-        if self.mechanism is None or not self.mechanism.bodies:
-            return []
-        return self._read([self.mechanism.kinetic_energy], "the kinetic energy")
+        return substitute(self.graph, self._kinetic_energy(), self.given)
 
     @property
     def kinetic_hessian(self) -> list[int]:
         """Second derivatives of the kinetic energy by all speeds, dependent ones included.
 
-        This is the mass matrix before any constraint reduces it, row by row.
+        This is the mass matrix before any constraint reduces it, row by row. Specifieds are held,
+        those that are given as expressions too.
         """
-        energy = self.kinetic_energy
+        energy = self._kinetic_energy()
         if not energy:
             return []
         g, n = self.graph, len(self.speeds)
         momenta = jacobian(g, energy, self.speeds)[0]
         rows = jacobian(g, [momenta.get(k, g.zero) for k in range(n)], self.speeds)
         # One triangle for both, so that the matrix is symmetric to the last bit.
-        return [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
+        cells = [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
+        return substitute(g, cells, self.given)
+
+    def _kinetic_energy(self) -> list[int]:
+        if self.mechanism is None or not self.mechanism.bodies:
+            return []
+        return self._read([self.mechanism.kinetic_energy], "the kinetic energy")
 
     def _read(self, expressions: Iterable[Any], what: str) -> list[int]:
         return SymPyReader(self.graph, self.atoms, what).all(expressions)
@@ -154,7 +166,10 @@ class Assembly:
         ValueError
             A symbol that is not among those of the assembly.
         """
-        return self.lowered([(name, shape, self._read(expressions, name))])
+        n, s, c = self.sizes
+        sizes = (n, s - len(self.speeds), c) if self.external else self.sizes
+        nodes = substitute(self.graph, self._read(expressions, name), self.given)
+        return self.lowered([(name, shape, nodes)], sizes)
 
     def jacobian_program(self, name: str, group: str) -> Program:
         """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
@@ -164,8 +179,23 @@ class Assembly:
         cells = [row.get(k, self.graph.zero) for row in rows for k in range(width)]
         return self.lowered([("jacobian", (len(nodes), width), cells)])
 
-    def lowered(self, blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]]) -> Program:
-        """Simplify and lower blocks of nodes."""
+    def substituted(self, mapping: Mapping[int, int]) -> Assembly:
+        """Return the Assembly with other nodes in place of some inputs, in every block."""
+        names = ("rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic")
+        blocks = {n: getattr(self, n) for n in (*names, "mass_matrix", "forcing")}
+        with collector_paused():
+            nodes = iter(
+                substitute(self.graph, [n for part in blocks.values() for n in part], mapping)
+            )
+        new: dict[str, Any] = {name: [next(nodes) for _ in part] for name, part in blocks.items()}
+        return replace(self, given=dict(mapping), **new)
+
+    def lowered(
+        self,
+        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+        sizes: tuple[int, int, int] | None = None,
+    ) -> Program:
+        """Simplify and lower blocks of nodes; `sizes` are those of the assembly by default."""
         with collector_paused():
             nodes = [n for _, _, part in blocks for n in part]
             if self.simplified:
@@ -175,7 +205,7 @@ class Assembly:
             for name, shape, part in blocks:
                 new.append((name, shape, nodes[start : start + len(part)]))
                 start += len(part)
-            return lower(self.graph, self.sizes, new)
+            return lower(self.graph, sizes or self.sizes, new)
 
 
 def _inputs(
@@ -192,7 +222,7 @@ def _inputs(
     return atoms
 
 
-def _substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
+def substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
     """Replace input nodes by other nodes."""
     if not set(mapping) & set(graph.reachable(roots)):
         return list(roots)
@@ -301,6 +331,7 @@ def assemble_system(
         known,
         [atoms[s] for s in u],
         equations.mechanism,
+        external,
     )
 
 
@@ -350,7 +381,7 @@ def _collect_accelerations(
             f"the term `{_nonlinear_term(equations)}`. Loads may depend on accelerations linearly "
             "only."
         )
-    forcing = _substitute(graph, forcing, dict.fromkeys(accelerations, graph.zero))
+    forcing = substitute(graph, forcing, dict.fromkeys(accelerations, graph.zero))
     matrix = list(matrix)
     for i, row in enumerate(rows):
         for j, d in row.items():
@@ -397,7 +428,7 @@ def _evaluate_groups(
                 "tuple of names mapped to as many equations."
             )
         for k in ready:
-            nodes = _substitute(graph, formulas[k], known)
+            nodes = substitute(graph, formulas[k], known)
             solved = _solve_group(graph, groups[k], nodes, own[k])
             values[k] = solved
             known.update(zip(own[k], solved, strict=True))
@@ -422,7 +453,7 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
                 f"`outputs` for {names} cannot be solved for {names}: there must be as many "
                 "independent equations as names."
             )
-    rest = _substitute(graph, nodes, dict.fromkeys(own, graph.zero))
+    rest = substitute(graph, nodes, dict.fromkeys(own, graph.zero))
     right = [graph.neg(node) for node in rest]
     # One unknown an equation, with a number before it, needs no solve.
     if all(len(row) == 1 and graph.value(next(iter(row.values()))) for row in rows):

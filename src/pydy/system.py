@@ -19,10 +19,13 @@ from scipy.integrate import odeint
 
 from pydy._eom.extract import extract
 from pydy._errors import PyDyUserWarning
+from pydy._kernel import Kernel
 from pydy._programs import check_accelerations
 from pydy._system.definition import Definition, define
 from pydy._system.dependents import check_dependents, solve_dependents
+from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.evaluation import Snapshot, evaluate, override, samples, specified_rows
+from pydy._system.expressions import check_expressions, driven, expressions_in
 from pydy._system.inputs import (
     SymbolSet,
     check_mapping,
@@ -35,6 +38,7 @@ from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_system_function
 from pydy.codegen.right_hand_side import RightHandSide
+from pydy.solvers.solver import Solver
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -60,8 +64,9 @@ class System:
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional
-        Maps specified functions of time, or tuples of them, to numbers, arrays or functions
-        ``g(x, t)``; those without a value are 0.0. See `specifieds` for the second format.
+        Maps specified functions of time, or tuples of them, to numbers, arrays, functions
+        ``g(x, t)``, SymPy expressions or `pydy.inputs.SampledInput`; those without a value are
+        0.0. See `specifieds` for the second format.
     ode_solver : callable, optional
         A solver with the signature of `scipy.integrate.odeint`, which is the default.
     initial_conditions : dict, optional
@@ -111,6 +116,7 @@ class System:
     ) -> None:
         self._equations = extract(eom_method)
         self._eom_method = eom_method
+        self._energies = EnergyModel(self._equations)
         self._base = self._base_symbols(constants_symbols, specifieds_symbols)
         residuals = [*self._equations.holonomic, *self._equations.nonholonomic]
         self._residuals = {sm.Dummy(f"c{k}"): e for k, e in enumerate(residuals)}
@@ -125,8 +131,8 @@ class System:
         self._initial_conditions: dict[Any, Any] = {}
         self._outputs: dict[Any, Any] = {}
         self._define(outputs, noncontributing_forces)
+        self.specifieds = specifieds  # first: an expression may bring constants of its own
         self.constants = constants
-        self.specifieds = specifieds
         self.ode_solver = ode_solver
         self.initial_conditions = initial_conditions
         self.times = times
@@ -156,7 +162,11 @@ class System:
             for k, v in check_mapping("outputs", outputs).items()
             if k not in self._residuals and not self._is_forces(k)
         }
-        definition = define(self._equations, {**user, **self._residuals}, forces, self._base)
+        expressions = expressions_in(self._specifieds)
+        definition = define(
+            self._equations, {**user, **self._residuals}, forces, self._base, expressions
+        )
+        self._expressions = expressions
         self._forces = forces
         merged = {**user, **self._residuals}
         if forces:
@@ -170,8 +180,12 @@ class System:
 
     @property
     def _definition(self) -> Definition:
-        # The user may have edited the dictionary of outputs in place.
-        if self._outputs != self._snapshot or list(self._outputs) != list(self._snapshot):
+        # The user may have edited the dictionaries of outputs and specifieds in place.
+        if (
+            self._outputs != self._snapshot
+            or list(self._outputs) != list(self._snapshot)
+            or self._expressions != expressions_in(self._specifieds)
+        ):
             outputs = self._outputs
             self._define(outputs, self._forces)
             merged = dict(self._outputs)
@@ -238,12 +252,42 @@ class System:
         >>> multi_mass_spring_damper().kinetic_energy
         m0*v0(t)**2/2
         """
-        energy = self._equations.kinetic_energy
-        if energy is None:
-            raise ValueError(
-                "The system's energy cannot be told: its `eom_method` was given no bodies."
-            )
-        return energy
+        return self._energies.kinetic
+
+    @property
+    def potential_energy(self) -> Any:
+        """The potential energy: an expression in coordinates, constants, specifieds and time.
+
+        It is found from the loads: forces that are constant in the inertial frame, such as gravity;
+        equal and opposite forces along the line between two points that depend on their distance
+        alone; and loads whose work is a closed polynomial form, such as those of linear springs.
+        Parts of loads that depend on speeds, time or specifieds (dampers, motors) have none: what
+        they do changes the total energy. Where a load depends on the configuration in another
+        way, the bodies' own `potential_energy` is taken if the power of the loads agrees with it.
+
+        Set it when it cannot be found, for all loads together; None means to find it again.
+
+        Raises
+        ------
+        ValueError
+            A load depends on the configuration in a way that is not recognised; the message names
+            it. Or an expression with other symbols is set.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper(apply_gravity=True)
+        >>> sys.potential_energy
+        -g*m0*x0(t) + k0*x0(t)**2/2
+        """
+        return self._energies.potential
+
+    @potential_energy.setter
+    def potential_energy(self, energy: Any) -> None:
+        definition = self._definition
+        others = [self._equations.time, *definition.constants, *definition.specifieds]
+        given = check_potential(energy, self._equations.coordinates, others)
+        self._energies = EnergyModel(self._equations, given)
 
     @property
     def outputs_symbols(self) -> list[Any]:
@@ -294,10 +338,14 @@ class System:
     def specifieds(self) -> dict[Any, Any]:
         """Dictionary of the specifieds' values; all others are 0.0.
 
-        In the first format keys are specifieds or tuples of them, values are numbers, arrays, or
-        functions ``g(x, t)`` of the state and time that return numbers or arrays::
+        In the first format keys are specifieds or tuples of them, values are numbers, arrays,
+        functions ``g(x, t)`` of the state and time that return numbers or arrays, SymPy expressions
+        of states, time, constants and other specifieds, or `pydy.inputs.SampledInput`::
 
-            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0]}
+            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
+
+        Expressions are compiled into the code. Symbols that occur only in them become constants
+        of the system, functions of time specifieds.
 
         In the second, which is faster with functions, all are given together::
 
@@ -307,9 +355,12 @@ class System:
 
     @specifieds.setter
     def specifieds(self, specifieds: dict[Any, Any] | None) -> None:
-        values = check_mapping("specifieds", specifieds)
-        self._plan(values)
-        self._specifieds = values
+        before, self._specifieds = self._specifieds, check_mapping("specifieds", specifieds)
+        try:
+            check_expressions(self._definition, self._plan(self._specifieds))
+        except Exception:
+            self._specifieds = before
+            raise
 
     @property
     def initial_conditions(self) -> dict[Any, Any]:
@@ -488,7 +539,7 @@ class System:
 
     def _current(self) -> RightHandSide:
         """Return the implementation for the outputs as they are now."""
-        if self._implementation is None or self._made_for is not self._definition:
+        if self._implementation is None or self._made_for != self._definition:
             self._generate(self._options)
         assert self._implementation is not None
         return self._implementation
@@ -542,17 +593,38 @@ class System:
     def _evaluate(
         self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: str | None = None
     ) -> np.ndarray:
+        def kernel(implementation: RightHandSide) -> Kernel:
+            if wrt:
+                return implementation.compiled_jacobian(block, wrt)
+            return implementation.compiled(block)
+
         implementation = self._differentiable() if wrt else self._current()
+        return self._sweep(implementation, kernel, x, t, r, p, perturbed=wrt == "r")
+
+    def _sweep(
+        self,
+        implementation: RightHandSide,
+        kernel: Callable[[RightHandSide], Kernel],
+        x: Any,
+        t: Any,
+        r: Any,
+        p: Any,
+        perturbed: bool = False,
+    ) -> np.ndarray:
+        """Evaluate a Kernel at one state or several, with the defaults of the evaluations."""
         layout = implementation.layout
         states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
-        rows = specified_rows(r, self._plan_with, instants, states, len(layout.specifieds))
-        constants = override(p, self._p(), layout.constants)
-        if wrt:
-            kernel = implementation.compiled_jacobian(block, wrt)
+        if r is None or callable(r) or hasattr(r, "items"):
+            plan = self._plan_with(r)
+            plan.check_times(instants, "times" if t is None else "t")
+            rows = plan.rows(states, instants)
+            implementation = driven(implementation, self._definition, plan, perturbed=perturbed)
         else:
-            kernel = implementation.compiled(block)
-        out = evaluate(kernel, layout, instants, states, rows, constants)
-        out = out.reshape(len(out), *kernel.program.blocks[0].shape)
+            rows = specified_rows(r, instants, len(layout.specifieds))
+        constants = override(p, self._p(), layout.constants)
+        made = kernel(implementation)
+        out = evaluate(made, layout, instants, states, rows, constants)
+        out = out.reshape(len(out), *made.program.blocks[0].shape)
         result: np.ndarray = out[0] if single else out
         return result
 
@@ -614,6 +686,39 @@ class System:
         array([3., 2.])
         """
         return self._evaluate("outputs", x, t, r, p)
+
+    def evaluate_energy(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> Energy:
+        """Return the kinetic, the potential and the total energy.
+
+        Parameters
+        ----------
+        x, t, r, p
+            As in `evaluate_ode`.
+
+        Returns
+        -------
+        kinetic, potential, total : float or ndarray, shape (m,)
+            A named tuple.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies, or the potential energy is not known; see
+            `potential_energy`.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> sys.evaluate_energy([1.0, 3.0])
+        Energy(kinetic=4.5, potential=0.5, total=5.0)
+        >>> sys.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
+        array([5., 2.])
+        """
+        values = self._sweep(self._current(), self._energies.kernel, x, t, r, p)
+        return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -692,6 +797,10 @@ class System:
     ) -> Any:
         """Return exact partial derivatives, from differentiating the expression graph.
 
+        Where a specified is given as an expression, derivatives by states and constants go through
+        it; those by specifieds are by a small addition to each one's value. Functions, samples and
+        numbers, and an `r` that gives all specifieds, are held.
+
         Parameters
         ----------
         x, t, r, p
@@ -762,12 +871,14 @@ class System:
         definition = self._definition
         places = check_dependents(definition, dep_vars)
         t = float(self._times[0]) if len(self._times) else 0.0
+        plan = self._plan(self._specifieds)
+        plan.check_times(np.array([t]), "times")
         x = solve_dependents(
-            self._differentiable(),
+            driven(self._differentiable(), definition, plan),
             definition,
             self._x0(),
             t,
-            self._plan(self._specifieds),
+            plan,
             self._p(),
             places,
             use_jac,
@@ -804,11 +915,12 @@ class System:
                 "`times` must have at least two values before integrate() can be called, got "
                 f"{len(self._times)}. Set `system.times`."
             )
-        implementation = self._current()
         times = check_times(self._times)  # the array may have been edited in place
         plan = self._plan(self._specifieds)
+        plan.check_times(times, "times")
+        implementation = driven(self._current(), self._definition, plan)
         f = implementation.rates_function(None if plan.constant else plan)
-        r = plan.base if plan.constant else plan
+        r = plan.values if plan.constant else plan
         args = (r, self._p())
         return self._ode_solver(f, self._x0(), times, args=args, **solver_kwargs)
 
@@ -821,13 +933,14 @@ class System:
             Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
             ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
             ``'dense_output'`` are the trajectory's, and the rest is its `statistics`.
-            `scipy.integrate.odeint` is called with ``full_output=True``.
+            `scipy.integrate.odeint` and the solvers of `pydy.solvers` are called with
+            ``full_output=True``.
 
         Returns
         -------
         Trajectory
             The states, the outputs and specifieds along them, and the numbers that were used;
-            later changes of the System do not reach it.
+            later changes of the System do not reach it. It ends where an event ended it.
 
         Raises
         ------
@@ -845,7 +958,7 @@ class System:
         >>> trajectory[x0].round(6)
         array([1.      , 0.895595, 0.6597  ])
         """
-        if self._ode_solver is odeint:
+        if self._ode_solver is odeint or isinstance(self._ode_solver, Solver):
             solver_kwargs.setdefault("full_output", True)
         result = self.integrate(**solver_kwargs)
         states, info = result if isinstance(result, tuple) else (result, None)
@@ -854,7 +967,12 @@ class System:
         events = statistics.pop("events", ())
         dense = statistics.pop("dense_output", None)
         times, states = np.array(times, dtype=float), np.array(states, dtype=float)
-        model = Snapshot(self._current(), self._plan(self._specifieds), self._p())
+        if len(states) == len(times):  # what is NaN to the end comes after a terminal event
+            reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
+            times, states = times[:reached], states[:reached]
+        plan = self._plan(self._specifieds)
+        implementation = driven(self._current(), self._definition, plan)
+        model = Snapshot(implementation, plan, self._p(), self._energies)
         equations, forces = self._equations, self.noncontributing_forces
         known = {*self._residuals, *forces}
         symbols = {

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from pydy._dataset import from_dataset, read_netcdf, to_dataset, write_netcdf
-from pydy._names import latex_of, name_of, unique_names
+from pydy._names import latex_of, latex_of_rate, name_of, unique_names
 from pydy._optional import require
 
 __all__ = ["EventRecord", "Model", "Trajectory"]
@@ -24,19 +24,21 @@ ENERGIES = ("kinetic_energy", "potential_energy", "total_energy")
 
 @dataclass(frozen=True, eq=False)
 class EventRecord:
-    """Something that happened at one instant of a simulation.
+    """An event that happened at one instant of a simulation.
 
     Attributes
     ----------
-    name : str
-        Which event.
     time : float
+    name : str
+    index : int
+        Its place among the events that were watched.
     before, after : ndarray, shape (n,)
-        The state on both sides; the same where nothing was reset.
+        The states on both sides; the same without a reset.
     """
 
-    name: str
     time: float
+    name: str
+    index: int
     before: np.ndarray
     after: np.ndarray
 
@@ -141,9 +143,9 @@ class Trajectory:
         self._derivatives: np.ndarray | None = None
         self._energy: np.ndarray | None = None
         self._latex: dict[str, str] = {}
-        columns = [s for kind in KINDS for s in self._symbols[kind]]
-        self._names = unique_names(columns)
-        self._place = {s: k for k, s in reversed(list(enumerate(columns)))}
+        self._columns = [s for kind in KINDS for s in self._symbols[kind]]
+        self._names = unique_names(self._columns)
+        self._place = {s: k for k, s in reversed(list(enumerate(self._columns)))}
         self._place_of_name = {n: k for k, n in enumerate(self._names)}
 
     # -- names ------------------------------------------------------------------------------------
@@ -193,13 +195,23 @@ class Trajectory:
         all_kinds = [kind for kind in KINDS for _ in self._symbols[kind]]
         return tuple(n for n, k in zip(self._names, all_kinds, strict=True) if k in kinds)
 
+    def name(self, key: Any) -> str:
+        """Return the name of a quantity, given its symbol or its name."""
+        return self._names[self._find(key)]
+
     def latex(self, key: Any) -> str:
         """Return the LaTeX of a quantity's symbol, without dollar signs."""
         k = self._find(key)
-        name = self._names[k]
+        if self._names[k] not in self._latex:
+            self._latex[self._names[k]] = latex_of(self._columns[k])
+        return self._latex[self._names[k]]
+
+    def latex_of_rate(self, key: Any) -> str:
+        """Return the LaTeX of a quantity's derivative by time, without dollar signs."""
+        k = self._find(key)
+        name = f"{self._names[k]}'"
         if name not in self._latex:
-            columns = [s for kind in KINDS for s in self._symbols[kind]]
-            self._latex[name] = latex_of(columns[k])
+            self._latex[name] = latex_of_rate(self._columns[k])
         return self._latex[name]
 
     def _find(self, key: Any) -> int:
@@ -382,7 +394,7 @@ class Trajectory:
         }
         if derivatives:
             for k, name in enumerate(self.names_of(*STATES)):
-                latex = rf"\frac{{d}}{{dt}} {self.latex(name)}"
+                latex = self.latex_of_rate(name)
                 columns[f"{name}'"] = ("derivative", latex, self.derivatives[:, k])
         if energy:
             for k, name in enumerate(ENERGIES):
@@ -463,7 +475,9 @@ class Trajectory:
             specifieds=together("specified"),
             constants=parts.constants,
             events=[
-                EventRecord(e["name"], e["time"], np.array(e["before"]), np.array(e["after"]))
+                EventRecord(
+                    e["time"], e["name"], e["index"], np.array(e["before"]), np.array(e["after"])
+                )
                 for e in events
             ],
             statistics=statistics,

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._kernel import Kernel
+from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan, number, real_array
 from pydy.codegen.right_hand_side import Layout, RightHandSide, raise_singular
 
@@ -69,21 +70,12 @@ def samples(
     return (states[None] if single else states), np.ascontiguousarray(instants), single
 
 
-def specified_rows(
-    r: Any, plan: Callable[[Any], Any], t: np.ndarray, x: np.ndarray, size: int
-) -> np.ndarray:
-    """Return r for the samples: shape (1, s) when it is the same for all, else (m, s)."""
-    if r is not None and not callable(r) and not hasattr(r, "items"):
-        array = real_array(r, "`r`")
-        if array.shape == (size,) or array.shape == (len(t), size):
-            return np.atleast_2d(array)
-        raise ValueError(
-            f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}."
-        )
-    made = plan(r)
-    if made.constant:
-        return np.ascontiguousarray(made.base[None])
-    return np.array([made(x[k], float(t[k])) for k in range(len(t))]).reshape(len(t), size)
+def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
+    """Return an array of all specifieds for m samples: shape (1, s) for all alike, or (m, s)."""
+    array = real_array(r, "`r`")
+    if array.shape == (size,) or array.shape == (len(t), size):
+        return np.atleast_2d(array)
+    raise ValueError(f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}.")
 
 
 def evaluate(
@@ -134,30 +126,34 @@ class Snapshot:
     implementation : RightHandSide
     plan : SpecifiedsPlan
     p : ndarray
+    energies : EnergyModel
     """
 
     implementation: RightHandSide
     plan: SpecifiedsPlan
     p: np.ndarray
+    energies: EnergyModel
 
     def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the specifieds, shape (m, s)."""
-        rows = self._rows(times, states)
-        return np.broadcast_to(rows, (len(times), rows.shape[1]))
+        symbols = self.implementation.layout.specifieds
+        kernel = self.implementation.compiled_expressions(
+            "the specifieds", (len(symbols),), symbols
+        )
+        return self._sweep(kernel, times, states)
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
-        return self._block("rates", times, states)
+        return self._sweep(self.implementation.compiled("rates"), times, states)
 
     def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the outputs, shape (m, o)."""
-        return self._block("outputs", times, states)
+        return self._sweep(self.implementation.compiled("outputs"), times, states)
 
-    def _block(self, block: str, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        kernel, layout = self.implementation.compiled(block), self.implementation.layout
-        rows = self._rows(times, states)
-        return evaluate(kernel, layout, times, np.ascontiguousarray(states), rows, self.p)
+    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return kinetic, potential and total energy, shape (m, 3)."""
+        return self._sweep(self.energies.kernel(self.implementation), times, states)
 
-    def _rows(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        size = len(self.implementation.layout.specifieds)
-        return specified_rows(None, lambda r: self.plan, times, states, size)
+    def _sweep(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        layout, states = self.implementation.layout, np.ascontiguousarray(states)
+        return evaluate(kernel, layout, times, states, self.plan.rows(states, times), self.p)
