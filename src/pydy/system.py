@@ -970,9 +970,7 @@ class System:
         if len(states) == len(times):  # what is NaN to the end comes after a terminal event
             reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
             times, states = times[:reached], states[:reached]
-        plan = self._plan(self._specifieds)
-        implementation = driven(self._current(), self._definition, plan)
-        model = Snapshot(implementation, plan, self._p(), self._energies)
+        model = self._model_now()
         equations, forces = self._equations, self.noncontributing_forces
         known = {*self._residuals, *forces}
         symbols = {
@@ -996,6 +994,12 @@ class System:
             model=model,
             dense=dense,
         )
+
+    def _model_now(self) -> Snapshot:
+        """Return the compiled model with the numbers as they are now."""
+        plan = self._plan(self._specifieds)
+        implementation = driven(self._current(), self._definition, plan)
+        return Snapshot(implementation, plan, self._p(), self._energies)
 
     # -- animation --------------------------------------------------------------------------------
 
@@ -1056,13 +1060,16 @@ class System:
     def _named(self, times: Any, states: Any) -> Any:
         """Return states at some times with the names and numbers that a scene reads."""
         times, states = np.asarray(times, dtype=float), np.asarray(states, dtype=float)
-        definition, plan, p = self._definition, self._plan(self._specifieds), self._p()
-        size = len(definition.specifieds)
+        definition, p = self._definition, self._p()
+        fits = states.shape == (
+            len(times),
+            len(definition.states),
+        )  # or the scene says what is wrong
         return SimpleNamespace(
             times=times,
             states=states,
             state_symbols=definition.states,
-            specifieds=specified_rows(None, lambda r: plan, times, states, size),
+            specifieds=self._model_now().specifieds(times, states) if fits else (),
             specifieds_symbols=definition.specifieds,
             constants=dict(zip(definition.constants, p.tolist(), strict=True)),
         )

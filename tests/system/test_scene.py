@@ -66,6 +66,15 @@ def test_states_at_the_systems_times_will_do():
     assert first.poses[:, 0, 0, 3] == pytest.approx(2 * np.cos(first.times))
 
 
+def test_states_of_the_wrong_shape_are_refused():
+    sys, *_ = rotor()
+    with pytest.raises(ValueError, match=r"`states` must have the shape \(31, 2\)"):
+        sys.scene().animate(np.zeros((31, 3)))
+    sys.times = None
+    with pytest.raises(ValueError, match="`times` must be a sequence"):
+        sys.scene().animate(np.zeros((31, 2)))
+
+
 def test_derivatives_and_specifieds_are_known():
     sys, N, _, _, C = rotor()
     sys.initial_conditions = {u: 3.0}
