@@ -18,7 +18,7 @@ PEERS_PY := $(PEERS)/bin/python
 .PHONY: help demo test test-browser bench bench-peers three clean
 
 help:
-	@echo "make demo   install into $(VENV), run the bicycle demo, plot it into build/"
+	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
 	@echo "make test-browser  open the animation pages in Chromium and check them"
 	@echo "make bench  ratios against the released pydy 0.9.4"
