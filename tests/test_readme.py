@@ -40,6 +40,7 @@ def test_the_examples_of_a_page_print_what_they_show(path, tmp_path, monkeypatch
         ("README.md", 20),
         ("docs/system.md", 80),
         ("docs/results.md", 50),
+        ("docs/solvers.md", 30),
         ("docs/animation.md", 30),
     ],
 )
