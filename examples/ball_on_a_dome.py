@@ -96,7 +96,7 @@ def main(small=False):
 
 def draw(angle, normal, friction, leaves):
     """The forces over the angle, and the ball on the dome."""
-    figure, (left, right) = plt.subplots(
+    _, (left, right) = plt.subplots(
         1, 2, figsize=(9, 3.8), layout="constrained", width_ratios=[1, 1.4]
     )
     turn = np.linspace(0.0, np.pi / 2)

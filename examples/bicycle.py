@@ -2,10 +2,10 @@
 Bicycle that balances itself
 ============================
 
-The Carvallo–Whipple bicycle with the parameters of the 2007 benchmark, ridden by nobody.  Its linear
-model has been published to 15 digits ([1]_): between 4.292 and 6.024 m/s it is stable.  Here the
-full nonlinear equations are derived (`pydy.examples.whipple_bicycle`), linearised exactly at many
-speeds, and compared with the published eigenvalues and speeds; then the bicycle gets a push.
+The Carvallo–Whipple bicycle with the parameters of the 2007 benchmark, ridden by nobody.  Its
+linear model has been published to 15 digits ([1]_): between 4.292 and 6.024 m/s it is stable.  Here
+the full nonlinear equations are derived (`pydy.examples.whipple_bicycle`), linearised exactly at
+many speeds, and compared with the published eigenvalues and speeds; then the bicycle gets a push.
 
 .. [1] J. P. Meijaard, J. M. Papadopoulos, A. Ruina and A. L. Schwab, "Linearized dynamics equations
    for the balance and steer of a bicycle: a benchmark and review", Proc. R. Soc. A 463 (2007)
@@ -78,7 +78,7 @@ def main(small=False):
 
 def draw(speeds, eigenvalues, times, angles):
     """Eigenvalues over speed, and lean and steer after the push."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
+    _, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
     left.axvspan(WEAVE_SPEED, CAPSIZE_SPEED, color="tab:green", alpha=0.12, label="stable")
     left.plot(speeds, eigenvalues.real, ".", color="tab:blue", markersize=2.5)
     left.plot(speeds, np.abs(eigenvalues.imag), ".", color="0.75", markersize=1.5, zorder=0)

@@ -124,7 +124,7 @@ def main(small=False):
 
 def draw(times, x, path):
     """The linkage with the coupler curve, and rates over time."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
+    _, (left, right) = plt.subplots(1, 2, figsize=(9, 4), layout="constrained")
     left.plot(*path["T"].T, color="tab:orange", label="coupler curve")
     k = len(times) // 20
     bars = np.array([path[p][k] for p in ("O", "A", "B", "Q")])

@@ -95,7 +95,7 @@ def slow_frequency(times, angle, fast_period):
 
 def draw(times, rates, angles):
     """Angles over time."""
-    figure, axes = plt.subplots(figsize=(9, 3.6), layout="constrained")
+    _, axes = plt.subplots(figsize=(9, 3.6), layout="constrained")
     for rate, angle in zip(rates, angles, strict=True):
         axes.plot(times, np.degrees(angle), label=f"Ω = {rate / CRITICAL:g} × critical")
     axes.set(xlabel="time [s]", ylabel="angle from the top [deg]", ylim=(-15, 40))

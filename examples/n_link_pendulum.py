@@ -94,7 +94,7 @@ def draw(times, q):
     px = np.hstack([zeros, np.cumsum(length * np.sin(q), axis=1)])
     py = np.hstack([zeros, np.cumsum(-length * np.cos(q), axis=1)])
 
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4.6), layout="constrained")
+    _, (left, right) = plt.subplots(1, 2, figsize=(9, 4.6), layout="constrained")
     shown = np.searchsorted(times, np.linspace(0.0, min(0.5, times[-1]), num=18))
     colours = plt.get_cmap("viridis")(np.linspace(0.0, 0.95, num=len(shown)))
     for k, colour in zip(shown, colours, strict=True):

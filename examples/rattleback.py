@@ -27,9 +27,10 @@ from pydy.system import System
 # %%
 # Equations
 # ---------
-# The underside is an ellipsoid with the semi-axes a, b, c.  Where its outer normal is ν, seen in the
-# body, its surface lies at (a²ν₁, b²ν₂, c²ν₃) / √(a²ν₁² + b²ν₂² + c²ν₃²) from its centre; it touches
-# the table where ν points straight down.  The mass centre lies h below the ellipsoid's centre.
+# The underside is an ellipsoid with the semi-axes a, b, c.  Where its outer normal is ν, seen in
+# the body, its surface lies at (a²ν₁, b²ν₂, c²ν₃) / √(a²ν₁² + b²ν₂² + c²ν₃²) from its centre; it
+# touches the table where ν points straight down.  The mass centre lies h below the ellipsoid's
+# centre.
 #
 # Rolling gives the velocity of the mass centre from the angular velocity alone, v = −ω × p with p
 # from the mass centre to the contact.  So there are three speeds and no constraint to care about.
@@ -113,7 +114,7 @@ def main(small=False):
 
 def draw(times, runs):
     """Spin and pitch over time."""
-    figure, (top, bottom) = plt.subplots(
+    _, (top, bottom) = plt.subplots(
         2, 1, figsize=(9, 5), sharex=True, layout="constrained", height_ratios=[1.4, 1]
     )
     for name, x in runs.items():

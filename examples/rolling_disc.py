@@ -27,9 +27,9 @@ CRITICAL = np.sqrt(GRAVITY / (3 * RADIUS))  # rad/s
 # %%
 # Equations
 # ---------
-# The disc turns in three steps: yaw ψ about the vertical z, lean φ about the heading x, roll θ about
-# the axle y.  Speeds are the lean rate, the spin and the turning rate along the disc's own axes, and
-# the velocity of the point of contact on the table, which depends on the others.
+# The disc turns in three steps: yaw ψ about the vertical z, lean φ about the heading x, roll θ
+# about the axle y.  Speeds are the lean rate, the spin and the turning rate along the disc's own
+# axes, and the velocity of the point of contact on the table, which depends on the others.
 
 
 def derive():
@@ -125,7 +125,7 @@ def main(small=False):
 
 def draw(rates, found, squares, states):
     """Eigenvalues over the spin, and the track of the wobbling disc."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.8), layout="constrained")
+    _, (left, right) = plt.subplots(1, 2, figsize=(9, 3.8), layout="constrained")
     for part, colour, name in ((np.real, "tab:red", "real"), (np.imag, "tab:blue", "imaginary")):
         left.plot(rates / CRITICAL, part(found), ".", color=colour, markersize=3)
         for sign in (1, -1):

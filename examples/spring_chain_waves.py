@@ -12,6 +12,7 @@ A chain of n masses with one end fixed has the modes sin((2j−1)π i/(2n+1)) wi
 """
 
 import sys
+from itertools import pairwise
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -34,7 +35,7 @@ def derive(n):
     v = me.dynamicsymbols(f"v1:{n + 1}")
     t = me.dynamicsymbols._t
     N = me.ReferenceFrame("N")
-    stretch = [x[0], *(b - a for a, b in zip(x[:-1], x[1:], strict=True)), 0]
+    stretch = [x[0], *(b - a for a, b in pairwise(x)), 0]
     masses, loads = [], []
     for i in range(n):
         point = me.Point(f"P{i + 1}")
@@ -98,7 +99,7 @@ def draw(times, displacement):
     for k, share in enumerate((0.0, 0.1, 0.3, 0.6, 0.9)):
         row = int(share * (len(times) - 1))
         right.plot(np.arange(1, n + 1), displacement[row] - 1.3 * k, color="tab:blue")
-        right.text(n, 0.15 - 1.3 * k, f"t = {times[row]:.0f}", ha="right")
+        right.text(n / 2, 0.35 - 1.3 * k, f"t = {times[row]:.0f}", ha="center")
     right.set(xlabel="mass, from the wall", yticks=[])
     right.grid(alpha=0.3)
 
