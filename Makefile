@@ -15,11 +15,12 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test bench bench-peers clean
+.PHONY: help demo test docs bench bench-peers clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
+	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi and JAX; operation counts"
 	@echo "make clean  remove the environments and caches"
@@ -33,6 +34,9 @@ test: $(VENV)/.installed-test
 	$(PY) -m mypy src
 	$(PY) -m pytest -n $(JOBS)
 
+docs: $(VENV)/.installed-docs
+	$(PY) -m sphinx -W --keep-going --doctree-dir build/doctrees docs build/docs
+
 bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 	$(PY) benchmarks/run.py --reference $(REFERENCE_PY)
 	$(PY) benchmarks/imports.py
@@ -42,7 +46,7 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 
 clean:
-	rm -rf $(VENV) $(REFERENCE) $(PEERS) build .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # A stamp for each extra, older than pyproject.toml when the dependencies may have changed.
 $(VENV)/.installed-%: pyproject.toml | $(PY)

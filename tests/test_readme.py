@@ -1,13 +1,17 @@
 """README.md and docs/ promise numbers; run their examples and compare them."""
 
 import doctest
+import os
+import subprocess
+import sys
 from pathlib import Path
 
+import matplotlib.pyplot as plt
 import pytest
 
 ROOT = Path(__file__).parents[1]
-# The design page tells of decisions and has nothing to run.
-DOCUMENTS = [ROOT / "README.md", *sorted({*ROOT.glob("docs/*.md")} - {ROOT / "docs/design.md"})]
+# What the gallery's pages show runs in tests/examples.
+PAGES = [page for page in sorted(ROOT.glob("docs/**/*.md")) if "gallery" not in page.parts]
 
 
 def examples(path):
@@ -25,14 +29,31 @@ def examples(path):
     return doctest.DocTestParser().get_doctest("\n".join(lines), {}, path.name, str(path), 0)
 
 
+DOCUMENTS = [page for page in (ROOT / "README.md", *PAGES) if examples(page).examples]
+
+
 @pytest.mark.parametrize("path", DOCUMENTS, ids=lambda path: path.name)
-def test_the_examples_of_a_page_print_what_they_show(path):
+def test_the_examples_of_a_page_print_what_they_show(path, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    plt.switch_backend("agg")
     flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
     report: list[str] = []
     results = doctest.DocTestRunner(optionflags=flags).run(examples(path), out=report.append)
+    plt.close("all")
     assert results.failed == 0, "".join(report)
 
 
-@pytest.mark.parametrize(("name", "least"), [("README.md", 20), ("docs/system.md", 80)])
+def test_the_tutorial_works_from_a_fresh_start(tmp_path):
+    code = "".join(example.source for example in examples(ROOT / "docs/tutorial.md").examples)
+    environment = {**os.environ, "MPLBACKEND": "agg"}
+    command = [sys.executable, "-W", "error", "-c", code]
+    done = subprocess.run(
+        command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "pendulum.png").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(("name", "least"), [("README.md", 20), ("docs/system.md", 80), ("docs/tutorial.md", 40)])
 def test_the_main_pages_have_examples(name, least):
     assert len(examples(ROOT / name).examples) >= least
