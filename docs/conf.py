@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import doctest
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
+
+from docutils import nodes
 
 from pydy import __version__
 
@@ -71,6 +74,14 @@ def run_tutorial(app: Any) -> None:
     subprocess.run([sys.executable, "-c", code], cwd=folder, env=environment, check=True)
 
 
+def shorten_citations(app: Any, document: nodes.document, name: str) -> None:
+    """Show [1] where numpydoc left its own [R0123456789ab-1]."""
+    for text in list(document.findall(nodes.Text)):
+        if match := re.fullmatch(r"\[R[0-9a-f]{12}-(\w+)\]", text.astext()):
+            text.parent.replace(text, nodes.Text(f"[{match[1]}]"))
+
+
 def setup(app: Any) -> None:
     """Sphinx calls this."""
     app.connect("builder-inited", run_tutorial)
+    app.connect("doctree-resolved", shorten_citations)

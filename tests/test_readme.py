@@ -54,6 +54,8 @@ def test_the_tutorial_works_from_a_fresh_start(tmp_path):
     assert (tmp_path / "pendulum.png").stat().st_size > 10_000
 
 
-@pytest.mark.parametrize(("name", "least"), [("README.md", 20), ("docs/system.md", 80), ("docs/tutorial.md", 40)])
+@pytest.mark.parametrize(
+    ("name", "least"), [("README.md", 20), ("docs/system.md", 80), ("docs/tutorial.md", 40)]
+)
 def test_the_main_pages_have_examples(name, least):
     assert len(examples(ROOT / name).examples) >= least
