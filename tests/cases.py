@@ -1,15 +1,18 @@
 """Systems for the tests from the models of the zoo."""
 
+from itertools import pairwise
+
 import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
-from scipy.integrate import odeint
+from scipy.integrate import odeint, solve_ivp
 
 import zoo
 from oracle import oracle
 from pydy.system import System
 
 __all__ = [
+    "OTHER_SOLVERS",
     "WAYS_OF_R",
     "Recorder",
     "arrays",
@@ -87,6 +90,30 @@ def arrays(model):
     p = np.array(list(model.constants.values()), dtype=float)
     return ([np.array(list(model.specifieds.values()))] if model.specifieds else []) + [p]
 
+
+def rk4(f, x0, t, args=()):
+    """A solver that keeps its stages."""
+    rows = [np.array(x0)]
+    for start, end in pairwise(t):
+        x, h = rows[-1], (end - start) / 40
+        for i in range(40):
+            now = start + i * h
+            a = f(x, now, *args)
+            b = f(x + h / 2 * a, now + h / 2, *args)
+            c = f(x + h / 2 * b, now + h / 2, *args)
+            d = f(x + h * c, now + h, *args)
+            x = x + h / 6 * (a + 2 * b + 2 * c + d)
+        rows.append(x)
+    return np.array(rows)
+
+
+def adapted(f, x0, t, args=()):
+    """SciPy's newer solver behind odeint's signature."""
+    options = {"t_eval": t, "rtol": 1e-10, "atol": 1e-10}
+    return solve_ivp(lambda t, x: f(x, t, *args), t[[0, -1]], x0, **options).y.T
+
+
+OTHER_SOLVERS = [rk4, adapted]
 
 FORCE = me.dynamicsymbols("F T1 T2")
 

@@ -36,7 +36,9 @@ FLOORS = {
     "plot": 2,
     "_graph": 1,  # below _eom, which classifies constraints numerically
     "trajectory": 1,
+    "inputs": 1,
     "_errors": 0,
+    "_numbers": 0,
     "_version": 0,
 }
 # Files that share a room with another: `pydy` itself holds the version and no more.
@@ -48,6 +50,8 @@ NEVER = {
     "_backends": ("pydy.system", "sympy"),
     "solvers": ("pydy.system", "sympy", "pydy._graph"),
     "_kernel": ("pydy.system", "sympy"),
+    "inputs": ("pydy.system", "sympy"),
+    "_numbers": ("pydy.system", "sympy"),
     "plot": ("pydy.system",),
     "viz": ("pydy.system",),
 }
@@ -228,7 +232,7 @@ def test_importing_pydy_loads_neither_sympy_nor_numpy():
 
 
 def test_a_worker_that_receives_a_kernel_never_loads_sympy():
-    loaded = modules_loaded_by("import pydy._backends.registry, pydy._kernel")
+    loaded = modules_loaded_by("import pydy._backends.registry, pydy._kernel, pydy.inputs")
     assert "sympy" not in loaded
 
 

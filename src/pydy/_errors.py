@@ -10,6 +10,8 @@ import numpy as np
 
 __all__ = [
     "GeneratorError",
+    "IntegrationError",
+    "IntegrationInterrupted",
     "MissingDependencyError",
     "PyDyUserWarning",
     "SingularMatrixError",
@@ -51,3 +53,53 @@ class GeneratorError(RuntimeError):
 
 class MissingDependencyError(GeneratorError, ImportError):
     """A code generator needs a package that is not installed."""
+
+
+class _Partial(BaseException):
+    """What an integration had computed when it stopped."""
+
+    def __init__(
+        self,
+        message: str,
+        times: np.ndarray,
+        states: np.ndarray,
+        time: float,
+        state: np.ndarray,
+        info: dict[str, object],
+    ) -> None:
+        super().__init__(message)
+        self.times = times
+        self.states = states
+        self.time = time
+        self.state = state
+        self.info = info
+
+    def __reduce__(self) -> tuple[object, ...]:
+        parts = (self.times, self.states, self.time, self.state, self.info)
+        return (type(self), (str(self), *parts))
+
+
+class IntegrationError(_Partial, RuntimeError):
+    """An integration could not go on. What was computed is here.
+
+    Attributes
+    ----------
+    times : numpy.ndarray, shape (m,)
+        The requested times that were reached.
+    states : numpy.ndarray, shape (m, n)
+        The states at these.
+    time : float
+        Where it stopped.
+    state : numpy.ndarray, shape (n,)
+        The state there.
+    info : dict
+        What ``full_output=True`` would have returned.
+    """
+
+
+class IntegrationInterrupted(_Partial, KeyboardInterrupt):
+    """The user interrupted an integration. What was computed is here.
+
+    A `KeyboardInterrupt`, so that no ``except Exception`` swallows it, with the attributes of
+    `IntegrationError`.
+    """

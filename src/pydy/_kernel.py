@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._graph.program import Program
 
-__all__ = ["Kernel"]
+__all__ = ["Kernel", "KernelCall"]
 
 Sweep = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
@@ -72,3 +72,50 @@ class Kernel:
     ) -> tuple[np.ndarray, np.ndarray]:
         """Evaluate m samples; see `sweep`."""
         return self.sweep(t, x, r, p)
+
+
+@dataclass(frozen=True, eq=False)
+class KernelCall:
+    """A right-hand side as a Kernel and the numbers to call it with.
+
+    Functions that stand for one have an attribute ``native``, which takes the solver's ``args``
+    and returns this, or None where the function itself has to be called.
+
+    Attributes
+    ----------
+    kernel : Kernel
+    p : ndarray, shape (k,)
+    r : ndarray, shape (s,)
+        The specifieds that are numbers; zero elsewhere.
+    sampled : sequence of (columns, SampledInput)
+        Those that are sampled data, with their places in r.
+    inputs : callable or None
+        ``inputs(x, t)`` gives r where functions have to be called for it.
+    names : tuple of str
+        Of the states.
+    jacobian : callable or None
+        Returns the Kernel of ∂f/∂x.
+    """
+
+    kernel: Kernel
+    p: np.ndarray
+    r: np.ndarray
+    sampled: tuple[tuple[np.ndarray, Any], ...] = ()
+    inputs: Callable[[np.ndarray, float], np.ndarray] | None = None
+    names: tuple[str, ...] = ()
+    jacobian: Callable[[], Kernel] | None = None
+
+    def inputs_at(self, x: np.ndarray, t: float) -> np.ndarray:
+        """Return r at a state and time."""
+        if self.inputs is not None:
+            return self.inputs(x, t)
+        r = self.r.copy()
+        for columns, samples in self.sampled:
+            r[columns] = samples.at(t)
+        return r
+
+    def evaluate(self, kernel: Kernel, x: np.ndarray, t: float) -> np.ndarray:
+        """Evaluate another Kernel of the same system at a state and time."""
+        r = self.inputs_at(x, t)
+        out: np.ndarray = kernel.evaluate(np.array([t]), x[None], r[None], self.p)[0][0]
+        return out

@@ -8,7 +8,7 @@ for nothing else.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -30,6 +30,7 @@ __all__ = [
     "assemble_system",
     "auxiliary_groups",
     "check_accelerations",
+    "substitute",
 ]
 
 
@@ -106,6 +107,17 @@ class Assembly:
         cells = [row.get(k, self.graph.zero) for row in rows for k in range(width)]
         return self.lowered([("jacobian", (len(nodes), width), cells)])
 
+    def substituted(self, mapping: Mapping[int, int]) -> Assembly:
+        """Return the Assembly with other nodes in place of some inputs, in every block."""
+        names = ("rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic")
+        blocks = {n: getattr(self, n) for n in (*names, "mass_matrix", "forcing")}
+        with collector_paused():
+            nodes = iter(
+                substitute(self.graph, [n for part in blocks.values() for n in part], mapping)
+            )
+        new: dict[str, Any] = {name: [next(nodes) for _ in part] for name, part in blocks.items()}
+        return replace(self, **new)
+
     def lowered(self, blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]]) -> Program:
         """Simplify and lower blocks of nodes."""
         with collector_paused():
@@ -134,7 +146,7 @@ def _inputs(
     return atoms
 
 
-def _substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
+def substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
     """Replace input nodes by other nodes."""
     if not set(mapping) & set(graph.reachable(roots)):
         return list(roots)
@@ -288,7 +300,7 @@ def _collect_accelerations(
             f"the term `{_nonlinear_term(equations)}`. Loads may depend on accelerations linearly "
             "only."
         )
-    forcing = _substitute(graph, forcing, dict.fromkeys(accelerations, graph.zero))
+    forcing = substitute(graph, forcing, dict.fromkeys(accelerations, graph.zero))
     matrix = list(matrix)
     for i, row in enumerate(rows):
         for j, d in row.items():
@@ -335,7 +347,7 @@ def _evaluate_groups(
                 "tuple of names mapped to as many equations."
             )
         for k in ready:
-            nodes = _substitute(graph, formulas[k], known)
+            nodes = substitute(graph, formulas[k], known)
             solved = _solve_group(graph, groups[k], nodes, own[k])
             values[k] = solved
             known.update(zip(own[k], solved, strict=True))
@@ -360,7 +372,7 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
                 f"`outputs` for {names} cannot be solved for {names}: there must be as many "
                 "independent equations as names."
             )
-    rest = _substitute(graph, nodes, dict.fromkeys(own, graph.zero))
+    rest = substitute(graph, nodes, dict.fromkeys(own, graph.zero))
     right = [graph.neg(node) for node in rest]
     # One unknown an equation, with a number before it, needs no solve.
     if all(len(row) == 1 and graph.value(next(iter(row.values()))) for row in rows):

@@ -22,6 +22,7 @@ from pydy._programs import check_accelerations
 from pydy._system.definition import Definition, define
 from pydy._system.dependents import check_dependents, solve_dependents
 from pydy._system.evaluation import evaluate, override, samples, specified_rows
+from pydy._system.expressions import check_expressions, driven, expressions_in
 from pydy._system.inputs import (
     SymbolSet,
     check_mapping,
@@ -55,8 +56,9 @@ class System:
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional
-        Maps specified functions of time, or tuples of them, to numbers, arrays or functions
-        ``g(x, t)``; those without a value are 0.0. See `specifieds` for the second format.
+        Maps specified functions of time, or tuples of them, to numbers, arrays, functions
+        ``g(x, t)``, SymPy expressions or `pydy.inputs.SampledInput`; those without a value are
+        0.0. See `specifieds` for the second format.
     ode_solver : callable, optional
         A solver with the signature of `scipy.integrate.odeint`, which is the default.
     initial_conditions : dict, optional
@@ -120,8 +122,8 @@ class System:
         self._initial_conditions: dict[Any, Any] = {}
         self._outputs: dict[Any, Any] = {}
         self._define(outputs, noncontributing_forces)
+        self.specifieds = specifieds  # first: an expression may bring constants of its own
         self.constants = constants
-        self.specifieds = specifieds
         self.ode_solver = ode_solver
         self.initial_conditions = initial_conditions
         self.times = times
@@ -151,7 +153,11 @@ class System:
             for k, v in check_mapping("outputs", outputs).items()
             if k not in self._residuals and not self._is_forces(k)
         }
-        definition = define(self._equations, {**user, **self._residuals}, forces, self._base)
+        expressions = expressions_in(self._specifieds)
+        definition = define(
+            self._equations, {**user, **self._residuals}, forces, self._base, expressions
+        )
+        self._expressions = expressions
         self._forces = forces
         merged = {**user, **self._residuals}
         if forces:
@@ -165,8 +171,12 @@ class System:
 
     @property
     def _definition(self) -> Definition:
-        # The user may have edited the dictionary of outputs in place.
-        if self._outputs != self._snapshot or list(self._outputs) != list(self._snapshot):
+        # The user may have edited the dictionaries of outputs and specifieds in place.
+        if (
+            self._outputs != self._snapshot
+            or list(self._outputs) != list(self._snapshot)
+            or self._expressions != expressions_in(self._specifieds)
+        ):
             outputs = self._outputs
             self._define(outputs, self._forces)
             merged = dict(self._outputs)
@@ -265,10 +275,14 @@ class System:
     def specifieds(self) -> dict[Any, Any]:
         """Dictionary of the specifieds' values; all others are 0.0.
 
-        In the first format keys are specifieds or tuples of them, values are numbers, arrays, or
-        functions ``g(x, t)`` of the state and time that return numbers or arrays::
+        In the first format keys are specifieds or tuples of them, values are numbers, arrays,
+        functions ``g(x, t)`` of the state and time that return numbers or arrays, SymPy expressions
+        of states, time, constants and other specifieds, or `pydy.inputs.SampledInput`::
 
-            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0]}
+            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
+
+        Expressions are compiled into the code. Symbols that occur only in them become constants
+        of the system, functions of time specifieds.
 
         In the second, which is faster with functions, all are given together::
 
@@ -278,9 +292,12 @@ class System:
 
     @specifieds.setter
     def specifieds(self, specifieds: dict[Any, Any] | None) -> None:
-        values = check_mapping("specifieds", specifieds)
-        self._plan(values)
-        self._specifieds = values
+        before, self._specifieds = self._specifieds, check_mapping("specifieds", specifieds)
+        try:
+            check_expressions(self._definition, self._plan(self._specifieds))
+        except Exception:
+            self._specifieds = before
+            raise
 
     @property
     def initial_conditions(self) -> dict[Any, Any]:
@@ -459,7 +476,7 @@ class System:
 
     def _current(self) -> RightHandSide:
         """Return the implementation for the outputs as they are now."""
-        if self._implementation is None or self._made_for is not self._definition:
+        if self._implementation is None or self._made_for != self._definition:
             self._generate(self._options)
         assert self._implementation is not None
         return self._implementation
@@ -516,7 +533,13 @@ class System:
         implementation = self._differentiable() if wrt else self._current()
         layout = implementation.layout
         states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
-        rows = specified_rows(r, self._plan_with, instants, states, len(layout.specifieds))
+        if r is None or callable(r) or hasattr(r, "items"):
+            plan = self._plan_with(r)
+            plan.check_times(instants, "times" if t is None else "t")
+            rows = plan.rows(states, instants)
+            implementation = driven(implementation, self._definition, plan, perturbed=wrt == "r")
+        else:
+            rows = specified_rows(r, instants, len(layout.specifieds))
         constants = override(p, self._p(), layout.constants)
         if wrt:
             kernel = implementation.compiled_jacobian(block, wrt)
@@ -663,6 +686,10 @@ class System:
     ) -> Any:
         """Return exact partial derivatives, from differentiating the expression graph.
 
+        Where a specified is given as an expression, derivatives by states and constants go through
+        it; those by specifieds are by a small addition to each one's value. Functions, samples and
+        numbers, and an `r` that gives all specifieds, are held.
+
         Parameters
         ----------
         x, t, r, p
@@ -733,12 +760,14 @@ class System:
         definition = self._definition
         places = check_dependents(definition, dep_vars)
         t = float(self._times[0]) if len(self._times) else 0.0
+        plan = self._plan(self._specifieds)
+        plan.check_times(np.array([t]), "times")
         x = solve_dependents(
-            self._differentiable(),
+            driven(self._differentiable(), definition, plan),
             definition,
             self._x0(),
             t,
-            self._plan(self._specifieds),
+            plan,
             self._p(),
             places,
             use_jac,
@@ -775,10 +804,11 @@ class System:
                 "`times` must have at least two values before integrate() can be called, got "
                 f"{len(self._times)}. Set `system.times`."
             )
-        implementation = self._current()
         times = check_times(self._times)  # the array may have been edited in place
         plan = self._plan(self._specifieds)
+        plan.check_times(times, "times")
+        implementation = driven(self._current(), self._definition, plan)
         f = implementation.rates_function(None if plan.constant else plan)
-        r = plan.base if plan.constant else plan
+        r = plan.values if plan.constant else plan
         args = (r, self._p())
         return self._ode_solver(f, self._x0(), times, args=args, **solver_kwargs)

@@ -10,6 +10,7 @@ import sympy as sm
 
 from pydy._eom.equations import Equations
 from pydy._eom.symbols import sort_symbols
+from pydy._errors import UnsupportedFunctionError
 from pydy._programs import Assembly, Group, assemble_system, auxiliary_groups
 from pydy._system.inputs import check_forces, output_groups, sort_out
 from pydy.codegen.right_hand_side import Layout
@@ -17,9 +18,9 @@ from pydy.codegen.right_hand_side import Layout
 __all__ = ["Definition", "define"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Definition:
-    """The symbolic side of a System.
+    """The symbolic side of a System. Equal ones need the same code.
 
     Attributes
     ----------
@@ -71,6 +72,7 @@ def define(
     outputs: Mapping[Any, Any],
     forces: Any,
     base: tuple[Sequence[Any], Sequence[Any]],
+    expressions: Mapping[Any, Any],
 ) -> Definition:
     """Check the outputs and forces of a System and sort out its symbols.
 
@@ -82,6 +84,8 @@ def define(
     forces : iterable of symbols or None
     base : (constants, specifieds)
         Those of the equations of motion, as found or as the user gave them.
+    expressions : mapping
+        The specifieds that are given as expressions; symbols that occur only there are added.
     """
     constants, specifieds = base
     groups = output_groups(outputs)
@@ -109,6 +113,10 @@ def define(
         for name in group.names
     )
     aux = set(auxiliaries)
+    for symbol, expression in expressions.items():
+        found = _symbols_of(symbol, expression, equations, set(results), auxiliaries)
+        more_constants += found[0]
+        more_specifieds += found[1]
     return Definition(
         equations,
         tuple(groups),
@@ -116,3 +124,24 @@ def define(
         tuple(sort_symbols({*constants, *more_constants} - aux)),
         tuple(sort_symbols({*specifieds, *more_specifieds})),
     )
+
+
+def _symbols_of(
+    symbol: Any,
+    expression: Any,
+    equations: Equations,
+    outputs: set[Any],
+    auxiliaries: Sequence[Any],
+) -> tuple[list[Any], list[Any]]:
+    """Return the constants and specifieds in the expression for a specified."""
+    try:
+        constants, specifieds = sort_out(equations, [expression], auxiliaries)
+    except (ValueError, UnsupportedFunctionError) as error:
+        raise type(error)(f"`specifieds` for {symbol}: {error}") from None
+    for name in (*constants, *specifieds):
+        if name in outputs:
+            raise ValueError(
+                f"`specifieds` for {symbol} holds `{name}`, the name of an output. Outputs follow "
+                "from the specifieds: write the output's expression instead."
+            )
+    return constants, specifieds

@@ -128,9 +128,10 @@ def solve_dependents(
     if speeds:
         kernel = implementation.compiled_jacobian("velocity", "x")
         matrix = value(kernel, x).reshape(len(speeds), len(x))[:, speeds]
+        residual = implementation.compiled("velocity")
         start = x.copy()
         start[speeds] = 0.0
-        right = -value(implementation.compiled("velocity"), start)
+        right = -value(residual, start)
         try:
             x[speeds] = np.linalg.solve(matrix, right)
         except np.linalg.LinAlgError:
@@ -141,4 +142,14 @@ def solve_dependents(
                 t,
                 x,
             ) from None
+        left = np.abs(value(residual, x))
+        if (left > 1e-8 * (np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right))).any():
+            names = [definition.states[k] for k in speeds]
+            warnings.warn(
+                f"The velocity constraints do not hold for {describe(names)}: the largest residual "
+                f"is {left.max():.3g}. They are solved as linear equations, but a specified in "
+                "them depends on these speeds nonlinearly. Give their initial conditions yourself.",
+                PyDyUserWarning,
+                stacklevel=3,
+            )
     return x

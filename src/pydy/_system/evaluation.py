@@ -68,21 +68,12 @@ def samples(
     return (states[None] if single else states), np.ascontiguousarray(instants), single
 
 
-def specified_rows(
-    r: Any, plan: Callable[[Any], Any], t: np.ndarray, x: np.ndarray, size: int
-) -> np.ndarray:
-    """Return r for the samples: shape (1, s) when it is the same for all, else (m, s)."""
-    if r is not None and not callable(r) and not hasattr(r, "items"):
-        array = real_array(r, "`r`")
-        if array.shape == (size,) or array.shape == (len(t), size):
-            return np.atleast_2d(array)
-        raise ValueError(
-            f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}."
-        )
-    made = plan(r)
-    if made.constant:
-        return np.ascontiguousarray(made.base[None])
-    return np.array([made(x[k], float(t[k])) for k in range(len(t))]).reshape(len(t), size)
+def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
+    """Return an array of all specifieds for m samples: shape (1, s) for all alike, or (m, s)."""
+    array = real_array(r, "`r`")
+    if array.shape == (size,) or array.shape == (len(t), size):
+        return np.atleast_2d(array)
+    raise ValueError(f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}.")
 
 
 def evaluate(

@@ -3,11 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+import sympy as sm
 
-__all__ = ["ConstantsArgument", "SpecifiedsArgument", "describe", "number", "real_array"]
+from pydy._eom.symbols import find_symbols
+from pydy._numbers import number, real_array
+from pydy.inputs import SampledInput
+
+__all__ = [
+    "ConstantsArgument",
+    "SpecifiedsArgument",
+    "SpecifiedsPlan",
+    "describe",
+    "number",
+    "real_array",
+    "symbolic_entries",
+]
 
 ARGUMENT_TYPES = ("array", "dictionary", "function")
 
@@ -18,40 +32,6 @@ def describe(symbols: Sequence[Any]) -> str:
     if len(symbols) > 12:
         shown.append(f"and {len(symbols) - 12} more")
     return ", ".join(shown) or "none"
-
-
-def number(value: Any, what: str, *, finite: bool = False) -> float:
-    """Return a value as a float, or say what it was instead."""
-    try:
-        array = np.asarray(value)
-        if array.dtype == object or array.size != 1 or np.iscomplexobj(array):
-            result = float(value)
-        else:
-            result = float(array.reshape(()))
-    except (TypeError, ValueError):
-        raise ValueError(f"{what} must be a real number, got {value!r}.") from None
-    if finite and not np.isfinite(result):
-        raise ValueError(f"{what} must be finite, got {result!r}.")
-    return result
-
-
-def real_array(value: Any, what: str) -> np.ndarray:
-    """Return a value as a C-contiguous float array of its own shape.
-
-    NumPy alone would turn None into NaN and drop imaginary parts.
-    """
-    try:
-        array = np.asarray(value)
-        if array.dtype.kind == "O":
-            numbers = np.array([float(v) for v in array.ravel()])
-            return numbers.reshape(array.shape)
-    except (TypeError, ValueError):
-        raise ValueError(f"{what} must hold real numbers, got {value!r}.") from None
-    if array.dtype.kind not in "biuf":
-        raise ValueError(f"{what} must hold real numbers, got {value!r}.")
-    if array.dtype == np.float64 and array.flags.c_contiguous:
-        return array
-    return array.astype(float, order="C")
 
 
 def _vector(value: Any, size: int, what: str) -> np.ndarray:
@@ -133,6 +113,8 @@ class SpecifiedsArgument:
     def __call__(self, r: Any, x: np.ndarray, t: float) -> np.ndarray:
         """Return r at one state and time as an array of shape (s,)."""
         kind = self.arg_type
+        if isinstance(r, SampledInput):
+            r = {tuple(self.symbols): r}
         if kind is None:
             kind = (
                 "dictionary" if isinstance(r, Mapping) else "function" if callable(r) else "array"
@@ -150,7 +132,48 @@ class SpecifiedsArgument:
             raise ValueError(
                 f"`r` must be a dictionary, as `specifieds_arg_type` says, got {type(r).__name__}."
             )
-        return SpecifiedsPlan(r, self.symbols, time_first=self.time_first, complete=True)(x, t)
+        plan = SpecifiedsPlan(r, self.symbols, time_first=self.time_first, complete=True)
+        if plan.expressions:
+            raise ValueError(
+                f"`r` gives a SymPy expression for {describe(list(plan.expressions))}, but this "
+                "function is compiled already and takes all specifieds as numbers. Set "
+                "`system.specifieds` to have an expression compiled in, or give a function."
+            )
+        return plan(x, t)
+
+
+def symbolic_entries(value: Any) -> list[Any] | None:
+    """Return the entries of a value when SymPy expressions are among them, else None."""
+    if isinstance(value, (sm.MatrixBase, sm.Tuple, list, tuple)):
+        entries = list(value)
+    elif isinstance(value, np.ndarray) and value.dtype == object:
+        entries = list(value.ravel())
+    elif isinstance(value, sm.Basic):
+        entries = [value]
+    else:
+        return None
+    return entries if any(map(_is_symbolic, entries)) else None
+
+
+def _is_symbolic(value: Any) -> bool:
+    # A SymPy expression without symbols is a number: changing it needs no new code.
+    if not isinstance(value, sm.Basic) or isinstance(value, sm.Number):
+        return False
+    return bool(find_symbols([value]))
+
+
+@dataclass(frozen=True)
+class _Checked:
+    """A user's function for some specifieds, called as g(x, t); what it returns is checked."""
+
+    function: Callable[..., Any]
+    names: tuple[Any, ...]
+    time_first: bool
+    kept: tuple[int, ...]
+
+    def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
+        value = evaluate_function(self.function, self.names, x, t, self.time_first)
+        return value if len(self.kept) == len(self.names) else value[list(self.kept)]
 
 
 class SpecifiedsPlan:
@@ -158,22 +181,41 @@ class SpecifiedsPlan:
 
     Parameters
     ----------
-    values : mapping of a symbol, or a tuple of symbols, to a number, an array or a function
+    values : mapping
+        From a symbol, or a tuple of symbols, to a number, an array, a function, a SampledInput, a
+        SymPy expression, or a sequence of numbers and expressions.
     symbols : sequence of functions of time
         All specifieds, in the order of the array.
     time_first : bool
         Whether functions are called as g(t, x).
     complete : bool
         Whether every symbol must have a value; missing ones are zero otherwise.
+    argument : str
+        What the user calls `values`, for messages.
+    what : str
+        What to call an entry, for messages; by default by its symbols.
 
     Attributes
     ----------
-    steps : list of (indices, number, array or function, symbols)
-        In the order in which they are written; a later one overwrites.
+    values : ndarray, shape (s,)
+        The values that are numbers; zero elsewhere.
+    sampled : tuple of (columns, SampledInput)
+        `columns` are the places in r, an int64 array.
+    functions : tuple of (columns, function, label)
+        ``function(x, t)`` calls the user's function, checks what it returns, and gives a float64
+        array with one value for each column; `label` lists the symbols, for messages.
+    expressions : dict
+        From symbols to SymPy expressions, which have to be compiled into the code. Their places in
+        r are zero.
+    given : frozenset of symbols
+        Those that have a value of any kind.
     constant : bool
-        Whether no function has to be called.
-    base : ndarray, shape (s,)
-        The values that are numbers.
+        Whether `values` are r at every state and time: there are no samples and no functions.
+
+    Notes
+    -----
+    No place in r belongs to two of `sampled`, `functions` and `expressions`. None of these
+    attributes takes a call of a user's function.
     """
 
     def __init__(
@@ -186,12 +228,16 @@ class SpecifiedsPlan:
         argument: str = "r",
         what: str = "",
     ) -> None:
-        self.time_first = time_first
-        self.steps: list[tuple[list[int], Any, list[Any]]] = []
-        place = {s: k for k, s in enumerate(symbols)}
+        self.symbols = tuple(symbols)
+        self.values = np.zeros(len(self.symbols))
+        self.expressions: dict[Any, Any] = {}
+        sampled: list[tuple[np.ndarray, SampledInput]] = []
+        functions: list[tuple[np.ndarray, _Checked, str]] = []
+        place = {s: k for k, s in enumerate(self.symbols)}
         seen: set[Any] = set()
         for key, value in values.items():
-            names = list(key) if isinstance(key, (tuple, list)) else [key]
+            several = isinstance(key, (tuple, list))
+            names = tuple(key) if several else (key,)
             for name in names:
                 if name not in place:
                     raise ValueError(
@@ -201,42 +247,129 @@ class SpecifiedsPlan:
                 if name in seen:
                     raise ValueError(f"`{argument}` gives `{name}` more than once.")
                 seen.add(name)
-            indices = [place[n] for n in names]
-            if not callable(value):
-                label = what or f"`{argument}` for {describe(names)}"
-                if isinstance(key, (tuple, list)):
-                    value = _vector(value, len(names), label)
-                else:
-                    value = number(value, label)
-            self.steps.append((indices, value, names))
-        missing = [s for s in symbols if s not in seen]
+            label = what or f"`{argument}` for {describe(names)}"
+            columns = np.array([place[n] for n in names], dtype=np.int64)
+            _refuse_mixtures(value, label)
+            if isinstance(value, SampledInput):
+                if value.size != len(names):
+                    raise ValueError(
+                        f"{label} must be a SampledInput of {len(names)} values at each time, one "
+                        f"for each specified, got values of the shape {value.values.shape}."
+                    )
+                sampled.append((columns, value))
+            elif (entries := symbolic_entries(value)) is not None:
+                self._take_entries(entries, names, columns, label)
+            elif callable(value):
+                whole = tuple(range(len(names)))
+                function = _Checked(value, names, time_first, whole)
+                functions.append((columns, function, describe(names)))
+            else:
+                self.values[columns] = (
+                    _vector(value, len(names), label) if several else number(value, label)
+                )
+        missing = [s for s in self.symbols if s not in seen]
         if complete and missing:
             raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
+        self.given = frozenset(seen)
+        self.sampled = tuple(sampled)
+        self.functions = tuple(functions)
 
-        self._finish(len(symbols))
+    def _take_entries(
+        self, entries: list[Any], names: Sequence[Any], columns: np.ndarray, label: str
+    ) -> None:
+        if len(entries) != len(names):
+            raise ValueError(
+                f"{label} must be {len(names)} expressions, one for each specified, got "
+                f"{len(entries)}."
+            )
+        for entry, name, column in zip(entries, names, columns, strict=True):
+            if not _is_symbolic(entry):
+                self.values[column] = number(entry, label)
+            elif isinstance(entry, sm.Expr):
+                self.expressions[name] = entry
+            else:
+                raise ValueError(
+                    f"{label} must be a real-valued expression, got the truth value `{entry}`. "
+                    "Choose between two values with a Piecewise."
+                )
 
-    def _finish(self, size: int) -> None:
-        self.constant = not any(callable(value) for _, value, _ in self.steps)
-        self.base = np.zeros(size)
-        for indices, value, _ in self.steps:
-            if not callable(value):
-                self.base[indices] = value
+    @property
+    def constant(self) -> bool:
+        """Whether r is the same at every state and time."""
+        return not self.sampled and not self.functions
 
     def updated(self, other: SpecifiedsPlan) -> SpecifiedsPlan:
         """Return this plan with another's values in place of its own, where the other has any."""
-        result = SpecifiedsPlan({}, (), time_first=self.time_first)
-        result.steps = [*self.steps, *other.steps]
-        result._finish(len(self.base))
+        result = SpecifiedsPlan({}, self.symbols)
+        kept = [s not in other.given for s in self.symbols]
+        result.values = np.where(kept, self.values, other.values)
+        mine = {s: e for s, e in self.expressions.items() if s not in other.given}
+        result.expressions = {**mine, **other.expressions}
+        result.given = self.given | other.given
+        sampled, functions = [], []
+        for columns, samples in self.sampled:
+            left = [j for j, c in enumerate(columns) if kept[c]]
+            if left:
+                sampled.append((columns[left], samples.of(left)))
+        for columns, function, label in self.functions:
+            left = [j for j, c in enumerate(columns) if kept[c]]
+            if left:
+                part = tuple(function.kept[j] for j in left)
+                function = _Checked(function.function, function.names, function.time_first, part)
+                functions.append((columns[left], function, label))
+        result.sampled = (*sampled, *other.sampled)
+        result.functions = (*functions, *other.functions)
         return result
+
+    def check_times(self, t: np.ndarray, argument: str) -> None:
+        """Refuse times for which there are no samples."""
+        for columns, samples in self.sampled:
+            if not samples.covers(t):
+                names = describe([self.symbols[c] for c in columns])
+                raise ValueError(
+                    f"`{argument}` must lie within the times of the SampledInput for the "
+                    f"specifieds {names}, {samples.breaks[0]} to {samples.breaks[-1]}, got "
+                    f"{np.min(t)} to {np.max(t)}. Ask for times within the data, or add samples."
+                )
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return a fresh array of all specifieds, shape (s,)."""
-        r = np.zeros(len(self.base))
-        for indices, value, names in self.steps:
-            if callable(value):
-                value = evaluate_function(value, names, x, t, self.time_first)
-            r[indices] = value
+        r = self.values.copy()
+        for columns, samples in self.sampled:
+            for column, value in zip(columns.tolist(), samples.at(t), strict=True):
+                r[column] = value
+        for columns, function, _ in self.functions:
+            r[columns] = function(x, t)
         return r
+
+    def rows(self, x: np.ndarray, t: np.ndarray) -> np.ndarray:
+        """Return r for m states and times: shape (1, s) when it is the same for all, or (m, s)."""
+        if self.constant:
+            return self.values[None].copy()
+        r = np.tile(self.values, (len(t), 1))
+        for columns, samples in self.sampled:
+            r[:, columns] = samples.rows(t)
+        for columns, function, _ in self.functions:
+            for k, instant in enumerate(t):
+                r[k, columns] = function(x[k], float(instant))
+        return r
+
+
+def _refuse_mixtures(value: Any, label: str) -> None:
+    """Say what to do with a sequence of things that are not numbers."""
+    if not isinstance(value, (list, tuple)):
+        return
+    if any(callable(v) for v in value):
+        raise ValueError(
+            f"{label} must be numbers or expressions, one function, or one SampledInput, got a "
+            f"{type(value).__name__} with functions or SampledInputs in it. Give each of them a "
+            "key of its own."
+        )
+    if len(value) == 2 and all(hasattr(v, "__len__") for v in value):
+        raise ValueError(
+            f"{label} must be numbers, got a {type(value).__name__} of two sequences. Give sampled "
+            "data as pydy.inputs.SampledInput(times, values)."
+        )
 
 
 def evaluate_function(

@@ -7,6 +7,7 @@ when they are not float64 vectors of the right length; only then are they conver
 from __future__ import annotations
 
 from collections.abc import Callable
+from copy import copy
 from dataclasses import dataclass
 from typing import Any
 
@@ -81,15 +82,43 @@ class RightHandSide:
         self._assembly = assembly
         self._compiler = backend(**options)
         self._solver = solver
+        self._blocks = ("rates", "ordinary") if self.num_outputs else ("rates",)
         self._kernels: dict[tuple[str, ...], Kernel] = {}
-        self.kernel = self.compiled("rates", *(("ordinary",) if self.num_outputs else ()))
+        self._changed: dict[Any, RightHandSide] = {}
         self.function_of_user: Any = None  # what `make_function` made of this
 
     def __getstate__(self) -> dict[str, Any]:
         state = dict(self.__dict__)
-        state["_kernels"] = {}
+        state["_kernels"] = {k: v for k, v in self._kernels.items() if k == self._blocks}
+        state["_changed"] = {}
         state["function_of_user"] = None  # it pickles as this object: no circles
         return state
+
+    @property
+    def kernel(self) -> Kernel:
+        """The Kernel of what the function returns."""
+        return self.compiled(*self._blocks)
+
+    def changed(self, key: Any, change: Callable[[Assembly], Assembly]) -> RightHandSide:
+        """Return the same with other equations, made at most once for each key.
+
+        Parameters
+        ----------
+        key : hashable
+            The latest eight are kept.
+        change : callable
+            Makes the other equations from these; sizes and layout stay.
+        """
+        other = self._changed.pop(key, None)
+        if other is None:
+            other = copy(self)
+            other._assembly = change(self._assembly)
+            other._kernels, other._changed = {}, {}
+            other.function_of_user = None
+        self._changed[key] = other
+        while len(self._changed) > 8:
+            del self._changed[next(iter(self._changed))]
+        return other
 
     def compiled(self, *blocks: str) -> Kernel:
         """Return the Kernel of some blocks of the assembly, compiled at most once."""
@@ -189,8 +218,8 @@ class RightHandSide:
         Parameters
         ----------
         plan : callable or None
-            Gives r at each state and time, in place of the argument, when functions must be
-            called.
+            Gives r at each state and time, in place of the argument, when there are samples, or
+            functions must be called.
         """
         kernel = self.compiled("rates")
         call, empty, n = kernel.call, np.empty, len(self.layout.states)

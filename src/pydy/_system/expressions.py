@@ -1,0 +1,240 @@
+"""Specifieds that are given as SymPy expressions: compiled into the equations.
+
+In the graph of the equations a specified is an input node. Here the node of its expression takes
+the place of that input; every block that is lowered afterwards, and every derivative, then follows
+the expression.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._eom.symbols import find_symbols
+from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.node import Graph
+from pydy._programs import Assembly, substitute
+from pydy._system.definition import Definition
+from pydy.codegen.arguments import SpecifiedsPlan, describe, symbolic_entries
+from pydy.codegen.right_hand_side import RightHandSide
+
+__all__ = ["check_expressions", "driven", "expressions_in"]
+
+_CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
+
+
+@dataclass(frozen=True)
+class _Formula:
+    """What a specified is.
+
+    Attributes
+    ----------
+    symbol : function of time, or a derivative of one
+    source : expression, or the symbol whose formula is to be differentiated
+    order : int
+        How often `source` is differentiated; an expression never is.
+    """
+
+    symbol: Any
+    source: Any
+    order: int = 0
+
+
+def expressions_in(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
+    """Return the SymPy expressions in a dictionary of specifieds, in either format.
+
+    Nothing is checked here: this finds the symbols that need values, which must be known before
+    anything can be checked.
+    """
+    if not any(isinstance(v, _CANDIDATES) for v in specifieds.values()):
+        return {}
+    if "symbols" in specifieds and "values" in specifieds:
+        specifieds = {tuple(specifieds["symbols"]): specifieds["values"]}
+    found: dict[Any, Any] = {}
+    for key, value in specifieds.items():
+        names = key if isinstance(key, (tuple, list)) else (key,)
+        entries = zip(names, symbolic_entries(value) or (), strict=False)
+        found.update((n, e) for n, e in entries if isinstance(e, sm.Expr) and find_symbols([e]))
+    return found
+
+
+def driven(
+    implementation: RightHandSide,
+    definition: Definition,
+    plan: SpecifiedsPlan,
+    *,
+    perturbed: bool = False,
+) -> RightHandSide:
+    """Return the right-hand side with the expressions of `plan` compiled into it.
+
+    Parameters
+    ----------
+    implementation : RightHandSide
+        Takes all specifieds as inputs.
+    definition : Definition
+    plan : SpecifiedsPlan
+    perturbed : bool
+        Whether the places of the expressions in r, which are zero, are added to them: derivatives
+        with respect to r are then those by a small change of each specified's value.
+    """
+    formulas = _formulas(definition, plan)
+    if not formulas:
+        return implementation
+
+    def change(assembly: Assembly) -> Assembly:
+        kinematics = assembly.rates[: len(definition.equations.coordinates)]
+        return assembly.substituted(
+            _resolve(assembly.graph, definition, formulas, kinematics, perturbed)
+        )
+
+    return implementation.changed((formulas, perturbed), change)
+
+
+def check_expressions(definition: Definition, plan: SpecifiedsPlan) -> None:
+    """Raise what `driven` would, without the equations."""
+    formulas = _formulas(definition, plan)
+    if formulas:
+        _resolve(Graph(), definition, formulas, None, False)
+
+
+def _formulas(definition: Definition, plan: SpecifiedsPlan) -> tuple[_Formula, ...]:
+    """Return the expressions, and the derivatives that follow from them."""
+    if not plan.expressions:
+        return ()
+    formulas = []
+    for symbol in plan.symbols:
+        if symbol in plan.expressions:
+            formulas.append(_Formula(symbol, plan.expressions[symbol]))
+        elif isinstance(symbol, sm.Derivative) and symbol not in plan.given:
+            for order in range(1, symbol.derivative_count + 1):
+                lower = symbol.derivative_count - order
+                source = symbol.expr.diff(definition.equations.time, lower)
+                if source in plan.expressions:
+                    formulas.append(_Formula(symbol, source, order))
+                if source in plan.given:
+                    break
+    return tuple(formulas)
+
+
+def _resolve(
+    graph: Graph,
+    definition: Definition,
+    formulas: Sequence[_Formula],
+    kinematics: Sequence[int] | None,
+    perturbed: bool,
+) -> dict[int, int]:
+    """Return what takes the place of each specified's input node.
+
+    Parameters
+    ----------
+    graph : Graph
+        Gets the nodes.
+    kinematics : sequence of nodes or None
+        q'; None reads them when they occur.
+
+    Raises
+    ------
+    ValueError
+        A symbol without a meaning, a circle, or a derivative that does not follow.
+    UnsupportedFunctionError
+        A function that cannot be translated.
+    """
+    layout, equations = definition.layout, definition.equations
+    inputs = {s: graph.input("r", k) for k, s in enumerate(layout.specifieds)}
+    atoms = {**inputs, equations.time: graph.input("t", 0)}
+    atoms.update((s, graph.input("x", k)) for k, s in enumerate(layout.states))
+    atoms.update((s, graph.input("p", k)) for k, s in enumerate(layout.constants))
+    atoms.update((z, graph.zero) for z in equations.zeros)
+    read = SymPyReader(graph, atoms)
+    for formula in formulas:
+        if not formula.order:
+            found = find_symbols([formula.source])
+            if kinematics is None and any(s in found for s in equations.coordinate_rates):
+                kinematics = read.all(equations.coordinate_derivatives)
+            _refuse_unknown(formula, found, definition)
+    for rate, node in zip(equations.coordinate_rates, kinematics or (), strict=False):
+        read.define(rate, node)
+    own = {inputs[f.symbol]: f for f in formulas}
+    nodes: dict[Any, int] = {}
+    needs: dict[Any, set[Any]] = {}
+    for f in formulas:
+        if f.order:
+            needs[f.symbol] = {f.source}
+            continue
+        read.what = f"`specifieds` for {f.symbol}"
+        nodes[f.symbol] = read(f.source)
+        needs[f.symbol] = {own[n].symbol for n in graph.reachable([nodes[f.symbol]]) if n in own}
+    result: dict[int, int] = {}
+    waiting = list(formulas)
+    while waiting:
+        left = {f.symbol for f in waiting}
+        ready = [f for f in waiting if not needs[f.symbol] & left]
+        if not ready:
+            _refuse_circle(waiting[0].symbol, needs, left)
+        for f in ready:
+            place = inputs[f.symbol]
+            if f.order:
+                node = _derivative(graph, f, result[inputs[f.source]], own, definition)
+            else:
+                node = substitute(graph, [nodes[f.symbol]], result)[0]
+            result[place] = graph.add(node, place) if perturbed else node
+            waiting.remove(f)
+    return result
+
+
+def _derivative(
+    graph: Graph, formula: _Formula, node: int, own: Mapping[int, Any], definition: Definition
+) -> int:
+    """Differentiate by time what depends on time and constants alone."""
+    layout = definition.layout
+    names = {"x": layout.states, "r": layout.specifieds}
+    held = [
+        names[graph.args[n][0]][graph.args[n][1]]
+        for n in graph.reachable([node])
+        if graph.ops[n] == "input" and graph.args[n][0] in names and n not in own
+    ]
+    if held:
+        raise ValueError(
+            f"`specifieds` has no value for `{formula.symbol}`, and it does not follow from the "
+            f"expression for `{formula.source}`, which depends on {describe(held)}: only "
+            "expressions of time and constants are differentiated. Give "
+            f"`{formula.symbol}` a value too."
+        )
+    for _ in range(formula.order):
+        node = jacobian(graph, [node], [graph.input("t", 0)])[0].get(0, graph.zero)
+    return node
+
+
+def _refuse_unknown(formula: _Formula, found: Mapping[Any, Any], definition: Definition) -> None:
+    layout, equations = definition.layout, definition.equations
+    known = {*layout.states, *layout.specifieds, *layout.constants, *equations.zeros}
+    known.update((equations.time, *equations.coordinate_rates))
+    for symbol in found:
+        if symbol in equations.speed_rates:
+            raise ValueError(
+                f"`specifieds` for {formula.symbol} holds `{symbol}`, for which the equations are "
+                "solved. Write loads that depend on accelerations into the loads of the "
+                "KanesMethod."
+            )
+        if symbol not in known:
+            raise ValueError(
+                f"`specifieds` for {formula.symbol} holds `{symbol}`, which is none of the "
+                "system's states, specifieds, constants or time. In `system.specifieds`, rather "
+                "than in `r`, it would become a constant or specified of the system."
+            )
+
+
+def _refuse_circle(start: Any, needs: Mapping[Any, set[Any]], waiting: set[Any]) -> None:
+    path = [start]
+    while path.count(path[-1]) == 1:
+        path.append(min(needs[path[-1]] & waiting, key=sm.default_sort_key))
+    circle = path[path.index(path[-1]) :]
+    raise ValueError(
+        f"`specifieds` are defined in a circle: {' needs '.join(map(str, circle))}. Solve for "
+        "them, or give one of them as something else."
+    )

@@ -1,0 +1,250 @@
+"""Sampled data as values of specifieds: measured or computed beforehand, known at some times."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from typing import Any
+
+import numpy as np
+
+from pydy._numbers import real_array
+
+__all__ = ["SampledInput"]
+
+_INTERPOLATIONS = ("linear", "previous", "pchip")
+
+
+class SampledInput:
+    """Values at some times, and how to go from one to the next.
+
+    Give one as the value of a specified, or of a tuple of specifieds, in
+    `pydy.system.System.specifieds`. It copies what it is made of, and never changes.
+
+    Parameters
+    ----------
+    times : array_like, shape (m,)
+        At least two, strictly ascending.
+    values : array_like, shape (m,) or (m, k)
+        One value, or k of them, for each time.
+    interpolation : {'linear', 'previous', 'pchip'}, optional
+        Between two samples: a straight line; the earlier sample; or the cubic that keeps monotonic
+        data monotonic and has a continuous first derivative [1]_.
+
+    Attributes
+    ----------
+    breaks : ndarray, shape (m,)
+        The times.
+    coefficients : ndarray, shape (m − 1, 4, k)
+        ``coefficients[i, :, j]`` are those of quantity j between ``breaks[i]`` and
+        ``breaks[i + 1]``: a cubic polynomial in ``t − breaks[i]``, highest power first, as in
+        `numpy.polyval` and `scipy.interpolate.PPoly`.
+    first, last : ndarray, shape (k,)
+        What holds up to the first and from the last time on.
+
+    Raises
+    ------
+    ValueError
+        Times that are not strictly ascending, values that are not finite, shapes that do not fit,
+        or another interpolation.
+
+    Notes
+    -----
+    Outside its times a SampledInput holds the end values, because solvers step past the last time
+    and come back. `pydy.system.System.integrate` and the evaluations refuse to be asked for times
+    outside.
+
+    References
+    ----------
+    .. [1] F. N. Fritsch and J. Butland, "A method for constructing local monotone piecewise cubic
+       interpolants", SIAM J. Sci. Stat. Comput. 5 (1984) 300–304; computed by
+       `scipy.interpolate.PchipInterpolator`.
+
+    Examples
+    --------
+    >>> from pydy.inputs import SampledInput
+    >>> push = SampledInput([0.0, 1.0, 3.0], [0.0, 2.0, 0.0])
+    >>> push(0.5)
+    1.0
+    >>> push([0.0, 2.0, 9.0])
+    array([0., 1., 0.])
+    """
+
+    breaks: np.ndarray
+    coefficients: np.ndarray
+    first: np.ndarray
+    last: np.ndarray
+
+    __slots__ = ("_knots", "_values", "breaks", "coefficients", "first", "interpolation", "last")
+
+    def __init__(self, times: Any, values: Any, interpolation: str = "linear") -> None:
+        if interpolation not in _INTERPOLATIONS:
+            raise ValueError(
+                f"`interpolation` must be one of {', '.join(map(repr, _INTERPOLATIONS))}, got "
+                f"{interpolation!r}."
+            )
+        self.interpolation = interpolation
+        self.breaks = _frozen(_check_times(times))
+        self._values = _frozen(_check_values(values, self.breaks))
+        columns = self._values.reshape(len(self.breaks), -1)
+        self.coefficients = _frozen(_coefficients(self.breaks, columns, interpolation))
+        self.first, self.last = columns[0], columns[-1]
+        self._knots: list[float] = self.breaks.tolist()  # bisect is ten times faster on a list
+
+    @property
+    def times(self) -> np.ndarray:
+        """The times as given, shape (m,)."""
+        return self.breaks
+
+    @property
+    def values(self) -> np.ndarray:
+        """The values as given, shape (m,) or (m, k)."""
+        return self._values
+
+    @property
+    def size(self) -> int:
+        """How many quantities there are, k."""
+        return len(self.last)
+
+    def __call__(self, t: Any) -> Any:
+        """Return the values at one time or at several.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (n,)
+
+        Returns
+        -------
+        float or ndarray, shape (k,), (n,) or (n, k)
+        """
+        several = self._values.ndim == 2
+        if np.ndim(t) == 0:
+            found = self.at(float(t))
+            return np.array(found) if several else found[0]
+        rows = self.rows(real_array(t, "`t`"))
+        return rows if several else rows[:, 0]
+
+    def at(self, t: float) -> list[float]:
+        """Return the k values at one time: what solvers call, with the least ado."""
+        knots = self._knots
+        if t >= knots[-1]:
+            return self.last.tolist()  # type: ignore[no-any-return]
+        if t <= knots[0]:
+            return self.first.tolist()  # type: ignore[no-any-return]
+        i = min(bisect_right(knots, t), len(knots) - 1) - 1  # NaN bisects to the end
+        s = t - knots[i]
+        cubes, squares, slopes, starts = self.coefficients[i].tolist()
+        return [
+            ((a * s + b) * s + c) * s + d
+            for a, b, c, d in zip(cubes, squares, slopes, starts, strict=True)
+        ]
+
+    def rows(self, t: np.ndarray) -> np.ndarray:
+        """Return the values at n times, shape (n, k)."""
+        t = np.clip(t, self.breaks[0], self.breaks[-1])
+        places = np.searchsorted(self.breaks, t, side="right") - 1
+        places = np.clip(places, 0, len(self.breaks) - 2)
+        s = (t - self.breaks[places])[:, None]
+        a, b, c, d = np.moveaxis(self.coefficients[places], 1, 0)
+        found: np.ndarray = ((a * s + b) * s + c) * s + d
+        found[t == self.breaks[-1]] = self.last
+        return found
+
+    def of(self, places: list[int]) -> SampledInput:
+        """Return some of the quantities alone."""
+        if len(places) == self.size:
+            return self
+        return SampledInput(self.breaks, self._values[:, places], self.interpolation)
+
+    def covers(self, t: np.ndarray) -> bool:
+        """Tell whether all times lie inside, but for rounding."""
+        start, end = self._knots[0], self._knots[-1]
+        slack = 1e-9 * (end - start)
+        return not (np.any(t < start - slack) or np.any(t > end + slack))
+
+    def __repr__(self) -> str:
+        what = f" of {self.size} values" if self._values.ndim == 2 else ""
+        return (
+            f"SampledInput({len(self.breaks)} samples{what} from t = {self._knots[0]!r} to "
+            f"{self._knots[-1]!r}, interpolation={self.interpolation!r})"
+        )
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, SampledInput):
+            return NotImplemented
+        return self.interpolation == other.interpolation and all(
+            np.array_equal(mine, its)
+            for mine, its in ((self.breaks, other.breaks), (self._values, other._values))
+        )
+
+    def __hash__(self) -> int:
+        return hash((self.interpolation, self._values.shape, self._knots[0], self._knots[-1]))
+
+    def __copy__(self) -> SampledInput:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> SampledInput:
+        return self  # it never changes
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (SampledInput, (self.breaks, self._values, self.interpolation))
+
+
+def _frozen(array: np.ndarray) -> np.ndarray:
+    array.flags.writeable = False
+    return array
+
+
+def _check_times(times: Any) -> np.ndarray:
+    array = np.array(real_array(times, "`times` of a SampledInput"))
+    if array.ndim != 1 or len(array) < 2:
+        raise ValueError(
+            "`times` of a SampledInput must be one-dimensional with at least two values, got the "
+            f"shape {array.shape}. A value that never changes needs no samples: give the number."
+        )
+    _refuse_not_finite("times", array)
+    stuck = np.flatnonzero(np.diff(array) <= 0.0)
+    if stuck.size:
+        k = int(stuck[0]) + 1
+        raise ValueError(
+            f"`times` of a SampledInput must be strictly ascending, got {array[k]} after "
+            f"{array[k - 1]} at index {k}. Sort the samples and drop repeated ones; for a jump "
+            "use interpolation='previous'."
+        )
+    return array
+
+
+def _check_values(values: Any, times: np.ndarray) -> np.ndarray:
+    array = np.array(real_array(values, "`values` of a SampledInput"), order="C")
+    m = len(times)
+    if array.ndim not in (1, 2) or len(array) != m or 0 in array.shape:
+        raise ValueError(
+            f"`values` of a SampledInput must have the shape ({m},) or ({m}, k), one row for each "
+            f"of its {m} times, got {array.shape}."
+        )
+    _refuse_not_finite("values", array)
+    return array
+
+
+def _refuse_not_finite(name: str, array: np.ndarray) -> None:
+    if not np.isfinite(array).all():
+        where = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
+        place = where[0] if len(where) == 1 else where
+        raise ValueError(
+            f"`{name}` of a SampledInput must be finite, got {array[where]} at index {place}. "
+            "Drop or fill such samples first."
+        )
+
+
+def _coefficients(breaks: np.ndarray, values: np.ndarray, interpolation: str) -> np.ndarray:
+    """Return piecewise cubics, shape (m − 1, 4, k), highest power first."""
+    steps = np.diff(breaks)[:, None]
+    slopes = np.diff(values, axis=0) / steps
+    cubics = np.zeros((len(steps), 4, values.shape[1]))
+    cubics[:, 3] = values[:-1]
+    if interpolation == "linear":
+        cubics[:, 2] = slopes
+    elif interpolation == "pchip":
+        from scipy.interpolate import PchipInterpolator  # a tenth of a second to import
+
+        cubics[:] = np.moveaxis(PchipInterpolator(breaks, values, axis=0).c, 0, 1)
+    return cubics

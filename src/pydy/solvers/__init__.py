@@ -1,0 +1,20 @@
+"""Integration in machine code: solvers that take a compiled right-hand side by its address.
+
+=============  ===============================================================================
+`dop853`       explicit, order 8: the first choice for smooth motion at tolerances below 1e-6
+`tsit5`        explicit, order 5: for loose tolerances and frequent events
+`vern9`        explicit, order 9: for tolerances near rounding
+`rk4`          explicit, order 4, in steps of fixed size
+`radau`        implicit, order 5: for stiff systems
+=============  ===============================================================================
+
+They have the signature of `scipy.integrate.odeint`, so that ``system.ode_solver = 'dop853'`` is all
+it takes. Nothing here loads numba before a solver runs.
+"""
+
+from __future__ import annotations
+
+from pydy.solvers.events import Event
+from pydy.solvers.solver import Solver, dop853, radau, rk4, tsit5, vern9
+
+__all__ = ["Event", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]

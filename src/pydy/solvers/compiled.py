@@ -1,0 +1,94 @@
+"""numba, with a cache that knows when it is stale.
+
+numba's own cache looks at the file of the outermost function only, and lies beside the sources.
+This one is keyed by the text of the whole package of solvers and lies with the machine code of
+kernels, where PYDY_CACHE_DIR says.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import logging
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numba
+from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
+
+from pydy._backends.cache import folder
+
+__all__ = ["compiled", "inlined"]
+
+_LOG = logging.getLogger("pydy")
+
+
+@cache
+def _digest() -> str:
+    """Return what the compiled code depends on, processor and numba's version aside."""
+    digest = hashlib.sha256()
+    for path in sorted(Path(__file__).parent.rglob("*.py")):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
+
+
+class _Locator(_CacheLocator):
+    def __init__(self, function: Callable[..., Any]) -> None:
+        self._name = function.__module__
+
+    def get_cache_path(self) -> str:
+        place = folder()
+        assert place is not None  # `compiled` asks first
+        return str(place / "solvers")
+
+    def get_source_stamp(self) -> str:
+        return _digest()
+
+    def get_disambiguator(self) -> str:
+        return str(self._name.rpartition(".")[2])
+
+    @classmethod
+    def from_function(cls, function: Callable[..., Any], _file: str) -> _Locator:
+        return cls(function)
+
+
+class _Implementation(CompileResultCacheImpl):
+    _locator_classes: Any = (_Locator,)
+
+
+class _Cache(FunctionCache):
+    _impl_class = _Implementation
+
+    def load_overload(self, signature: Any, target_context: Any) -> Any:
+        try:
+            found = super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
+        except Exception:  # noqa: BLE001 - whatever a broken entry raises, it is a miss
+            found = None
+        if found is None:
+            _LOG.warning("Compiling a solver, once on this machine: this takes some seconds.")
+        return found
+
+    def save_overload(self, signature: Any, data: Any) -> None:
+        try:
+            super().save_overload(signature, data)  # type: ignore[no-untyped-call]
+        except OSError:
+            _LOG.info("The compiled solver could not be kept on disk.", exc_info=True)
+
+
+def compiled(function: Callable[..., Any]) -> Any:
+    """Compile a function that Python calls; it releases the interpreter's lock."""
+    dispatcher: Any = numba.njit(nogil=True, error_model="numpy")(function)
+    if folder() is not None:
+        dispatcher._cache = _Cache(function)  # type: ignore[no-untyped-call]
+    return dispatcher
+
+
+def inlined(function: Callable[..., Any] | None = None, *, reassociate: bool = False) -> Any:
+    """Compile a function that other compiled functions call.
+
+    With `reassociate`, its sums may be taken in any order, which lets them use vector registers.
+    """
+    flags = {"contract", "reassoc", "nsz"} if reassociate else False
+    decorate = numba.njit(nogil=True, error_model="numpy", fastmath=flags)
+    return decorate if function is None else decorate(function)

@@ -1,0 +1,190 @@
+"""The loop around explicit Runge–Kutta steps: step size, outputs, and why it stopped."""
+
+from __future__ import annotations
+
+import math
+
+from pydy.solvers.compiled import compiled, inlined
+from pydy.solvers.finishing import finish_step, write_start
+from pydy.solvers.intrinsics import address_of
+from pydy.solvers.layout import (
+    ACTIVE,
+    ALPHA,
+    BETA,
+    BUDGET,
+    CALLBACK,
+    END_IN_ESTIMATE,
+    ESTIMATES,
+    EVALUATIONS,
+    EVENTS,
+    EXPONENT,
+    FAILURE,
+    FINISHED,
+    GROW,
+    GROWTH,
+    INACCURATE,
+    LARGEST,
+    LAST_ERROR,
+    LAST_SIZE,
+    LIMIT,
+    NEXT,
+    NOT_FINITE,
+    PAUSED,
+    REJECTED,
+    SAFETY,
+    SHRINK,
+    SINGULAR,
+    SIZE,
+    STAGES,
+    STARTED,
+    STATES,
+    STEPS,
+    TIME,
+    TOO_MANY,
+    UNDERFLOW,
+    UNPROJECTED,
+)
+from pydy.solvers.projecting import project
+from pydy.solvers.rates import rates
+from pydy.solvers.runge_kutta import error_of_step, prepare_interpolant, take_step
+
+__all__ = ["advance"]
+
+
+@inlined(reassociate=True)
+def _norm(a, b, memory, n):
+    """Return the root mean square of a − b in units of the tolerance at ``memory.x``."""
+    total = 0.0
+    for i in range(n):
+        e = (a[i] - b[i]) / (memory.atol[i] + memory.rtol[i] * abs(memory.x[i]))
+        total += e * e
+    return math.sqrt(total / n)
+
+
+@inlined
+def _first_size(method, problem, memory, run, t):
+    """Guess the first step: Hairer, Nørsett, Wanner, Solving ODEs I, II.4."""
+    n = problem.words[STATES]
+    x, trial, f0 = memory.x, memory.trial, memory.stages
+    length = x.size
+    d0 = _norm(x, memory.zero, memory, n)
+    d1 = _norm(f0, memory.zero, memory, n)
+    h0 = 1e-6 if d0 < 1e-5 or d1 < 1e-5 else 0.01 * d0 / d1
+    h0 = min(h0, run.state[LARGEST])
+    for i in range(n):
+        trial[i] = x[i] + h0 * f0[i]
+    run.counts[EVALUATIONS] += 1
+    f1 = memory.stages[length:]
+    if rates(problem, t + h0, address_of(trial, 0), address_of(f1, 0)) != 0:
+        return h0 * 1e-3
+    d2 = _norm(f1, f0, memory, n) / h0
+    steepest = max(d1, d2)
+    h1 = max(1e-6, h0 * 1e-3)
+    if steepest > 1e-15:
+        h1 = (0.01 / steepest) ** method.control[EXPONENT]
+    return min(100.0 * h0, h1, run.state[LARGEST])
+
+
+@compiled
+def advance(method, problem, memory, run, constraints, watch):
+    """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
+    length = memory.x.size
+    state, count, times, control = run.state, run.counts, run.times, method.control
+    stages, held = method.shape[STAGES], constraints.words[ACTIVE] == 1
+    adaptive = method.shape[ESTIMATES] > 0
+    end = address_of(memory.stages, stages * length)
+    last = times[times.size - 1]
+    t, h = state[TIME], state[SIZE]
+    if count[STARTED] == 0:
+        count[EVALUATIONS] += 1
+        code = rates(problem, t, address_of(memory.x, 0), address_of(memory.stages, 0))
+        if code != 0:
+            count[FAILURE] = SINGULAR
+            return CALLBACK if code < 0 else UNDERFLOW
+        count[STARTED] = 1
+        state[LAST_ERROR], state[GROWTH] = 1e-4, control[GROW]
+        if write_start(problem, memory, run):
+            return FINISHED
+        if h == 0.0:
+            h = _first_size(method, problem, memory, run, t)
+    while True:
+        if count[BUDGET] == 0:
+            state[SIZE] = h
+            return PAUSED
+        count[BUDGET] -= 1
+        if count[STEPS] + count[REJECTED] >= count[LIMIT]:
+            state[SIZE] = h
+            return TOO_MANY
+        if adaptive:
+            size = min(h, state[LARGEST])
+            goal = last
+        else:  # whole steps between outputs
+            goal = times[count[NEXT]]
+            size = (goal - t) / math.ceil((goal - t) / h * (1.0 - 1e-12))
+        after = t + size
+        if after > goal - 1e-3 * size:
+            size, after = goal - t, goal
+        if not t + 0.0625 * size > t:
+            state[SIZE] = size
+            return UNDERFLOW
+        code = take_step(method, problem, memory, run, t, size)
+        if code == 0 and method.shape[END_IN_ESTIMATE] == 1:
+            count[EVALUATIONS] += 1
+            code = rates(problem, after, address_of(memory.new, 0), end)
+        if code < 0:
+            return CALLBACK
+        error = 0.0
+        if code == 0:
+            if adaptive:
+                error = error_of_step(method, problem, memory)
+            if error < 1.0 and (held or method.shape[END_IN_ESTIMATE] == 0):
+                if held and project(problem, run, constraints, after, memory.new) != 0:
+                    state[SIZE] = size
+                    return UNPROJECTED
+                count[EVALUATIONS] += 1
+                code = rates(problem, after, address_of(memory.new, 0), end)
+                if code < 0:
+                    return CALLBACK
+        if code != 0 or not error < 1.0:
+            count[REJECTED] += 1
+            if code != 0:
+                count[FAILURE], h = SINGULAR, 0.25 * size
+            elif math.isfinite(error):
+                count[FAILURE] = INACCURATE
+                h = size * max(control[SHRINK], control[SAFETY] * error ** -control[EXPONENT])
+            else:
+                count[FAILURE], h = NOT_FINITE, 0.25 * size
+            if not adaptive:
+                state[SIZE] = size
+                return UNDERFLOW
+            state[GROWTH] = 1.0
+            continue
+        count[STEPS] += 1
+        state[TIME], state[LAST_SIZE] = after, size
+        if watch.words[EVENTS] > 0 or times[count[NEXT]] <= after:
+            code = prepare_interpolant(method, problem, memory, run, t, size)
+            if code != 0:
+                count[FAILURE] = SINGULAR
+                return CALLBACK if code < 0 else UNDERFLOW
+            code = finish_step(method, problem, memory, run, constraints, watch, t, size)
+            if code != 0:
+                return code
+        if adaptive:
+            error = max(error, 1e-10)
+            factor = control[SAFETY] * error ** -control[ALPHA] * state[LAST_ERROR] ** control[BETA]
+            h = size * min(state[GROWTH], max(control[SHRINK], factor))
+            state[LAST_ERROR] = max(error, 1e-4)
+            state[GROWTH] = control[GROW]
+        t = after
+        for i in range(length):
+            memory.x[i] = memory.new[i]
+            memory.stages[i] = memory.stages[stages * length + i]
+        if count[NEXT] == times.size:
+            state[SIZE] = h
+            return FINISHED
+
+
+@compiled
+def project_state(problem, run, constraints, t, x):
+    """Move one state onto the constraints."""
+    return project(problem, run, constraints, t, x)

@@ -1,0 +1,75 @@
+"""What every stepper does after an accepted step: look for events and write the outputs due."""
+
+from __future__ import annotations
+
+from pydy.solvers.compiled import inlined
+from pydy.solvers.intrinsics import address_of
+from pydy.solvers.layout import (
+    ACTIVE,
+    EVENTS,
+    NEXT,
+    SIZE,
+    STARTED,
+    STATES,
+    TIME,
+    UNPROJECTED,
+)
+from pydy.solvers.projecting import project
+from pydy.solvers.runge_kutta import interpolate
+from pydy.solvers.watching import scan_events
+
+__all__ = ["finish_step", "write_start"]
+
+
+@inlined
+def write_start(problem, memory, run):
+    """Write the outputs wanted at the start or before; tell whether those were all."""
+    n, times = problem.words[STATES], run.times
+    k = run.counts[NEXT]
+    while k < times.size and times[k] <= run.state[TIME]:
+        run.flat[k * n : (k + 1) * n] = memory.x[:n]
+        k += 1
+    run.counts[NEXT] = k
+    return k == times.size
+
+
+@inlined
+def _write_outputs(method, problem, memory, run, constraints, t, h, end):
+    n, times = problem.words[STATES], run.times
+    held = constraints.words[ACTIVE] == 1
+    k = run.counts[NEXT]
+    while k < times.size and times[k] <= end:
+        interpolate(method, problem, memory, (times[k] - t) / h, address_of(run.flat, k * n))
+        if held:
+            code = project(problem, run, constraints, times[k], run.flat[k * n : (k + 1) * n])
+            if code != 0:
+                return code
+        k += 1
+    run.counts[NEXT] = k
+    return 0
+
+
+@inlined
+def finish_step(method, problem, memory, run, constraints, watch, t, h):
+    """Look for events, then write the outputs due, up to the event that ends the step if one does.
+
+    Not zero: why the integration stops here. It is ready to start again, at the event if it was
+    one, where ``memory.x`` then is the state.
+    """
+    theta, status = 1.0, 0
+    if watch.words[EVENTS] > 0:
+        theta, status = scan_events(method, problem, memory, run, watch, t, h)
+    end = run.state[TIME] if theta == 1.0 else t + theta * h
+    code = _write_outputs(method, problem, memory, run, constraints, t, h, end)
+    if code != 0:
+        return code
+    if status != 0:
+        if theta < 1.0:
+            interpolate(method, problem, memory, theta, address_of(memory.trial, 0))
+            memory.new[:] = memory.trial
+            held = constraints.words[ACTIVE] == 1
+            if held and project(problem, run, constraints, end, memory.new) != 0:
+                return UNPROJECTED
+        memory.x[:] = memory.new
+        run.state[TIME], run.state[SIZE], run.counts[STARTED] = end, 0.0, 0
+    return status

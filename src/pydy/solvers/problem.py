@@ -1,0 +1,125 @@
+"""Turn a right-hand side into what compiled solvers call: an address, and arrays to go with it."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+
+from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.layout import Problem
+
+__all__ = ["Callback", "bind_constants", "callback_problem", "kernel_problem"]
+
+BLOCK = 8
+_PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
+_FUNCTION = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.POINTER(ctypes.c_double), *[ctypes.c_size_t] * 4
+)
+
+
+def blocks(n: int) -> int:
+    """Return how many blocks hold n numbers."""
+    return -(-n // BLOCK)
+
+
+def bind_constants(kernel: Kernel, p: np.ndarray) -> tuple[int, np.ndarray]:
+    """Return the address of a kernel and its array of constants."""
+    addresses = kernel.addresses
+    assert addresses is not None
+    c = np.zeros(max(1, len(kernel.program.carried)))
+    p = np.ascontiguousarray(p, dtype=float)
+    _PREPARE(addresses[1])(p.ctypes.data, c.ctypes.data)
+    return addresses[0], c
+
+
+def kernel_problem(call: KernelCall, n: int) -> Problem:
+    """Return the arrays for a Kernel."""
+    address, c = bind_constants(call.kernel, call.p)
+    r = np.array(call.r, dtype=float)
+    tables, knots, cubics = _tables(call.sampled)
+    return Problem(
+        words=np.array([address, n, blocks(n)]),
+        clock=np.zeros(1),
+        r=r if r.size else np.zeros(1),
+        c=c,
+        tables=tables,
+        knots=knots,
+        cubics=cubics,
+    )
+
+
+def _tables(
+    sampled: Sequence[tuple[np.ndarray, Any]],
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Lay sampled inputs out one after the other, one table for each place in r."""
+    tables, knots, cubics = [], [], []
+    first = 0
+    for columns, samples in sampled:
+        number = len(samples.breaks)
+        for j, column in enumerate(columns):
+            tables.append((column, first, number, 0))
+            knots.append(samples.breaks)
+            cubics.append(samples.coefficients[:, ::-1, j])
+            cubics.append([[samples.last[j], 0.0, 0.0, 0.0]])
+            first += number
+    if not tables:
+        return np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
+    return np.array(tables, dtype=np.int64), np.concatenate(knots), np.concatenate(cubics)
+
+
+class Callback:
+    """A Python function as a native one.
+
+    Parameters
+    ----------
+    function : callable
+        ``function(x, t)`` returns the derivative.
+    n : int
+        Number of states.
+    outputs : int, optional
+        Number of values the function returns, n if it is not given.
+
+    Attributes
+    ----------
+    error : BaseException or None
+        What the function raised; the native caller was told to stop.
+    """
+
+    def __init__(
+        self, function: Callable[[np.ndarray, float], Any], n: int, outputs: int | None = None
+    ) -> None:
+        self.error: BaseException | None = None
+        self._function = function
+        self._n = n
+        self._outputs = n if outputs is None else outputs
+        self._views: dict[int, np.ndarray] = {}
+        self._native = _FUNCTION(self._call)
+        self.address = ctypes.cast(self._native, ctypes.c_void_p).value or 0
+
+    def _view(self, address: int, size: int) -> np.ndarray:
+        view = self._views.get(address)
+        if view is None:
+            pointer = ctypes.cast(address, ctypes.POINTER(ctypes.c_double))
+            view = np.ctypeslib.as_array(pointer, (size,))
+            self._views[address] = view
+        return view
+
+    def _call(self, t: Any, x: int, r: int, c: int, out: int) -> int:
+        try:
+            state = self._view(x, self._n).copy()
+            self._view(out, self._outputs)[:] = self._function(state, t[0])
+        except BaseException as error:  # noqa: BLE001 - it is raised again outside native code
+            self.error = error
+            return -1
+        return 0
+
+
+def callback_problem(callback: Callback, n: int) -> Problem:
+    """Return the arrays for a Python function."""
+    tables, knots, cubics = _tables(())
+    nothing = np.zeros(1)
+    words = np.array([callback.address, n, blocks(n)])
+    return Problem(words, np.zeros(1), nothing, nothing, tables, knots, cubics)

@@ -1,0 +1,209 @@
+"""Constraints held: the state is moved back onto them, by the least motion.
+
+Positions are corrected by Newton's method along the kinematics, δq = N δu, where δu is the least in
+the norm of the unreduced mass matrix; velocities by one linear solve in the same norm. What no δu
+can mend, such as the norm of a quaternion, is mended by the least δq.
+
+E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, 2nd edition, section IV.4.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from pydy.solvers.compiled import inlined
+from pydy.solvers.intrinsics import address_of, call_kernel
+from pydy.solvers.layout import (
+    COORDINATES,
+    HOLONOMIC,
+    PROJECTIONS,
+    PROJECTOR,
+    SPEEDS,
+    UNPROJECTED,
+    VELOCITY,
+    WEIGHTED,
+)
+from pydy.solvers.rates import set_inputs
+
+__all__ = ["project"]
+
+_EPS = 2.0**-52
+_DEPENDENT = 1e-10  # a row this much shorter after orthogonalisation adds nothing
+_ITERATIONS = 10
+
+
+@inlined
+def _factor(matrix):
+    """Replace a symmetric matrix by its Cholesky factor; by the identity where it has none."""
+    n = matrix.shape[0]
+    for j in range(n):
+        pivot = matrix[j, j]
+        for k in range(j):
+            pivot -= matrix[j, k] * matrix[j, k]
+        if not pivot > 4.0 * n * _EPS * matrix[j, j]:
+            matrix[:] = 0.0
+            for i in range(n):
+                matrix[i, i] = 1.0
+            return
+        matrix[j, j] = math.sqrt(pivot)
+        for i in range(j + 1, n):
+            value = matrix[i, j]
+            for k in range(j):
+                value -= matrix[i, k] * matrix[j, k]
+            matrix[i, j] = value / matrix[j, j]
+
+
+@inlined
+def _divide_rows(rows, factor):
+    """Replace each row a by a L⁻ᵀ."""
+    n = factor.shape[0]
+    for row in range(rows.shape[0]):
+        for i in range(n):
+            value = rows[row, i]
+            for k in range(i):
+                value -= factor[i, k] * rows[row, k]
+            rows[row, i] = value / factor[i, i]
+
+
+@inlined
+def _divide_transposed(factor, y):
+    """Replace y by L⁻ᵀ y."""
+    n = factor.shape[0]
+    for i in range(n - 1, -1, -1):
+        value = y[i]
+        for k in range(i + 1, n):
+            value -= factor[k, i] * y[k]
+        y[i] = value / factor[i, i]
+
+
+@inlined
+def _minimum_norm(rows, right):
+    """Return the least y with ``rows @ y = right``; `right` keeps what no y can reach.
+
+    Rows are scaled to unit length and orthogonalised, the longest first; both arrays are
+    overwritten.
+    """
+    m, n = rows.shape
+    y = np.zeros(n)
+    scale = np.ones(m)
+    left = np.ones(m, dtype=np.bool_)
+    for i in range(m):
+        norm = 0.0
+        for k in range(n):
+            norm += rows[i, k] * rows[i, k]
+        if norm > 0.0:
+            scale[i] = 1.0 / math.sqrt(norm)
+            right[i] *= scale[i]
+            for k in range(n):
+                rows[i, k] *= scale[i]
+    for _ in range(m):
+        pivot, longest = -1, _DEPENDENT * _DEPENDENT
+        for i in range(m):
+            if left[i]:
+                norm = 0.0
+                for k in range(n):
+                    norm += rows[i, k] * rows[i, k]
+                if norm > longest:
+                    pivot, longest = i, norm
+        if pivot < 0:
+            break
+        left[pivot] = False
+        length = math.sqrt(longest)
+        z = right[pivot] / length
+        right[pivot] = 0.0
+        for k in range(n):
+            rows[pivot, k] /= length
+            y[k] += z * rows[pivot, k]
+        for i in range(m):
+            if left[i]:
+                along = 0.0
+                for k in range(n):
+                    along += rows[i, k] * rows[pivot, k]
+                right[i] -= along * z
+                for k in range(n):
+                    rows[i, k] -= along * rows[pivot, k]
+    for i in range(m):
+        right[i] /= scale[i]
+    return y
+
+
+@inlined
+def project(problem, run, constraints, t, x):
+    """Move the state `x`, an array, onto the constraints; 0, or UNPROJECTED."""
+    words, values = constraints.words, constraints.values
+    h, v, q, u = words[HOLONOMIC], words[VELOCITY], words[COORDINATES], words[SPEEDS]
+    at_gradient = h + v
+    at_kinematics = at_gradient + h * q
+    at_velocity = at_kinematics + q * u
+    at_mass = at_velocity + v * u
+    set_inputs(problem, t)
+    run.counts[PROJECTIONS] += 1
+    factor = np.eye(u)
+    before = np.inf
+    for iteration in range(_ITERATIONS):
+        code = call_kernel(
+            words[PROJECTOR],
+            address_of(problem.clock, 0),
+            address_of(x, 0),
+            address_of(problem.r, 0),
+            address_of(constraints.c, 0),
+            address_of(values, 0),
+        )
+        if code < 0:
+            return UNPROJECTED
+        worst = 0.0  # in units of rounding errors
+        gradient = values[at_gradient:at_kinematics].reshape((h, q))
+        for i in range(h):
+            scale = 0.0
+            for j in range(q):
+                scale += abs(gradient[i, j]) * max(abs(x[j]), 1e-3)
+            if values[i] != 0.0:
+                worst = max(worst, abs(values[i]) / (_EPS * scale))
+            if values[i] != values[i]:
+                return UNPROJECTED
+        if worst <= 4.0 or (worst >= 0.5 * before and worst <= 256.0):
+            break
+        if iteration == _ITERATIONS - 1:
+            return UNPROJECTED
+        before = worst
+        if words[WEIGHTED] == 1:
+            for i in range(u):
+                for k in range(u):
+                    factor[i, k] = values[at_mass + i * u + k]
+            _factor(factor)
+        kinematics = values[at_kinematics:at_velocity].reshape((q, u))
+        rows = np.zeros((h, u))
+        for i in range(h):
+            for j in range(q):
+                if gradient[i, j] != 0.0:
+                    for k in range(u):
+                        rows[i, k] += gradient[i, j] * kinematics[j, k]
+        _divide_rows(rows, factor)
+        right = -values[:h]
+        step = _minimum_norm(rows, right)
+        _divide_transposed(factor, step)
+        for j in range(q):
+            for k in range(u):
+                x[j] += kinematics[j, k] * step[k]
+        rest = 0.0
+        for i in range(h):
+            rest = max(rest, abs(right[i]))
+        if rest > 0.0:  # rows that no speed reaches, or that others imply
+            step = _minimum_norm(gradient.copy(), right)
+            for j in range(q):
+                x[j] += step[j]
+    if v > 0:
+        if words[WEIGHTED] == 1:
+            for i in range(u):
+                for k in range(u):
+                    factor[i, k] = values[at_mass + i * u + k]
+            _factor(factor)
+        rows = values[at_velocity:at_mass].copy().reshape((v, u))
+        _divide_rows(rows, factor)
+        step = _minimum_norm(rows, -values[h : h + v])
+        _divide_transposed(factor, step)
+        for k in range(u):
+            x[q + k] += step[k]
+    return 0

@@ -1,0 +1,125 @@
+"""One step of an explicit Runge–Kutta method, its error and its interpolant."""
+
+from __future__ import annotations
+
+import math
+
+from pydy.solvers.compiled import inlined
+from pydy.solvers.intrinsics import address_of, combine, nested
+from pydy.solvers.layout import (
+    BLOCKS,
+    DENSE_STAGES,
+    DEPTH,
+    ESTIMATES,
+    EVALUATIONS,
+    STAGES,
+    STATES,
+)
+from pydy.solvers.rates import rates
+
+__all__ = ["error_of_step", "interpolate", "prepare_interpolant", "take_step"]
+
+
+@inlined
+def _row(method, problem, memory, row, y, x):
+    """Compute y = x + h · (one row of the tableau · stages); y and x are addresses."""
+    first = method.rows[row]
+    combine(
+        y,
+        x,
+        address_of(memory.step, 0),
+        address_of(memory.stages, 0),
+        address_of(method.offsets, first),
+        address_of(method.weights, first),
+        method.rows[row + 1] - first,
+        problem.words[BLOCKS],
+    )
+
+
+@inlined
+def take_step(method, problem, memory, run, t, h):
+    """Compute ``memory.new`` from ``memory.x``. Not zero: what the right-hand side complained."""
+    length = memory.x.size
+    x, trial = address_of(memory.x, 0), address_of(memory.trial, 0)
+    memory.step[:] = h
+    stages = method.shape[STAGES]
+    for stage in range(1, stages):
+        _row(method, problem, memory, stage, trial, x)
+        out = address_of(memory.stages, stage * length)
+        run.counts[EVALUATIONS] += 1
+        code = rates(problem, t + method.nodes[stage] * h, trial, out)
+        if code != 0:
+            return code
+    _row(method, problem, memory, stages, address_of(memory.new, 0), x)
+    return 0
+
+
+@inlined(reassociate=True)
+def _square_sums(memory, n):
+    """Sum the squares of both estimates in units of the tolerance."""
+    x, new, errors, rtol, atol = memory.x, memory.new, memory.errors, memory.rtol, memory.atol
+    first = second = 0.0
+    length = x.size
+    for i in range(n):
+        weight = 1.0 / (atol[i] + rtol[i] * max(abs(x[i]), abs(new[i])))
+        e = errors[i] * weight
+        d = errors[length + i] * weight
+        first += e * e
+        second += d * d
+    return first, second
+
+
+@inlined
+def error_of_step(method, problem, memory):
+    """Return the norm of the step's error: 1 is just good enough."""
+    length, n = memory.x.size, problem.words[STATES]
+    row = method.shape[STAGES] + 1
+    zero = address_of(memory.zero, 0)
+    for k in range(method.shape[ESTIMATES]):
+        _row(method, problem, memory, row + k, address_of(memory.errors, k * length), zero)
+    first, second = _square_sums(memory, n)
+    if method.shape[ESTIMATES] == 2:
+        if first == 0.0:
+            return 0.0
+        return first / math.sqrt((first + 0.01 * second) * n)
+    return math.sqrt(first / n)
+
+
+@inlined
+def prepare_interpolant(method, problem, memory, run, t, h):
+    """Compute ``memory.interpolant`` for the step just taken, the end's derivative included."""
+    length = memory.x.size
+    x, trial = address_of(memory.x, 0), address_of(memory.trial, 0)
+    stages = method.shape[STAGES]
+    row = stages + 1 + method.shape[ESTIMATES]
+    for k in range(method.shape[DENSE_STAGES]):
+        _row(method, problem, memory, row, trial, x)
+        stage = stages + 1 + k
+        out = address_of(memory.stages, stage * length)
+        run.counts[EVALUATIONS] += 1
+        code = rates(problem, t + method.nodes[stage] * h, trial, out)
+        if code != 0:
+            return code
+        row += 1
+    interpolant = memory.interpolant
+    for i in range(length):
+        interpolant[i] = memory.new[i] - memory.x[i]
+    zero = address_of(memory.zero, 0)
+    for k in range(1, method.shape[DEPTH]):
+        _row(method, problem, memory, row, address_of(interpolant, k * length), zero)
+        row += 1
+    return 0
+
+
+@inlined
+def interpolate(method, problem, memory, theta, out):
+    """Write the state at t + θ h to the address `out`, in whole blocks."""
+    nested(
+        out,
+        address_of(memory.x, 0),
+        address_of(memory.interpolant, 0),
+        memory.x.size,
+        method.shape[DEPTH],
+        theta,
+        problem.words[BLOCKS],
+    )

@@ -1,0 +1,129 @@
+"""The solvers as users see them: objects with odeint's signature."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from pydy._numbers import real_array
+from pydy.solvers.options import read_options
+
+__all__ = ["SOLVERS", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]
+
+
+class Solver:
+    """An integration method in machine code, with the signature of `scipy.integrate.odeint`.
+
+    There is one object for each method: `pydy.solvers.dop853` and so on.
+
+    Parameters
+    ----------
+    name : str
+    adaptive : bool
+        Whether it chooses its step size.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from pydy.solvers import dop853
+    >>> x = dop853(lambda x, t: [x[1], -x[0]], [1.0, 0.0], [0.0, np.pi], rtol=1e-10, atol=1e-10)
+    >>> x.round(8) + 0.0
+    array([[ 1.,  0.],
+           [-1.,  0.]])
+    """
+
+    def __init__(self, name: str, adaptive: bool) -> None:
+        self.name = name
+        self.adaptive = adaptive
+
+    def __repr__(self) -> str:
+        return f"pydy.solvers.{self.name}"
+
+    def __reduce__(self) -> str:
+        return self.name  # there is one object for each method
+
+    def __call__(
+        self, f: Callable[..., Any], x0: Any, t: Any, args: Any = (), **options: Any
+    ) -> Any:
+        """Integrate ``x' = f(x, t, *args)``.
+
+        Parameters
+        ----------
+        f : callable
+            A function that `System` or `generate_ode_function` made runs without Python; any other
+            function is called back.
+        x0 : array_like, shape (n,)
+        t : array_like, shape (m,)
+            When the states are wanted, ascending; the first is when the state is `x0`. Equal times
+            may follow each other.
+        args : tuple, optional
+            Further arguments of `f`.
+        rtol, atol : float or array_like, shape (n,), optional
+            The error allowed in a step is ``atol + rtol * abs(x)``.
+        first_step, max_step : float, optional
+        max_steps : int, optional
+            Accepted and rejected ones together, 10 million by default.
+        step : float
+            For `rk4` only, in place of the tolerances: the size of a step. Each interval between
+            two times is divided into equal steps not larger than this.
+        full_output : bool, optional
+        progress : bool, optional
+            Show a bar in simulated time.
+        events, constraints
+            Made by `System.integrate` from its arguments of these names.
+
+        Returns
+        -------
+        x : ndarray, shape (m, n)
+            NaN after the time at which an event ended the integration.
+        info : dict
+            Only with `full_output`: ``'steps'``, ``'rejected'``, ``'evaluations'``,
+            ``'jacobians'``, ``'last_step'`` (its size), ``'status'``, ``'time'`` (where it ended),
+            ``'events'`` (list of `EventRecord`).
+
+        Raises
+        ------
+        TypeError
+            An unknown option.
+        ValueError
+            A value that does not fit.
+        IntegrationError
+            It could not go on; the error holds what was computed.
+        IntegrationInterrupted
+            The user interrupted it; this too holds what was computed.
+        """
+        from pydy.solvers.integration import integrate  # numba is loaded here
+
+        read = read_options(self.name, self.adaptive, options)
+        x0 = real_array(x0, "`x0`")
+        if x0.ndim == 0:
+            x0 = x0.reshape(1)
+        if x0.ndim != 1:
+            raise ValueError(f"`x0` must be one-dimensional, got the shape {x0.shape}.")
+        if not np.isfinite(x0).all():
+            raise ValueError(f"`x0` must be finite, got {x0}.")
+        times = real_array(t, "`t`")
+        if times.ndim != 1 or not times.size:
+            raise ValueError(f"`t` must be one-dimensional, got the shape {times.shape}.")
+        if not np.isfinite(times).all():
+            raise ValueError("`t` must be finite.")
+        if (np.diff(times) < 0.0).any():
+            k = int(np.argmax(np.diff(times) < 0.0))
+            raise ValueError(
+                f"`t` must be ascending, got {times[k + 1]} after {times[k]} at index {k + 1}."
+            )
+        if not isinstance(args, tuple):
+            args = (args,)
+        states, info = integrate(self.name, f, x0, times, args, read)
+        return (states, info) if read.full_output else states
+
+
+dop853 = Solver("dop853", adaptive=True)
+tsit5 = Solver("tsit5", adaptive=True)
+vern9 = Solver("vern9", adaptive=True)
+rk4 = Solver("rk4", adaptive=False)
+radau = Solver("radau", adaptive=True)
+
+SOLVERS = {solver.name: solver for solver in (dop853, tsit5, vern9, rk4, radau)}

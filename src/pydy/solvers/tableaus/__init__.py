@@ -1,0 +1,1 @@
+"""Runge–Kutta methods as data, each with its source."""

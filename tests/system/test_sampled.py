@@ -1,0 +1,215 @@
+"""Sampled data as specifieds of a System, in evaluations and in every solver."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.integrate import quad
+
+import zoo
+from cases import OTHER_SOLVERS, Recorder, close, system_of
+from oracle import oracle
+from pydy.inputs import SampledInput
+from pydy.models import multi_mass_spring_damper
+
+T = zoo.T
+F, T1, T2 = me.dynamicsymbols("F T1 T2")
+KINDS = ["linear", "previous", "pchip"]
+GENERATORS = ["llvm", "lambdify", "cython"]
+TIMES = np.array([0.0, 0.6, 1.0, 2.1])
+VALUES = np.array([[0.3, 1.0], [1.2, -1.0], [-0.4, 0.2], [0.8, 0.9]])
+TIGHT = {"rtol": 1e-11, "atol": 1e-11}
+
+
+def sampled(kind="linear"):
+    return SampledInput(TIMES, VALUES, kind)
+
+
+def both(kind="linear"):
+    """T2 and F from samples, T1 a number."""
+    return {(T2, F): sampled(kind), T1: 0.5}
+
+
+def numbers_at(t, kind="linear"):
+    t2, f = sampled(kind)(t)
+    return {F: f, T1: 0.5, T2: t2}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("generator", GENERATORS)
+def test_samples_give_their_values_at_every_time(generator, kind):
+    system = system_of(zoo.pendulum(), specifieds=both(kind))
+    system.generate_ode_function(generator=generator)
+    x, _ = zoo.pendulum().sample(1)
+    for t in (0.0, 0.3, 0.6, 1.7, 2.1):
+        expected = oracle(zoo.pendulum()).xdot(x, t, numbers_at(t, kind))
+        close(system.evaluate_ode(x, t), expected)
+
+
+FORMATS = {
+    "one by one": {
+        F: SampledInput(TIMES, VALUES[:, 1]),
+        T2: SampledInput(TIMES, VALUES[:, :1]),
+        T1: 0.5,
+    },
+    "format 2": {
+        "symbols": (T1, T2, F),
+        "values": SampledInput(TIMES, np.column_stack([np.full(4, 0.5), VALUES])),
+    },
+    "beside a function": {(T2, F): sampled(), T1: lambda x, t: 0.5},
+    "beside an expression": {(T2, F): sampled(), T1: sm.cos(T) ** 2 / 2 + sm.sin(T) ** 2 / 2},
+    "inside an expression": {
+        me.dynamicsymbols("e"): SampledInput(TIMES, VALUES[:, 1] / 2),
+        F: 2 * me.dynamicsymbols("e"),
+        T2: SampledInput(TIMES, VALUES[:, 0]),
+        T1: 0.5,
+    },
+}
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_every_format_takes_samples(name):
+    system = system_of(zoo.pendulum(), specifieds=FORMATS[name])
+    x, t = zoo.pendulum().sample(1, 6)
+    expected = [oracle(zoo.pendulum()).xdot(a, b, numbers_at(b)) for a, b in zip(x, t, strict=True)]
+    close(system.evaluate_ode(x, t), expected)
+    close(system.evaluate_ode(x[0], t[0]), expected[0])
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_samples_and_the_same_as_a_function_integrate_alike(kind):
+    times = np.linspace(0.0, 2.1, 8)
+    a = system_of(zoo.pendulum(), specifieds=both(kind), times=times)
+    values = {(T2, F): lambda x, t: sampled(kind)(t), T1: 0.5}
+    b = system_of(zoo.pendulum(), specifieds=values, times=times)
+    close(a.integrate(rtol=1e-9, atol=1e-9), b.integrate(rtol=1e-9, atol=1e-9), 1e-12)
+
+
+def free_mass(value, times):
+    """m v' = f alone: the spring and the damper are zero."""
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    c, k, m = system.constants_symbols
+    (force,) = system.specifieds_symbols
+    system.constants = {c: 0.0, k: 0.0, m: 2.0}
+    system.specifieds = {force: value}
+    system.times = times
+    return system
+
+
+def test_a_ramp_moves_a_mass_along_a_cubic():
+    times = np.linspace(0.0, 3.0, 7)
+    system = free_mass(SampledInput([0.0, 3.0], [0.0, 6.0]), times)
+    close(system.integrate(**TIGHT)[:, 0], 2 * times**3 / 12, 1e-9)
+
+
+def test_a_staircase_adds_up_its_steps():
+    times = np.array([0.0, 1.0, 2.0, 3.0])
+    system = free_mass(SampledInput(times, [1.0, -3.0, 0.5, 9.0], "previous"), times)
+    states = system.integrate(hmax=0.01, **TIGHT)
+    close(states[:, 1], np.array([0.0, 1.0, -2.0, -1.5]) / 2.0, 1e-6)
+
+
+def test_pchip_adds_up_to_its_integral():
+    samples = SampledInput(TIMES, VALUES[:, 0], "pchip")
+    system = free_mass(samples, TIMES)
+    expected = [quad(samples, 0.0, t, points=TIMES[1:3], epsabs=1e-12)[0] / 2.0 for t in TIMES]
+    close(system.integrate(hmax=0.01, **TIGHT)[:, 1], expected, 1e-8)
+
+
+@pytest.mark.parametrize("solver", OTHER_SOLVERS)
+def test_every_solver_takes_samples(solver):
+    times = np.linspace(0.0, 0.6, 4)
+    system = system_of(zoo.pendulum(), specifieds=both(), times=times)
+    expected = system.integrate(**TIGHT)
+    system.ode_solver = solver
+    close(system.integrate(), expected, 1e-6)
+
+
+def test_a_solver_may_step_past_the_end():
+    system = system_of(zoo.pendulum(), specifieds=both(), times=[0.0, 2.1])
+    system.ode_solver = recorder = Recorder()
+    system.integrate()
+    x, _ = zoo.pendulum().sample(1)
+    expected = oracle(zoo.pendulum()).xdot(x, 9.0, numbers_at(2.1))
+    close(recorder.f(x, 9.0, *recorder.args), expected)
+
+
+def test_outputs_constraints_and_jacobians_see_the_samples():
+    system = system_of(zoo.pendulum(), specifieds=both(), outputs={sm.Symbol("o"): 2 * F})
+    x, t = zoo.pendulum().sample(1, 5)
+    close(system.evaluate_outputs(x, t)[:, 0], 2 * sampled()(t)[:, 1])
+    fixed = system_of(zoo.pendulum(), specifieds=numbers_at(t[2]))
+    for wrt in ("states", "specifieds", "constants"):
+        close(system.evaluate_jacobian(x, t, wrt)[2], fixed.evaluate_jacobian(x[2], t[2], wrt))
+    lifted = system_of(
+        zoo.lifted(), specifieds={me.dynamicsymbols("s"): SampledInput([0, 1], [2, 4])}
+    )
+    fixed = system_of(zoo.lifted(), specifieds={me.dynamicsymbols("s"): 3.0})
+    x, _ = zoo.lifted().sample(1)
+    close(lifted.evaluate_constraints(x, 0.5), fixed.evaluate_constraints(x, 0.5))
+
+
+def test_r_for_one_call_takes_samples():
+    system = system_of(zoo.pendulum(), specifieds={F: 0.1, T1: 0.2, T2: 0.3})
+    x, _ = zoo.pendulum().sample(1)
+    expected = oracle(zoo.pendulum()).xdot(x, 0.9, {**numbers_at(0.9), T1: 0.2})
+    close(system.evaluate_ode(x, 0.9, r={(T2, F): sampled()}), expected)
+    whole = SampledInput(TIMES, np.column_stack([VALUES, np.zeros(4)]))
+    f, t1, t2 = whole(0.9)
+    expected = oracle(zoo.pendulum()).xdot(x, 0.9, {F: f, T1: t1, T2: t2})
+    close(system.evaluate_ode(x, 0.9, r=whole), expected)
+
+
+def test_half_of_the_samples_can_be_replaced_for_one_call():
+    system = system_of(zoo.pendulum(), specifieds=both())
+    x, _ = zoo.pendulum().sample(1)
+    expected = oracle(zoo.pendulum()).xdot(x, 0.9, {**numbers_at(0.9), F: 5.0})
+    close(system.evaluate_ode(x, 0.9, r={F: 5.0}), expected)
+
+
+@pytest.mark.parametrize("way", [copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))])
+def test_copies_keep_the_samples(way):
+    system = system_of(zoo.pendulum(), specifieds=both("pchip"), times=[0.0, 2.0])
+    close(way(system).integrate(), system.integrate(), 1e-14)
+
+
+def test_integrating_past_the_samples_is_refused():
+    system = system_of(zoo.pendulum(), specifieds=both(), times=[0.0, 2.2])
+    with pytest.raises(
+        ValueError, match=r"`times`.*T2\(t\), F\(t\), 0\.0 to 2\.1, got 0\.0 to 2\.2\. Ask"
+    ):
+        system.integrate()
+
+
+def test_evaluating_past_the_samples_is_refused():
+    system = system_of(zoo.pendulum(), specifieds=both())
+    x, _ = zoo.pendulum().sample(1)
+    with pytest.raises(ValueError, match=r"`t`.*T2\(t\), F\(t\), 0\.0 to 2\.1, got -0\.5"):
+        system.evaluate_ode(x, -0.5)
+    with pytest.raises(ValueError, match=r"`t`.*got 0\.0 to 3\.0"):
+        system.evaluate_outputs([x, x], [0.0, 3.0], r={F: sampled().of([0])})
+    system.times = [2.5, 3.0]
+    with pytest.raises(ValueError, match=r"`times`.*got 2\.5 to 2\.5"):
+        system.evaluate_ode(x)
+
+
+def test_dependent_initial_conditions_past_the_samples_are_refused():
+    s = me.dynamicsymbols("s")
+    system = system_of(zoo.lifted(), specifieds={s: SampledInput([0, 1], [2, 4])}, times=[2.0, 3.0])
+    with pytest.raises(ValueError, match=r"`times`.*s\(t\), 0\.0 to 1\.0, got 2\.0"):
+        system.set_dependent_initial_conditions()
+
+
+def test_times_and_values_in_a_tuple_are_not_guessed_to_be_samples():
+    with pytest.raises(ValueError, match=r"F\(t\).*pydy\.inputs\.SampledInput\(times, values\)"):
+        system_of(zoo.pendulum(), specifieds={F: (TIMES, VALUES[:, 0])})
+
+
+def test_samples_of_the_wrong_width_are_refused_by_name():
+    with pytest.raises(ValueError, match=r"F\(t\), T1\(t\), T2\(t\).*of 3 values.*\(4, 2\)"):
+        system_of(zoo.pendulum(), specifieds={(F, T1, T2): sampled()})
+    with pytest.raises(ValueError, match=r"specifieds\['values'\].*of 3 values.*\(4, 2\)"):
+        system_of(zoo.pendulum(), specifieds={"symbols": (F, T1, T2), "values": sampled()})
