@@ -14,16 +14,25 @@ INTERNAL = {
 }
 
 
+def shows_names(path):
+    """Whether a file says what it shows."""
+    return any(
+        isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__"
+        for node in ast.parse(path.read_text(encoding="utf-8")).body
+    )
+
+
 def public_modules():
-    """Every module with names in `__all__` and without an underscore in its path."""
+    """Modules with an `__all__` and no underscore in their path; of a package that has one, it."""
     for path in sorted((ROOT / "src/pydy").rglob("*.py")):
         parts = path.relative_to(ROOT / "src").with_suffix("").parts
         name = ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
         if name == "pydy" or "._" in name or name in INTERNAL:
             continue
-        for node in ast.parse(path.read_text(encoding="utf-8")).body:
-            if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
-                yield name
+        above = [ROOT / "src" / Path(*parts[:k]) / "__init__.py" for k in range(2, len(parts))]
+        inside = any(shows_names(package) for package in above if package != path)
+        if shows_names(path) and not inside:
+            yield name
 
 
 @pytest.mark.parametrize("module", list(public_modules()))
