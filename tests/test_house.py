@@ -36,6 +36,9 @@ FLOORS = {
     "plot": 2,
     "_graph": 1,  # below _eom, which classifies constraints numerically
     "trajectory": 1,
+    "_dataset": 0,
+    "_names": 0,
+    "_optional": 0,
     "inputs": 1,
     "_errors": 0,
     "_numbers": 0,
@@ -59,7 +62,17 @@ NEVER = {
 NEVER_BY_MODULE = {"pydy._graph.from_sympy": ("pydy.system", "sympy.physics")}
 
 # Imported inside the function that needs them, never when a module loads.
-LATE = {"numba", "matplotlib", "xarray", "dask", "distributed", "tqdm", "Cython", "setuptools"}
+LATE = {
+    "numba",
+    "matplotlib",
+    "pandas",
+    "xarray",
+    "dask",
+    "distributed",
+    "tqdm",
+    "Cython",
+    "setuptools",
+}
 
 KANE_MODULE = "pydy._eom.kane"
 # KanesMethod's underscore attributes, but for `_q`, `_u`, `_km` and their like, which any class of

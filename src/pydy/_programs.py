@@ -7,12 +7,13 @@ for nothing else.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
 from pydy._eom.equations import Equations
+from pydy._eom.mechanism import Mechanism
 from pydy._eom.symbols import find_symbols
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
@@ -70,6 +71,15 @@ class Assembly:
         The linear system for the accelerations; empty where the form has none.
     simplified : bool
         Whether Programs are rewritten to fewer operations.
+    atoms : mapping of symbols, functions of time and derivatives to nodes
+        What further expressions may hold; see `expression_program`.
+    speeds : list of nodes
+    mechanism : Mechanism or None
+        The bodies behind the equations.
+    external : bool
+        Whether the accelerations are inputs at the end of r.
+    given : mapping of input nodes to nodes
+        What `substituted` put in place of inputs.
     """
 
     graph: Graph
@@ -83,11 +93,46 @@ class Assembly:
     mass_matrix: list[int] = field(default_factory=list)
     forcing: list[int] = field(default_factory=list)
     simplified: bool = True
+    atoms: Mapping[Any, int] = field(default_factory=dict)
+    speeds: list[int] = field(default_factory=list)
+    mechanism: Mechanism | None = None
+    external: bool = False
+    given: Mapping[int, int] = field(default_factory=dict)
 
     @property
     def constraints(self) -> list[int]:
         """Residuals of the holonomic, then the nonholonomic constraints."""
         return [*self.holonomic, *self.nonholonomic]
+
+    @property
+    def kinetic_energy(self) -> list[int]:
+        """The kinetic energy of the bodies: one node, or none where no bodies are known."""
+        return substitute(self.graph, self._kinetic_energy(), self.given)
+
+    @property
+    def kinetic_hessian(self) -> list[int]:
+        """Second derivatives of the kinetic energy by all speeds, dependent ones included.
+
+        This is the mass matrix before any constraint reduces it, row by row. Specifieds are held,
+        those that are given as expressions too.
+        """
+        energy = self._kinetic_energy()
+        if not energy:
+            return []
+        g, n = self.graph, len(self.speeds)
+        momenta = jacobian(g, energy, self.speeds)[0]
+        rows = jacobian(g, [momenta.get(k, g.zero) for k in range(n)], self.speeds)
+        # One triangle for both, so that the matrix is symmetric to the last bit.
+        cells = [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
+        return substitute(g, cells, self.given)
+
+    def _kinetic_energy(self) -> list[int]:
+        if self.mechanism is None or not self.mechanism.bodies:
+            return []
+        return self._read([self.mechanism.kinetic_energy], "the kinetic energy")
+
+    def _read(self, expressions: Iterable[Any], what: str) -> list[int]:
+        return SymPyReader(self.graph, self.atoms, what).all(expressions)
 
     def program(self, *names: str) -> Program:
         """Return the Program of the named blocks.
@@ -97,7 +142,34 @@ class Assembly:
         names : {'rates', 'ordinary', 'outputs', 'holonomic', 'velocity', 'constraints', ...}
             Attributes of this class.
         """
-        return self.lowered([(name, (len(nodes := getattr(self, name)),), nodes) for name in names])
+        blocks = []
+        for name in names:
+            nodes: list[int] = getattr(self, name)
+            n = len(self.speeds)
+            square = name == "kinetic_hessian" and nodes
+            blocks.append((name, (n, n) if square else (len(nodes),), nodes))
+        return self.lowered(blocks)
+
+    def expression_program(self, name: str, shape: tuple[int, ...], expressions: Any) -> Program:
+        """Return the Program of one block of further expressions in the states and symbols.
+
+        Parameters
+        ----------
+        name : str
+            Of the block, and in messages.
+        shape : tuple of int
+        expressions : iterable of expressions
+            In C order; they may hold q', which the kinematics provide, but not u'.
+
+        Raises
+        ------
+        ValueError
+            A symbol that is not among those of the assembly.
+        """
+        n, s, c = self.sizes
+        sizes = (n, s - len(self.speeds), c) if self.external else self.sizes
+        nodes = substitute(self.graph, self._read(expressions, name), self.given)
+        return self.lowered([(name, shape, nodes)], sizes)
 
     def jacobian_program(self, name: str, group: str) -> Program:
         """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
@@ -116,10 +188,14 @@ class Assembly:
                 substitute(self.graph, [n for part in blocks.values() for n in part], mapping)
             )
         new: dict[str, Any] = {name: [next(nodes) for _ in part] for name, part in blocks.items()}
-        return replace(self, **new)
+        return replace(self, given=dict(mapping), **new)
 
-    def lowered(self, blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]]) -> Program:
-        """Simplify and lower blocks of nodes."""
+    def lowered(
+        self,
+        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+        sizes: tuple[int, int, int] | None = None,
+    ) -> Program:
+        """Simplify and lower blocks of nodes; `sizes` are those of the assembly by default."""
         with collector_paused():
             nodes = [n for _, _, part in blocks for n in part]
             if self.simplified:
@@ -129,7 +205,7 @@ class Assembly:
             for name, shape, part in blocks:
                 new.append((name, shape, nodes[start : start + len(part)]))
                 start += len(part)
-            return lower(self.graph, self.sizes, new)
+            return lower(self.graph, sizes or self.sizes, new)
 
 
 def _inputs(
@@ -214,6 +290,7 @@ def assemble_system(
     kinematics = read.all(equations.coordinate_derivatives)
     for rate, node in zip(equations.coordinate_rates, kinematics, strict=True):
         read.define(rate, node)
+    known = dict(read.atoms)
     for rate, node in zip(equations.speed_rates, accelerations, strict=True):
         read.define(rate, node)
     matrix = read.all(equations.mass_matrix)
@@ -251,6 +328,10 @@ def assemble_system(
         matrix,
         forcing,
         simplified,
+        known,
+        [atoms[s] for s in u],
+        equations.mechanism,
+        external,
     )
 
 

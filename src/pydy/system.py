@@ -18,10 +18,12 @@ from scipy.integrate import odeint
 
 from pydy._eom.extract import extract
 from pydy._errors import PyDyUserWarning
+from pydy._kernel import Kernel
 from pydy._programs import check_accelerations
 from pydy._system.definition import Definition, define
 from pydy._system.dependents import check_dependents, solve_dependents
-from pydy._system.evaluation import evaluate, override, samples, specified_rows
+from pydy._system.energy import Energy, EnergyModel, check_potential
+from pydy._system.evaluation import Snapshot, evaluate, override, samples, specified_rows
 from pydy._system.expressions import check_expressions, driven, expressions_in
 from pydy._system.inputs import (
     SymbolSet,
@@ -35,6 +37,8 @@ from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_system_function
 from pydy.codegen.right_hand_side import RightHandSide
+from pydy.solvers.solver import Solver
+from pydy.trajectory import Trajectory
 
 __all__ = ["System"]
 
@@ -108,6 +112,7 @@ class System:
     ) -> None:
         self._equations = extract(eom_method)
         self._eom_method = eom_method
+        self._energies = EnergyModel(self._equations)
         self._base = self._base_symbols(constants_symbols, specifieds_symbols)
         residuals = [*self._equations.holonomic, *self._equations.nonholonomic]
         self._residuals = {sm.Dummy(f"c{k}"): e for k, e in enumerate(residuals)}
@@ -225,6 +230,60 @@ class System:
         """Column matrix of the holonomic, then the nonholonomic constraint expressions."""
         rows = [*self._equations.holonomic, *self._equations.nonholonomic]
         return sm.Matrix(rows) if rows else sm.Matrix()
+
+    @property
+    def kinetic_energy(self) -> Any:
+        """The kinetic energy of the method's bodies: an expression in states and symbols.
+
+        It is not simplified. Auxiliary speeds are zero in it.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().kinetic_energy
+        m0*v0(t)**2/2
+        """
+        return self._energies.kinetic
+
+    @property
+    def potential_energy(self) -> Any:
+        """The potential energy: an expression in coordinates, constants, specifieds and time.
+
+        It is found from the loads: forces that are constant in the inertial frame, such as gravity;
+        equal and opposite forces along the line between two points that depend on their distance
+        alone; and loads whose work is a closed polynomial form, such as those of linear springs.
+        Parts of loads that depend on speeds, time or specifieds (dampers, motors) have none: what
+        they do changes the total energy. Where a load depends on the configuration in another
+        way, the bodies' own `potential_energy` is taken if the power of the loads agrees with it.
+
+        Set it when it cannot be found, for all loads together; None means to find it again.
+
+        Raises
+        ------
+        ValueError
+            A load depends on the configuration in a way that is not recognised; the message names
+            it. Or an expression with other symbols is set.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper(apply_gravity=True)
+        >>> sys.potential_energy
+        -g*m0*x0(t) + k0*x0(t)**2/2
+        """
+        return self._energies.potential
+
+    @potential_energy.setter
+    def potential_energy(self, energy: Any) -> None:
+        definition = self._definition
+        others = [self._equations.time, *definition.constants, *definition.specifieds]
+        given = check_potential(energy, self._equations.coordinates, others)
+        self._energies = EnergyModel(self._equations, given)
 
     @property
     def outputs_symbols(self) -> list[Any]:
@@ -530,23 +589,38 @@ class System:
     def _evaluate(
         self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: str | None = None
     ) -> np.ndarray:
+        def kernel(implementation: RightHandSide) -> Kernel:
+            if wrt:
+                return implementation.compiled_jacobian(block, wrt)
+            return implementation.compiled(block)
+
         implementation = self._differentiable() if wrt else self._current()
+        return self._sweep(implementation, kernel, x, t, r, p, perturbed=wrt == "r")
+
+    def _sweep(
+        self,
+        implementation: RightHandSide,
+        kernel: Callable[[RightHandSide], Kernel],
+        x: Any,
+        t: Any,
+        r: Any,
+        p: Any,
+        perturbed: bool = False,
+    ) -> np.ndarray:
+        """Evaluate a Kernel at one state or several, with the defaults of the evaluations."""
         layout = implementation.layout
         states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
         if r is None or callable(r) or hasattr(r, "items"):
             plan = self._plan_with(r)
             plan.check_times(instants, "times" if t is None else "t")
             rows = plan.rows(states, instants)
-            implementation = driven(implementation, self._definition, plan, perturbed=wrt == "r")
+            implementation = driven(implementation, self._definition, plan, perturbed=perturbed)
         else:
             rows = specified_rows(r, instants, len(layout.specifieds))
         constants = override(p, self._p(), layout.constants)
-        if wrt:
-            kernel = implementation.compiled_jacobian(block, wrt)
-        else:
-            kernel = implementation.compiled(block)
-        out = evaluate(kernel, layout, instants, states, rows, constants)
-        out = out.reshape(len(out), *kernel.program.blocks[0].shape)
+        made = kernel(implementation)
+        out = evaluate(made, layout, instants, states, rows, constants)
+        out = out.reshape(len(out), *made.program.blocks[0].shape)
         result: np.ndarray = out[0] if single else out
         return result
 
@@ -608,6 +682,39 @@ class System:
         array([3., 2.])
         """
         return self._evaluate("outputs", x, t, r, p)
+
+    def evaluate_energy(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> Energy:
+        """Return the kinetic, the potential and the total energy.
+
+        Parameters
+        ----------
+        x, t, r, p
+            As in `evaluate_ode`.
+
+        Returns
+        -------
+        kinetic, potential, total : float or ndarray, shape (m,)
+            A named tuple.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies, or the potential energy is not known; see
+            `potential_energy`.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> sys.evaluate_energy([1.0, 3.0])
+        Energy(kinetic=4.5, potential=0.5, total=5.0)
+        >>> sys.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
+        array([5., 2.])
+        """
+        values = self._sweep(self._current(), self._energies.kernel, x, t, r, p)
+        return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -812,3 +919,76 @@ class System:
         r = plan.values if plan.constant else plan
         args = (r, self._p())
         return self._ode_solver(f, self._x0(), times, args=args, **solver_kwargs)
+
+    def simulate(self, **solver_kwargs: Any) -> Trajectory:
+        """Integrate like `integrate`, and return the result with its names.
+
+        Parameters
+        ----------
+        **solver_kwargs
+            Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
+            ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
+            ``'dense_output'`` are the trajectory's, and the rest is its `statistics`.
+            `scipy.integrate.odeint` and the solvers of `pydy.solvers` are called with
+            ``full_output=True``.
+
+        Returns
+        -------
+        Trajectory
+            The states, the outputs and specifieds along them, and the numbers that were used;
+            later changes of the System do not reach it. It ends where an event ended it.
+
+        Raises
+        ------
+        ValueError, SingularMatrixError
+            As `integrate`.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> sys = multi_mass_spring_damper()
+        >>> x0, v0 = sys.states
+        >>> sys.initial_conditions = {x0: 1.0}
+        >>> sys.times = [0.0, 0.5, 1.0]
+        >>> trajectory = sys.simulate(rtol=1e-10, atol=1e-10)
+        >>> trajectory[x0].round(6)
+        array([1.      , 0.895595, 0.6597  ])
+        """
+        if self._ode_solver is odeint or isinstance(self._ode_solver, Solver):
+            solver_kwargs.setdefault("full_output", True)
+        result = self.integrate(**solver_kwargs)
+        states, info = result if isinstance(result, tuple) else (result, None)
+        statistics = dict(info) if isinstance(info, dict) else {}
+        times = statistics.pop("times", self._times)
+        events = statistics.pop("events", ())
+        dense = statistics.pop("dense_output", None)
+        times, states = np.array(times, dtype=float), np.array(states, dtype=float)
+        if len(states) == len(times):  # what is NaN to the end comes after a terminal event
+            reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
+            times, states = times[:reached], states[:reached]
+        plan = self._plan(self._specifieds)
+        implementation = driven(self._current(), self._definition, plan)
+        model = Snapshot(implementation, plan, self._p(), self._energies)
+        equations, forces = self._equations, self.noncontributing_forces
+        known = {*self._residuals, *forces}
+        symbols = {
+            "coordinate": equations.coordinates,
+            "speed": equations.speeds,
+            "auxiliary": self.auxiliaries,
+            "output": [s for s in self.outputs_symbols if s not in known],
+            "constraint": list(self._residuals),
+            "force": forces,
+            "specified": self._definition.specifieds,
+        }
+        return Trajectory(
+            times,
+            states,
+            symbols,
+            outputs=model.outputs(times, states),
+            specifieds=model.specifieds(times, states),
+            constants=dict(zip(self._definition.constants, model.p.tolist(), strict=True)),
+            events=events,
+            statistics=statistics or None,
+            model=model,
+            dense=dense,
+        )

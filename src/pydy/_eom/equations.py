@@ -8,7 +8,8 @@ from typing import Any
 
 import sympy as sm
 
-from pydy._eom.symbols import find_symbols
+from pydy._eom.mechanism import Mechanism
+from pydy._eom.symbols import find_symbols, replace_symbols
 
 __all__ = ["Equations"]
 
@@ -39,6 +40,8 @@ class Equations:
     auxiliary_speeds : tuple of functions of time
         Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
     auxiliary_equations : tuple of expressions
+    mechanism : Mechanism or None
+        The bodies and loads behind the equations, where the method knows them.
     """
 
     time: sm.Symbol
@@ -58,6 +61,7 @@ class Equations:
     auxiliary_speeds: tuple[Any, ...] = ()
     auxiliary_equations: tuple[Any, ...] = ()
     zeros: tuple[Any, ...] = field(default=(), repr=False)
+    mechanism: Mechanism | None = field(default=None, repr=False)
 
     @cached_property
     def symbols(self) -> dict[Any, None]:
@@ -74,3 +78,18 @@ class Equations:
             *self.holonomic,
             *self.velocity,
         )
+
+    def in_states(self, expression: Any) -> Any:
+        """Return an expression with q' in terms of the states, and what is zero in motion left out.
+
+        Each distinct sub-expression is rewritten once.
+        """
+        rates = zip(self.coordinate_rates, self.coordinate_derivatives, strict=True)
+        return replace_symbols(expression, {**dict(rates), **dict.fromkeys(self.zeros, sm.S.Zero)})
+
+    @cached_property
+    def kinetic_energy(self) -> Any:
+        """The kinetic energy in terms of q, u, t, constants and specifieds; None without bodies."""
+        if self.mechanism is None or not self.mechanism.bodies:
+            return None
+        return self.in_states(self.mechanism.kinetic_energy)

@@ -8,6 +8,7 @@ from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
 from pydy._eom.classify import classify
 from pydy._eom.equations import Equations
+from pydy._eom.mechanism import Mechanism
 
 __all__ = ["equations_of_kane"]
 
@@ -49,5 +50,10 @@ def equations_of_kane(kane: KanesMethod) -> Equations:
         auxiliary_equations=tuple(kane.auxiliary_eqs) if auxiliary else (),
         # In motion the auxiliary speeds are zero at all times.
         zeros=(*auxiliary, *(u.diff(t) for u in auxiliary)),
+        mechanism=Mechanism(
+            kane._inertial,
+            tuple(kane.bodies or ()),
+            tuple((where, vector) for where, vector in kane.loads or ()),
+        ),
     )
     return classify(base)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-__all__ = ["find_symbols", "sort_symbols"]
+__all__ = ["find_symbols", "replace_symbols", "sort_symbols"]
 
 
 def sort_symbols(symbols: Iterable[Any]) -> list[Any]:
@@ -37,3 +37,29 @@ def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
         else:
             stack.extend(expr.args)
     return found
+
+
+def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
+    """Replace symbols, applied undefined functions and derivatives, each taken whole.
+
+    As with `find_symbols`, and unlike SymPy's ``xreplace`` and ``subs``, the cost is the number of
+    distinct objects. Nothing is simplified beyond what SymPy does when an expression is built.
+    """
+    root = sm.sympify(expression)
+    done: dict[int, Any] = {}
+    stack = [(root, False)]
+    while stack:
+        expr, ready = stack.pop()
+        key = id(expr)
+        if key in done:
+            continue
+        if not expr.args or isinstance(expr, (AppliedUndef, sm.Derivative)):
+            done[key] = mapping.get(expr, expr)
+        elif ready:
+            args = [done[id(a)] for a in expr.args]
+            same = all(a is b for a, b in zip(args, expr.args, strict=True))
+            done[key] = expr if same else expr.func(*args)
+        else:
+            stack.append((expr, True))
+            stack.extend((a, False) for a in expr.args if id(a) not in done)
+    return done[id(root)]

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from pydy._kernel import Kernel
-from pydy.codegen.arguments import number, real_array
-from pydy.codegen.right_hand_side import Layout, raise_singular
+from pydy._system.energy import EnergyModel
+from pydy.codegen.arguments import SpecifiedsPlan, number, real_array
+from pydy.codegen.right_hand_side import Layout, RightHandSide, raise_singular
 
-__all__ = ["evaluate", "samples"]
+__all__ = ["Snapshot", "evaluate", "override", "samples", "specified_rows"]
 
 
 def samples(
@@ -113,3 +115,45 @@ def override(p: Any, base: np.ndarray, symbols: tuple[Any, ...]) -> np.ndarray:
             raise ValueError(f"`p` has a value for `{key}`, which is not a constant of the system.")
         result[symbols.index(key)] = number(value, f"`p[{key}]`", finite=True)
     return result
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshot:
+    """The compiled model with the numbers of one simulation, as a `trajectory.Model`.
+
+    Attributes
+    ----------
+    implementation : RightHandSide
+    plan : SpecifiedsPlan
+    p : ndarray
+    energies : EnergyModel
+    """
+
+    implementation: RightHandSide
+    plan: SpecifiedsPlan
+    p: np.ndarray
+    energies: EnergyModel
+
+    def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the specifieds, shape (m, s)."""
+        symbols = self.implementation.layout.specifieds
+        kernel = self.implementation.compiled_expressions(
+            "the specifieds", (len(symbols),), symbols
+        )
+        return self._sweep(kernel, times, states)
+
+    def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the states, shape (m, n)."""
+        return self._sweep(self.implementation.compiled("rates"), times, states)
+
+    def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the outputs, shape (m, o)."""
+        return self._sweep(self.implementation.compiled("outputs"), times, states)
+
+    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return kinetic, potential and total energy, shape (m, 3)."""
+        return self._sweep(self.energies.kernel(self.implementation), times, states)
+
+    def _sweep(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        layout, states = self.implementation.layout, np.ascontiguousarray(states)
+        return evaluate(kernel, layout, times, states, self.plan.rows(states, times), self.p)

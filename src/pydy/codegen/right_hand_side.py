@@ -83,7 +83,7 @@ class RightHandSide:
         self._compiler = backend(**options)
         self._solver = solver
         self._blocks = ("rates", "ordinary") if self.num_outputs else ("rates",)
-        self._kernels: dict[tuple[str, ...], Kernel] = {}
+        self._kernels: dict[tuple[Any, ...], Kernel] = {}
         self._changed: dict[Any, RightHandSide] = {}
         self.function_of_user: Any = None  # what `make_function` made of this
 
@@ -121,7 +121,11 @@ class RightHandSide:
         return other
 
     def compiled(self, *blocks: str) -> Kernel:
-        """Return the Kernel of some blocks of the assembly, compiled at most once."""
+        """Return the Kernel of some blocks of the assembly, compiled at most once.
+
+        ``compiled('kinetic_hessian')`` is the mass matrix of all speeds, before any constraint
+        reduces it; it is assembled only when asked for, as is ``'kinetic_energy'``.
+        """
         kernel = self._kernels.get(blocks)
         if kernel is None:
             kernel = self._compiler.compile(self._assembly.program(*blocks))
@@ -138,6 +142,17 @@ class RightHandSide:
         if kernel is None:
             kernel = self._compiler.compile(self._assembly.jacobian_program(block, group))
             self._kernels[key] = kernel
+        return kernel
+
+    def compiled_expressions(
+        self, name: str, shape: tuple[int, ...], expressions: tuple[Any, ...]
+    ) -> Kernel:
+        """Return the Kernel of further expressions; see `Assembly.expression_program`."""
+        key = (name, shape, *expressions)
+        kernel = self._kernels.get(key)
+        if kernel is None:
+            program = self._assembly.expression_program(name, shape, expressions)
+            kernel = self._kernels[key] = self._compiler.compile(program)
         return kernel
 
     def _system_kernel(self) -> Kernel:

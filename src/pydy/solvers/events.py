@@ -6,9 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
 from pydy._kernel import Kernel
+from pydy.trajectory import EventRecord
 
 __all__ = ["CompiledEvents", "Event", "EventRecord"]
 
@@ -67,27 +66,6 @@ class Event:
             )
         if not self.name:
             object.__setattr__(self, "name", str(self.expression))
-
-
-@dataclass(frozen=True, eq=False)
-class EventRecord:
-    """An event that happened.
-
-    Attributes
-    ----------
-    time : float
-    name : str
-    index : int
-        Its place in `events`.
-    before, after : ndarray, shape (n,)
-        The states; the same without a reset.
-    """
-
-    time: float
-    name: str
-    index: int
-    before: np.ndarray
-    after: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)

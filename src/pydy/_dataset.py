@@ -1,0 +1,115 @@
+"""Named columns over time as an xarray.Dataset, and as a NetCDF file.
+
+The caller hands in the module xarray, which is optional.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from os import PathLike
+from typing import Any
+
+import numpy as np
+
+__all__ = ["Parts", "from_dataset", "read_netcdf", "to_dataset", "write_netcdf"]
+
+
+@dataclass
+class Parts:
+    """What a dataset holds.
+
+    Attributes
+    ----------
+    times : ndarray, shape (m,)
+    columns : dict of str to dict of str to ndarray
+        Names and values, by role.
+    constants : dict of str to float
+    latex : dict of str to str
+    """
+
+    times: np.ndarray
+    columns: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
+    constants: dict[str, float] = field(default_factory=dict)
+    latex: dict[str, str] = field(default_factory=dict)
+
+
+def to_dataset(
+    xarray: Any,
+    times: np.ndarray,
+    columns: Mapping[str, tuple[str, str, np.ndarray]],
+    constants: Mapping[str, tuple[str, float]],
+) -> Any:
+    """Return a Dataset of columns ``name: (role, latex, values)`` along ``time``."""
+    variables = {
+        name: ("time", values, {"role": role, "latex": latex})
+        for name, (role, latex, values) in columns.items()
+    }
+    coords = {
+        f"{name} (constant)" if name in variables or name == "time" else name: (
+            (),
+            value,
+            {"role": "constant", "latex": latex},
+        )
+        for name, (latex, value) in constants.items()
+    }
+    return xarray.Dataset(variables, {"time": ("time", times), **coords})
+
+
+def from_dataset(dataset: Any) -> Parts:
+    """Return what a Dataset of `to_dataset` holds."""
+    parts = Parts(np.array(dataset["time"]))
+    for name, variable in dataset.variables.items():
+        role = variable.attrs.get("role")
+        if role is None:
+            continue
+        if role == "constant":
+            parts.constants[name.removesuffix(" (constant)")] = float(variable)
+        else:
+            parts.columns.setdefault(role, {})[name] = np.array(variable)
+        parts.latex[name] = variable.attrs["latex"]
+    return parts
+
+
+def write_netcdf(
+    dataset: Any,
+    path: str | PathLike[str],
+    statistics: dict[str, Any] | None,
+    events: Sequence[dict[str, Any]],
+) -> None:
+    """Write a Dataset to a NetCDF 3 file, which SciPy alone can read and write."""
+    dataset = dataset.copy()
+    plain: dict[str, str] = {}
+    for name, variable in dataset.variables.items():
+        # SciPy writes Latin letters only in names, but any in attributes.
+        variable.attrs["name"] = name
+        short = re.sub(r"[^A-Za-z0-9_]+", "_", name)
+        while short in plain.values():
+            short += "_"
+        plain[name] = short
+    dataset = dataset.rename({n: p for n, p in plain.items() if n != p})
+    dataset.attrs["pydy_statistics"] = json.dumps(statistics, default=_plain)
+    dataset.attrs["pydy_events"] = json.dumps(list(events), default=_plain)
+    dataset.to_netcdf(path, engine="scipy", format="NETCDF3_64BIT")
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
+    return str(value)
+
+
+def read_netcdf(
+    xarray: Any, path: str | PathLike[str]
+) -> tuple[Any, dict[str, Any] | None, list[Any]]:
+    """Return the Dataset, statistics and events of a file of `write_netcdf`."""
+    with xarray.open_dataset(path, engine="scipy") as opened:
+        dataset = opened.load()
+    if "pydy_events" not in dataset.attrs:
+        raise ValueError(f"`path` must be a file that Trajectory.save wrote; {path} is not.")
+    names = {n: variable.attrs.pop("name", n) for n, variable in dataset.variables.items()}
+    dataset = dataset.rename({n: name for n, name in names.items() if n != name})
+    statistics = json.loads(dataset.attrs["pydy_statistics"])
+    return dataset, statistics, json.loads(dataset.attrs["pydy_events"])

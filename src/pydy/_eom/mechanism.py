@@ -1,0 +1,66 @@
+"""What a method's equations were made from: bodies and loads in an inertial frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import sympy as sm
+from sympy.physics.mechanics import Particle, ReferenceFrame
+
+__all__ = ["Mechanism"]
+
+
+@dataclass(frozen=True, eq=False)
+class Mechanism:
+    """Bodies and loads as the user gave them; nothing is derived before it is asked for.
+
+    Attributes
+    ----------
+    frame : ReferenceFrame
+        The inertial frame.
+    bodies : tuple of Particle and RigidBody
+    loads : tuple of (Point, force Vector) and (ReferenceFrame, torque Vector)
+    """
+
+    frame: Any
+    bodies: tuple[Any, ...]
+    loads: tuple[tuple[Any, Any], ...] = ()
+    _rotations: dict[Any, Any] = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def kinetic_energy(self) -> Any:
+        """The kinetic energy with the velocities as they were written, q' and all."""
+        terms = []
+        for body in self.bodies:
+            velocity = body.masscenter.vel(self.frame)
+            terms.append(body.mass * self._square(velocity) / 2)
+            if not isinstance(body, Particle):
+                rate = body.frame.ang_vel_in(self.frame)
+                for size, left, right in body.central_inertia.args:
+                    terms.append(size * self.dot(rate, left) * self.dot(rate, right) / 2)
+        return sm.Add(*terms)
+
+    def _square(self, vector: Any) -> Any:
+        if len(vector.args) == 1:
+            return sum(part**2 for part in vector.args[0][0])
+        # SymPy's dot pairs every frame with every other, which for a chain of n links is n³ dots.
+        return sum(part**2 for part in self.components(vector, self.frame))
+
+    def components(self, vector: Any, frame: ReferenceFrame) -> Any:
+        """Return the column matrix of a vector's components in a frame."""
+        column = sm.zeros(3, 1)
+        for part, own in vector.args:
+            column += part if own == frame else self._rotation(frame, own) * part
+        return column
+
+    def dot(self, a: Any, b: Any) -> Any:
+        """Return the scalar product; `b` has its parts in few frames."""
+        return sum((self.components(a, frame).T * part)[0] for part, frame in b.args)
+
+    def _rotation(self, to: ReferenceFrame, own: ReferenceFrame) -> Any:
+        key = (to, own)
+        if key not in self._rotations:
+            self._rotations[key] = to.dcm(own)
+        return self._rotations[key]

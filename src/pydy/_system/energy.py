@@ -1,0 +1,112 @@
+"""Kinetic and potential energy of a System, each found when it is first asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import sympy as sm
+
+from pydy._eom.equations import Equations
+from pydy._eom.potential import find_potential
+from pydy._eom.symbols import find_symbols
+from pydy._kernel import Kernel
+from pydy.codegen.arguments import describe
+from pydy.codegen.right_hand_side import RightHandSide
+
+__all__ = ["Energy", "EnergyModel", "check_potential"]
+
+
+class Energy(NamedTuple):
+    """Energies at one state, or along a trajectory.
+
+    Attributes
+    ----------
+    kinetic, potential, total : float or ndarray, shape (m,)
+    """
+
+    kinetic: Any
+    potential: Any
+    total: Any
+
+
+@dataclass(frozen=True, eq=False)
+class EnergyModel:
+    """The energies as expressions.
+
+    Attributes
+    ----------
+    equations : Equations
+    given : expression or None
+        The potential energy, where the user told it.
+    """
+
+    equations: Equations
+    given: Any = None
+
+    @property
+    def kinetic(self) -> Any:
+        """The kinetic energy, or an error where the method knows no bodies."""
+        energy = self.equations.kinetic_energy
+        if energy is None:
+            raise ValueError(
+                "The system's energy cannot be told: its `eom_method` was given no bodies."
+            )
+        return energy
+
+    @cached_property
+    def potential(self) -> Any:
+        """The potential energy, or an error that names the loads that have an unknown one."""
+        if self.given is not None:
+            return self.given
+        found = find_potential(self.equations)
+        if found.unknown:
+            raise ValueError(
+                "The potential energy cannot be told, because it is not clear whether these "
+                f"loads have one: {'; '.join(found.unknown[:5])}. A constant force needs the "
+                "position of its point from a point that stands still in the inertial frame "
+                "(`Point.set_pos`). Or say it yourself: `system.potential_energy = ...`, an "
+                "expression for all loads together."
+            )
+        return found.expression
+
+    def kernel(self, implementation: RightHandSide) -> Kernel:
+        """Return the Kernel of kinetic, potential and total energy."""
+        kinetic, potential = self.kinetic, self.potential
+        return implementation.compiled_expressions(
+            "the energy", (3,), (kinetic, potential, sm.Add(kinetic, potential))
+        )
+
+
+def check_potential(
+    value: Any,
+    coordinates: Sequence[Any],
+    others: Sequence[Any],
+) -> Any:
+    """Return a user's potential energy as an expression.
+
+    Parameters
+    ----------
+    value : expression or None
+    coordinates : sequence of symbols
+    others : sequence of symbols
+        Time, constants and specifieds.
+    """
+    if value is None:
+        return None
+    try:
+        expression = sm.sympify(value)
+    except (sm.SympifyError, TypeError):
+        expression = None
+    if not isinstance(expression, sm.Expr):
+        raise ValueError(f"`potential_energy` must be a SymPy expression, got {value!r}.")
+    known = {*coordinates, *others}
+    strange = [s for s in find_symbols([expression]) if s not in known]
+    if strange:
+        raise ValueError(
+            "`potential_energy` must be an expression in the coordinates, constants, specifieds "
+            f"and time of the system, got one with {describe(strange)}."
+        )
+    return expression

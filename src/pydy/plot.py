@@ -1,0 +1,429 @@
+"""Plots of trajectories and ensembles with matplotlib: one line each, labelled from the symbols.
+
+Each function takes a `Trajectory`, or an `xarray.Dataset` with the dimension ``time`` and any
+number of sample dimensions, of which it draws the median and the band from the 5 % to the 95 %
+quantile. It draws into the Axes that it is given or into a new figure's, and returns them.
+matplotlib comes with ``pip install 'pydy[plot]'``.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._names import name_of
+from pydy._optional import require
+from pydy.trajectory import ENERGIES, STATES, Trajectory
+
+__all__ = [
+    "plot_constraints",
+    "plot_coordinates",
+    "plot_energy",
+    "plot_outputs",
+    "plot_phase",
+    "plot_speeds",
+    "plot_states",
+]
+
+BAND = (0.05, 0.5, 0.95)
+MOST_ORBITS = 100
+
+Units = Mapping[Any, str] | None
+
+
+@dataclass(frozen=True)
+class _Curve:
+    """One quantity over time: shape (m,), or (samples, m)."""
+
+    name: str
+    latex: str
+    values: np.ndarray
+    unit: str = ""
+
+    @property
+    def label(self) -> str:
+        return _with_unit(_typeset(self.name, self.latex), self.unit)
+
+
+# -- public ---------------------------------------------------------------------------------------
+
+
+def plot_coordinates(
+    result: Any,
+    names: Sequence[Any] | None = None,
+    *,
+    ax: Any = None,
+    units: Units = None,
+    time_unit: str = "",
+) -> Any:
+    """Plot the generalized coordinates over time.
+
+    Parameters
+    ----------
+    result : Trajectory or xarray.Dataset
+    names : sequence of symbols or str, optional
+        Which ones; all by default.
+    ax : matplotlib Axes, optional
+        Where to draw; a new figure by default.
+    units : mapping of symbols or str to str, optional
+        Units to show with the labels; other symbols than those that are plotted do not matter.
+    time_unit : str, optional
+        Unit to show with the time.
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ImportError
+        matplotlib is not installed.
+    KeyError, ValueError
+        A name that the result does not have, or there is nothing to plot.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from pydy.models import multi_mass_spring_damper
+    >>> from pydy.plot import plot_coordinates
+    >>> sys = multi_mass_spring_damper(2)
+    >>> x0, x1 = sys.coordinates
+    >>> sys.initial_conditions = {x0: 1.0}
+    >>> sys.times = np.linspace(0.0, 10.0, num=201)
+    >>> ax = plot_coordinates(sys.simulate(), units={x0: 'm', x1: 'm'}, time_unit='s')
+    >>> ax.get_xlabel(), ax.get_ylabel()
+    ('time (s)', 'coordinates (m)')
+    """
+    return _plot(result, ("coordinate",), "coordinates", names, ax, units, time_unit)
+
+
+def plot_speeds(
+    result: Any,
+    names: Sequence[Any] | None = None,
+    *,
+    ax: Any = None,
+    units: Units = None,
+    time_unit: str = "",
+) -> Any:
+    """Plot the generalized speeds over time; the parameters are those of `plot_coordinates`."""
+    return _plot(result, ("speed",), "speeds", names, ax, units, time_unit)
+
+
+def plot_outputs(
+    result: Any,
+    names: Sequence[Any] | None = None,
+    *,
+    ax: Any = None,
+    units: Units = None,
+    time_unit: str = "",
+) -> Any:
+    """Plot outputs and noncontributing forces over time.
+
+    The parameters are those of `plot_coordinates`. The residuals of constraints, which are outputs
+    too, have a plot of their own.
+    """
+    return _plot(result, ("output", "force"), "outputs", names, ax, units, time_unit)
+
+
+def plot_states(
+    result: Any,
+    *,
+    axes: Sequence[Any] | None = None,
+    units: Units = None,
+    time_unit: str = "",
+) -> Any:
+    """Plot all states over a shared time axis: coordinates, speeds, and auxiliary states if any.
+
+    Parameters
+    ----------
+    result : Trajectory or xarray.Dataset
+    axes : sequence of matplotlib Axes, optional
+        One for each of these kinds; a new figure's by default.
+    units, time_unit
+        As for `plot_coordinates`.
+
+    Returns
+    -------
+    ndarray of matplotlib Axes, shape (k,)
+    """
+    titles = dict(zip(STATES, ("coordinates", "speeds", "auxiliary states"), strict=True))
+    kinds = [kind for kind in STATES if _names_of(result, (kind,))]
+    if not kinds:
+        raise _nothing("states", result)
+    if axes is None:
+        plt = _pyplot()
+        size = (6.4, 1.0 + 2.2 * len(kinds))
+        _, axes = plt.subplots(
+            len(kinds), sharex=True, squeeze=False, figsize=size, layout="constrained"
+        )
+    flat = np.asarray(axes, dtype=object).ravel()
+    if len(flat) != len(kinds):
+        raise ValueError(
+            f"`axes` must be {len(kinds)}, one for each of {', '.join(kinds)}, got {len(flat)}."
+        )
+    for ax, kind in zip(flat, kinds, strict=True):
+        _plot(result, (kind,), titles[kind], None, ax, units, time_unit)
+    for ax in flat[:-1]:
+        ax.set_xlabel("")
+    return flat
+
+
+def plot_constraints(
+    result: Any,
+    names: Sequence[Any] | None = None,
+    *,
+    ax: Any = None,
+    time_unit: str = "",
+) -> Any:
+    """Plot how well the constraints are kept: the sizes of their residuals, on a logarithmic scale.
+
+    The parameters are those of `plot_coordinates`. A residual that is zero is not drawn.
+    """
+    curves, times = _curves(result, ("constraint",), "constraints", names, None)
+    sizes = [
+        _Curve(c.name, c.latex, np.where(c.values == 0.0, np.nan, np.abs(c.values))) for c in curves
+    ]
+    ax = _draw(ax, times, sizes, "sizes of the residuals", time_unit)
+    ax.set_yscale("log")
+    return ax
+
+
+def plot_energy(result: Any, *, ax: Any = None, unit: str = "", time_unit: str = "") -> Any:
+    """Plot the kinetic, the potential and the total energy over time.
+
+    Parameters
+    ----------
+    result : Trajectory or xarray.Dataset
+        A Dataset must have the variables 'kinetic_energy', 'potential_energy' and 'total_energy',
+        as ``trajectory.to_xarray(energy=True)`` gives them.
+    ax : matplotlib Axes, optional
+    unit, time_unit : str, optional
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Raises
+    ------
+    ValueError
+        The energies are not known; see `System.evaluate_energy`.
+    """
+    if isinstance(result, Trajectory):
+        table = [(name, result.energy[:, k]) for k, name in enumerate(ENERGIES)]
+        times = result.times
+    else:
+        _check(result)
+        missing = [name for name in ENERGIES if name not in result.variables]
+        if missing:
+            raise ValueError(
+                f"`result` must have the variables {', '.join(ENERGIES)}; {missing[0]} is missing. "
+                "Name outputs like that, or use `trajectory.to_xarray(energy=True)`."
+            )
+        table = [(name, _values(result[name])) for name in ENERGIES]
+        times = np.asarray(result["time"])
+    curves = [_Curve(name.removesuffix("_energy"), "", v, unit) for name, v in table]
+    return _draw(ax, times, curves, "energy", time_unit)
+
+
+def plot_phase(
+    result: Any,
+    x: Any,
+    y: Any = None,
+    *,
+    ax: Any = None,
+    units: Units = None,
+) -> Any:
+    """Plot one quantity over another, such as a coordinate's rate over the coordinate.
+
+    Dots mark where the motions start. Of an ensemble at most a hundred motions are drawn, evenly
+    taken.
+
+    Parameters
+    ----------
+    result : Trajectory or xarray.Dataset
+    x : symbol or str
+    y : symbol or str, optional
+        By default the derivative of `x`, which must be a state then.
+    ax : matplotlib Axes, optional
+    units : mapping of symbols or str to str, optional
+        The name of the derivative of ``q1`` is ``"q1'"``.
+
+    Returns
+    -------
+    matplotlib Axes
+    """
+    (across,), _ = _curves(result, (), "quantities", [x], units)
+    up = _rate(result, across, units) if y is None else _curves(result, (), "", [y], units)[0][0]
+    ax = _axes(ax)
+    a, b = np.broadcast_arrays(np.atleast_2d(across.values), np.atleast_2d(up.values))
+    step = -(-len(a) // MOST_ORBITS)
+    a, b = a[::step], b[::step]
+    faint = {"alpha": 0.4, "linewidth": 0.8} if len(a) > 1 else {}
+    color = ax._get_lines.get_next_color()
+    ax.plot(a.T, b.T, color=color, **faint)
+    ax.plot(a[:, 0], b[:, 0], linestyle="none", marker="o", markersize=4, color=color)
+    ax.set_xlabel(across.label)
+    ax.set_ylabel(up.label)
+    ax.grid(alpha=0.3)
+    return ax
+
+
+# -- what is drawn --------------------------------------------------------------------------------
+
+
+def _plot(
+    result: Any,
+    kinds: tuple[str, ...],
+    what: str,
+    names: Sequence[Any] | None,
+    ax: Any,
+    units: Units,
+    time_unit: str,
+) -> Any:
+    curves, times = _curves(result, kinds, what, names, units)
+    return _draw(ax, times, curves, what, time_unit)
+
+
+def _draw(ax: Any, times: np.ndarray, curves: Sequence[_Curve], what: str, time_unit: str) -> Any:
+    ax = _axes(ax)
+    shared = {c.unit for c in curves}
+    for curve in curves:
+        # A unit that all have is told once, at the axis.
+        label = _typeset(curve.name, curve.latex) if len(shared) == 1 else curve.label
+        if curve.values.ndim == 1:
+            ax.plot(times, curve.values, label=label)
+            continue
+        with warnings.catch_warnings():
+            # Where every sample has failed there is nothing to draw.
+            warnings.filterwarnings("ignore", "All-NaN slice encountered", RuntimeWarning)
+            low, middle, high = np.nanquantile(curve.values, BAND, axis=0)
+        (line,) = ax.plot(times, middle, label=label)
+        ax.fill_between(times, low, high, color=line.get_color(), alpha=0.2, linewidth=0)
+    ax.set_xlabel(_with_unit("time", time_unit))
+    ax.set_ylabel(_with_unit(what, shared.pop() if len(shared) == 1 else ""))
+    ax.margins(x=0)
+    ax.grid(alpha=0.3)
+    title = "median, 5 to 95 %" if any(c.values.ndim > 1 for c in curves) else None
+    if ax.figure.get_layout_engine() is None:
+        ax.legend(title=title)
+    else:  # which makes room beside the curves
+        ax.legend(title=title, loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
+    return ax
+
+
+def _with_unit(text: str, unit: str) -> str:
+    return f"{text} ({unit})" if unit else text
+
+
+def _typeset(name: str, latex: str) -> str:
+    """Return a label that matplotlib's own mathematics can set, or the plain name."""
+    if not latex:
+        return name.replace("$", r"\$")
+    parser = require("matplotlib.mathtext", "plot", "pydy.plot").MathTextParser("path")
+    try:
+        parser.parse(f"${latex}$")
+    except ValueError:
+        return name.replace("$", r"\$")
+    return f"${latex}$"
+
+
+def _pyplot() -> Any:
+    return require("matplotlib.pyplot", "plot", "pydy.plot")
+
+
+def _axes(ax: Any) -> Any:
+    return _pyplot().subplots(layout="constrained")[1] if ax is None else ax
+
+
+# -- what there is to draw ------------------------------------------------------------------------
+
+
+def _curves(
+    result: Any,
+    kinds: tuple[str, ...],
+    what: str,
+    names: Sequence[Any] | None,
+    units: Units,
+) -> tuple[list[_Curve], np.ndarray]:
+    """Return the curves of some kinds, or those that are named, and the times."""
+    _check(result)
+    if names is None:
+        chosen = _names_of(result, kinds)
+        if not chosen:
+            raise _nothing(what, result)
+    else:
+        if isinstance(names, str):
+            names = [names]
+        chosen = [_find(result, name) for name in names]
+    known = {spelled(key): u for key, u in (units or {}).items() for spelled in (str, name_of)}
+    curves = []
+    for name in chosen:
+        if isinstance(result, Trajectory):
+            latex, values = result.latex(name), result[name]
+        else:
+            latex, values = result[name].attrs.get("latex", ""), _values(result[name])
+        curves.append(_Curve(name, latex, values, known.get(name, "")))
+    return curves, np.asarray(result.times if isinstance(result, Trajectory) else result["time"])
+
+
+def _check(result: Any) -> None:
+    if isinstance(result, Trajectory):
+        return
+    if not hasattr(result, "data_vars") or "time" not in result.dims:
+        raise TypeError(
+            "`result` must be a Trajectory, such as `system.simulate()` returns, or an "
+            f"xarray.Dataset with the dimension 'time', got {type(result).__name__}."
+        )
+
+
+def _names_of(result: Any, kinds: tuple[str, ...]) -> list[str]:
+    _check(result)
+    if isinstance(result, Trajectory):
+        return list(result.names_of(*kinds))
+    return [n for n, v in result.data_vars.items() if v.attrs.get("role") in kinds]
+
+
+def _find(result: Any, key: Any) -> str:
+    """Return the name under which the result holds a quantity."""
+    if isinstance(result, Trajectory):
+        return result.name(key)
+    for name in (key if isinstance(key, str) else str(key), name_of(key)):
+        if name in result.data_vars:
+            return name
+    raise KeyError(f"`{key}` is none of the dataset's variables: {', '.join(result.data_vars)}.")
+
+
+def _values(variable: Any) -> np.ndarray:
+    """Return the values with all sample dimensions in one, before time."""
+    table = np.asarray(variable.transpose(..., "time"))
+    return table if table.ndim == 1 else table.reshape(-1, table.shape[-1])
+
+
+def _rate(result: Any, curve: _Curve, units: Units) -> _Curve:
+    if isinstance(result, Trajectory):
+        states = result.names_of(*STATES)
+        if curve.name in states:
+            values = result.derivatives[:, states.index(curve.name)]
+            name = f"{curve.name}'"
+            return _Curve(
+                name, result.latex_of_rate(curve.name), values, (units or {}).get(name, "")
+            )
+    elif f"{curve.name}'" in result.data_vars:
+        return _curves(result, (), "", [f"{curve.name}'"], units)[0][0]
+    raise ValueError(
+        f"`y` must be given, because the derivative of `{curve.name}` is not known: it is no state "
+        "of a trajectory."
+    )
+
+
+def _nothing(what: str, result: Any) -> ValueError:
+    if isinstance(result, Trajectory):
+        return ValueError(f"`result` has no {what} to plot: {result!r}.")
+    return ValueError(
+        f"`result` has no variables whose attribute 'role' says that they are {what}; name what "
+        f"to plot with `names`, of {', '.join(result.data_vars)}."
+    )

@@ -1,0 +1,205 @@
+"""Plots of trajectories and ensembles."""
+
+import sys
+
+import numpy as np
+import pytest
+import sympy as sm
+
+import zoo
+from cases import system_of
+from pydy.plot import (
+    plot_constraints,
+    plot_coordinates,
+    plot_energy,
+    plot_outputs,
+    plot_phase,
+    plot_speeds,
+    plot_states,
+)
+from pydy.trajectory import Trajectory
+
+plt = pytest.importorskip("matplotlib.pyplot")
+
+TIMES = np.linspace(0.0, 1.0, 21)
+
+
+@pytest.fixture(autouse=True)
+def _no_figures_are_left():
+    yield
+    plt.close("all")
+
+
+def simulated(name, **options):
+    return system_of(zoo.MODELS[name](), times=TIMES, **options).simulate(rtol=1e-10, atol=1e-10)
+
+
+def ensemble(*trajectories):
+    xarray = pytest.importorskip("xarray")
+    sets = [t.to_xarray(derivatives=True, energy=True) for t in trajectories]
+    return xarray.concat(sets, "sample", combine_attrs="override")
+
+
+def labels(ax):
+    return [text.get_text() for text in ax.get_legend().get_texts()]
+
+
+def assert_drawn(ax, columns):
+    lines = ax.get_lines()
+    assert len(lines) == len(columns)
+    for line, column in zip(lines, columns, strict=True):
+        np.testing.assert_array_equal(line.get_xdata(), TIMES)
+        np.testing.assert_array_equal(line.get_ydata(), column)
+
+
+def test_coordinates_and_speeds_are_drawn_with_labels_and_units():
+    trajectory = simulated("fourbar")
+    q1, q2, q3 = trajectory.coordinates_symbols
+    ax = plot_coordinates(trajectory, units=dict.fromkeys((q1, q2, q3), "rad"), time_unit="s")
+    assert_drawn(ax, trajectory.states[:, :3].T)
+    assert labels(ax) == ["$q_{1}$", "$q_{2}$", "$q_{3}$"]
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("time (s)", "coordinates (rad)")
+    ax = plot_speeds(trajectory, units={"u1": "rad/s", sm.Symbol("mass"): "kg"})
+    assert_drawn(ax, trajectory.states[:, 3:].T)
+    assert labels(ax) == ["$u_{1}$ (rad/s)", "$u_{2}$", "$u_{3}$"]
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("time", "speeds")
+
+
+def test_some_can_be_chosen_by_symbol_or_name():
+    trajectory = simulated("fourbar")
+    ax = plot_coordinates(trajectory, [trajectory.coordinates_symbols[2], "q1"])
+    assert_drawn(ax, trajectory.states[:, [2, 0]].T)
+    assert_drawn(plot_coordinates(trajectory, "q2"), [trajectory["q2"]])
+    with pytest.raises(KeyError, match="`nothing` is none of the trajectory's quantities"):
+        plot_coordinates(trajectory, ["nothing"])
+
+
+def test_axes_that_are_given_are_drawn_into():
+    trajectory = simulated("bare")
+    _, (above, below) = plt.subplots(2, sharex=True)
+    assert plot_coordinates(trajectory, ax=above) is above
+    assert plot_speeds(trajectory, ax=below) is below
+    assert len(plt.get_fignums()) == 1
+    assert above.get_legend() is not None
+
+
+def test_states_share_the_time_axis():
+    trajectory = simulated("disc_contact")
+    axes = plot_states(trajectory)
+    assert [ax.get_ylabel() for ax in axes] == ["coordinates", "speeds", "auxiliary states"]
+    assert [ax.get_xlabel() for ax in axes] == ["", "", "time"]
+    axes[0].set_xlim(0.2, 0.4)
+    assert axes[2].get_xlim() == (0.2, 0.4)
+    with pytest.raises(ValueError, match="`axes` must be 3, one for each of coordinate, speed"):
+        plot_states(trajectory, axes=axes[:2])
+
+
+def test_outputs_and_forces_are_drawn_without_residuals():
+    energy = sm.Symbol("E")
+    trajectory = simulated("disc_contact", outputs={energy: zoo.disc_contact().energy})
+    ax = plot_outputs(trajectory)
+    assert_drawn(ax, [trajectory["E"], trajectory["Fx"], trajectory["Fz"]])
+
+
+def test_sizes_of_residuals_are_drawn_on_a_logarithmic_scale():
+    trajectory = simulated("fourbar")
+    ax = plot_constraints(trajectory)
+    assert ax.get_yscale() == "log"
+    assert_drawn(ax, np.abs(trajectory.constraints).T)
+    with pytest.raises(ValueError, match="`result` has no constraints to plot"):
+        plot_constraints(simulated("bare"))
+
+
+def test_energies_are_drawn():
+    trajectory = simulated("free_pendulum")
+    ax = plot_energy(trajectory, unit="J")
+    assert_drawn(ax, trajectory.energy.T)
+    assert labels(ax) == ["kinetic", "potential", "total"]
+    assert ax.get_ylabel() == "energy (J)"
+
+
+def test_the_phase_is_a_coordinate_and_its_rate():
+    trajectory = simulated("disc")
+    q2 = trajectory.coordinates_symbols[1]
+    ax = plot_phase(trajectory, q2, units={q2: "rad", "q2'": "rad/s"})
+    orbit, start = ax.get_lines()
+    np.testing.assert_array_equal(orbit.get_xdata(), trajectory[q2])
+    np.testing.assert_array_equal(orbit.get_ydata(), trajectory.derivatives[:, 1])
+    np.testing.assert_array_equal(start.get_xdata(), trajectory[q2][:1])
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("$q_{2}$ (rad)", r"$\dot{q}_{2}$ (rad/s)")
+    orbit, _ = plot_phase(trajectory, "q1", "u3").get_lines()
+    np.testing.assert_array_equal(orbit.get_ydata(), trajectory["u3"])
+    with pytest.raises(ValueError, match="`y` must be given"):
+        plot_phase(trajectory, "c0")
+
+
+def test_an_ensemble_is_drawn_as_bands():
+    model = zoo.free_pendulum()
+    runs = [
+        simulated("free_pendulum", initial_conditions={**model.start, model.kane.q[1]: a})
+        for a in (2.4, 2.5, 2.6, 2.8)
+    ]
+    dataset = ensemble(*runs)
+    ax = plot_coordinates(dataset)
+    values = np.array([run.states[:, :4] for run in runs])
+    low, middle, high = np.quantile(values, [0.05, 0.5, 0.95], axis=0)
+    assert_drawn(ax, middle.T)
+    edges = ax.collections[1].get_paths()[0].vertices
+    for edge in (low, high):
+        for point in zip(TIMES, edge[:, 1], strict=True):
+            assert np.isclose(edges, point).all(axis=1).any()
+    assert ax.get_legend().get_title().get_text() == "median, 5 to 95 %"
+    assert labels(ax)[1] == "$q_{1}$"
+    assert len(plot_energy(dataset).collections) == 3
+    assert len(plot_states(dataset)) == 2
+    assert len(plot_phase(dataset, "q1").get_lines()) == 5
+
+
+def test_a_dataset_of_several_sample_dimensions_with_failures():
+    xarray = pytest.importorskip("xarray")
+    values = np.random.default_rng(0).normal(size=(21, 3, 4))
+    values[15:, 1, 2] = np.nan
+    values[20] = np.nan
+    dataset = xarray.Dataset({"q": (("time", "m", "k"), values)}, {"time": TIMES})
+    ax = plot_coordinates(dataset, ["q"])
+    middle = ax.get_lines()[0].get_ydata()
+    np.testing.assert_allclose(middle[:20], np.nanmedian(values[:20].reshape(20, 12), axis=1))
+    assert np.isnan(middle[20])
+    assert labels(ax) == ["q"]
+    with pytest.raises(ValueError, match=r"no variables whose attribute 'role'.*of q"):
+        plot_coordinates(dataset)
+    with pytest.raises(KeyError, match="`p` is none of the dataset's variables: q"):
+        plot_coordinates(dataset, ["p"])
+    with pytest.raises(ValueError, match="kinetic_energy is missing"):
+        plot_energy(dataset)
+    with pytest.raises(ValueError, match="derivative of `q` is not known"):
+        plot_phase(dataset, "q")
+
+
+def test_a_loaded_trajectory_looks_the_same(tmp_path):
+    pytest.importorskip("xarray")
+    trajectory = simulated("fourbar")
+    trajectory.save(tmp_path / "run.nc")
+    loaded = Trajectory.load(tmp_path / "run.nc")
+    assert labels(plot_coordinates(loaded)) == labels(plot_coordinates(trajectory))
+    phase = plot_phase(loaded, "q1")
+    assert phase.get_ylabel() == plot_phase(trajectory, "q1").get_ylabel()
+
+
+def test_names_that_matplotlib_cannot_set_are_drawn_as_they_are():
+    trajectory = Trajectory([0, 1], [[1.0], [2.0]], {"coordinate": [sm.Symbol(r"\odd{x$")]})
+    ax = plot_coordinates(trajectory)
+    assert labels(ax) == [r"\odd{x\$"]
+    ax.figure.canvas.draw()
+
+
+def test_something_else_is_refused():
+    with pytest.raises(TypeError, match=r"`result` must be a Trajectory.*got ndarray"):
+        plot_states(np.zeros((3, 2)))
+
+
+def test_missing_matplotlib_is_named(monkeypatch):
+    trajectory = simulated("bare")
+    monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
+    with pytest.raises(ImportError, match=r"needs matplotlib.*pip install 'pydy\[plot\]'"):
+        plot_coordinates(trajectory)

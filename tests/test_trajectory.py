@@ -1,0 +1,311 @@
+"""The labelled result of a simulation."""
+
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.integrate import solve_ivp
+
+import zoo
+from cases import system_of
+from pydy.models import multi_mass_spring_damper
+from pydy.system import System
+from pydy.trajectory import EventRecord, Trajectory
+
+TIMES = np.linspace(0.0, 1.0, 11)
+TIGHT = {"rtol": 1e-11, "atol": 1e-11}
+
+
+def simulated(name="fourbar", **options):
+    model = zoo.MODELS[name]()
+    system = system_of(model, times=TIMES, **options)
+    return system, system.simulate(**TIGHT)
+
+
+@pytest.mark.parametrize("name", ["chain", "fourbar", "disc_contact", "timed", "shaken"])
+def test_a_trajectory_holds_what_integrate_and_the_evaluations_return(name):
+    system, trajectory = simulated(name)
+    x = system.integrate(**TIGHT)
+    np.testing.assert_array_equal(trajectory.times, TIMES)
+    np.testing.assert_array_equal(trajectory.states, x)
+    np.testing.assert_array_equal(trajectory.outputs, system.evaluate_outputs(x))
+    np.testing.assert_array_equal(trajectory.derivatives, system.evaluate_ode(x))
+    assert list(trajectory.state_symbols) == system.states
+    assert list(trajectory.outputs_symbols) == system.outputs_symbols
+    assert trajectory.constants == system.constants
+    assert trajectory.events == ()
+    for symbol, value in system.specifieds.items():
+        np.testing.assert_array_equal(trajectory[symbol], np.full(11, value))
+
+
+def test_residuals_of_constraints_are_apart():
+    system, trajectory = simulated()
+    np.testing.assert_array_equal(
+        trajectory.constraints, system.evaluate_constraints(trajectory.states)
+    )
+    assert len(trajectory.constraints_symbols) == 2
+
+
+def test_quantities_are_found_by_symbol_and_by_name():
+    energy = sm.Symbol("E")
+    system, trajectory = simulated("bare", outputs={energy: zoo.bare().energy})
+    q = system.states[0]
+    assert list(trajectory) == ["q", "u", "E"]
+    np.testing.assert_array_equal(trajectory[q], trajectory.states[:, 0])
+    np.testing.assert_array_equal(trajectory["u"], trajectory.states[:, 1])
+    np.testing.assert_array_equal(trajectory[energy], trajectory.outputs[:, 0])
+    assert q in trajectory
+    assert "nothing" not in trajectory
+    with pytest.raises(KeyError, match="`nothing` is none of the trajectory's quantities: q, u, E"):
+        trajectory["nothing"]
+
+
+def test_names_that_would_be_alike_are_written_out():
+    x = me.dynamicsymbols("x")
+    trajectory = Trajectory(
+        [0.0, 1.0],
+        [[1.0], [2.0]],
+        {"coordinate": [x], "output": [sm.Symbol("x")]},
+        outputs=[[3.0], [4.0]],
+    )
+    assert trajectory.names == ("x(t)", "x")
+    np.testing.assert_array_equal(trajectory[x], [1.0, 2.0])
+    np.testing.assert_array_equal(trajectory[sm.Symbol("x")], [3.0, 4.0])
+
+
+def test_functions_as_specifieds_are_recorded():
+    model = zoo.chain()
+    f0 = me.dynamicsymbols("f0")
+    system = system_of(model, times=TIMES, specifieds={f0: lambda x, t: x[0] + 2.0 * t})
+    trajectory = system.simulate()
+    np.testing.assert_allclose(trajectory[f0], trajectory.states[:, 0] + 2.0 * TIMES)
+    np.testing.assert_array_equal(trajectory["f1"], np.zeros(11))
+
+
+def test_later_changes_of_the_system_do_not_reach_it():
+    system, trajectory = simulated("timed")
+    expected = system.evaluate_ode(trajectory.states)
+    system.constants = {}
+    system.times = [5.0, 6.0]
+    np.testing.assert_array_equal(trajectory.derivatives, expected)
+    np.testing.assert_array_equal(trajectory.times, TIMES)
+
+
+# -- other times ----------------------------------------------------------------------------------
+
+
+def test_other_times_are_interpolated_with_fourth_order():
+    model = zoo.free_pendulum()
+    fine = np.linspace(0.0, 1.0, 161)
+    exact = system_of(model, times=fine).integrate(**TIGHT)
+    errors = []
+    for m in (21, 41, 81):
+        system = system_of(model, times=np.linspace(0.0, 1.0, m))
+        errors.append(np.abs(system.simulate(**TIGHT).at(fine).states - exact).max())
+    rates = np.log2(np.array(errors[:-1]) / errors[1:])
+    assert (rates > 3.6).all()
+
+
+def test_outputs_and_specifieds_at_other_times_are_evaluated_anew():
+    model = zoo.chain()
+    f0 = me.dynamicsymbols("f0")
+    system = system_of(
+        model,
+        times=TIMES,
+        specifieds={f0: lambda x, t: t**2},
+        outputs={sm.Symbol("S"): f0**2},
+    )
+    other = system.simulate().at([0.05, 0.33])
+    np.testing.assert_allclose(other[f0], [0.05**2, 0.33**2], rtol=1e-14)
+    np.testing.assert_allclose(other["S"], [0.05**4, 0.33**4], rtol=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("times", "message"),
+    [
+        ([0.5, 1.1], "within the simulated time, 0.0 to 1.0, got 1.1"),
+        ([-0.1, 0.2], "got -0.1"),
+        ([np.nan], "ascending|within"),
+        ([0.2, 0.1], "ascending"),
+        ([[0.1, 0.2]], "one-dimensional"),
+    ],
+)
+def test_times_outside_are_refused(times, message):
+    with pytest.raises(ValueError, match=message):
+        simulated("bare")[1].at(times)
+
+
+def test_a_solvers_dense_output_is_used():
+    """And what else it says becomes events and statistics."""
+    event = EventRecord(0.4, "top", 0, np.zeros(2), np.zeros(2))
+
+    def solver(f, x0, t, args=()):
+        made = solve_ivp(
+            lambda t, x: f(x, t, *args), t[[0, -1]], x0, t_eval=t, rtol=1e-9, dense_output=True
+        )
+        info = {"nfe": made.nfev, "dense_output": lambda t: made.sol(t).T, "events": [event]}
+        return made.y.T, info
+
+    system = system_of(zoo.bare(), times=[0.0, 1.0], ode_solver=solver)
+    trajectory = system.simulate()
+    exact = system_of(zoo.bare(), times=TIMES).integrate(**TIGHT)
+    np.testing.assert_allclose(trajectory.at(TIMES).states, exact, atol=1e-5)
+    assert trajectory.events == (event,)
+    assert list(trajectory.statistics) == ["nfe"]
+
+
+def test_a_solver_that_stops_early_gives_its_times():
+    def solver(f, x0, t, args=()):
+        return np.tile(x0, (3, 1)), {"times": t[:3]}
+
+    trajectory = system_of(zoo.bare(), times=TIMES, ode_solver=solver).simulate()
+    np.testing.assert_array_equal(trajectory.times, TIMES[:3])
+    assert trajectory.statistics is None
+
+
+def test_a_solver_that_stops_early_without_its_times_is_refused():
+    system = system_of(zoo.bare(), times=TIMES, ode_solver=lambda f, x, t, args: [x, x])
+    with pytest.raises(ValueError, match=r"`states` must have the shape \(11, 2\)"):
+        system.simulate()
+
+
+def test_a_reset_is_a_node_on_both_sides():
+    """A ball that falls and bounces once, between the given times."""
+    y, v = me.dynamicsymbols("y v")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, v * frame.y)
+    kane = me.KanesMethod(frame, [y], [v], kd_eqs=[y.diff() - v])
+    kane.kanes_equations([me.Particle("P", point, 1)], [(point, -8 * frame.y)])
+
+    # y = 1 - 4 t² until t = 0.5, v = -4 before, +2 after.
+    def ball(t):
+        t = np.asarray(t)[:, None]
+        falls = np.concatenate([1 - 4 * t**2, -8 * t], axis=1)
+        s = t - 0.5
+        rises = np.concatenate([2 * s - 4 * s**2, 2 - 8 * s], axis=1)
+        return np.where(t < 0.5, falls, rises)
+
+    bounce = EventRecord(0.5, "bounce", 0, np.array([0.0, -4.0]), np.array([0.0, 2.0]))
+    times = [0.0, 0.2, 0.4, 0.6]
+
+    def solver(f, x0, t, args=()):
+        return ball(t), {"events": [bounce]}
+
+    system = System(kane, initial_conditions={y: 1.0}, times=times, ode_solver=solver)
+    fine = np.linspace(0.0, 0.6, 61)
+    np.testing.assert_allclose(system.simulate().at(fine).states, ball(fine), atol=1e-12)
+
+
+# -- other forms ----------------------------------------------------------------------------------
+
+
+def test_a_dataset_has_a_variable_for_each_quantity():
+    pytest.importorskip("xarray")
+    _, trajectory = simulated("disc_contact")
+    dataset = trajectory.to_xarray()
+    assert list(dataset.data_vars) == list(trajectory.names)
+    assert dataset["q1"].dims == ("time",)
+    np.testing.assert_array_equal(dataset["q1"], trajectory["q1"])
+    assert dataset["q1"].attrs == {"role": "coordinate", "latex": "q_{1}"}
+    assert [dataset[n].attrs["role"] for n in ("u1", "∫ Fx(t) dt", "c0", "Fx")] == [
+        "speed", "auxiliary", "constraint", "force",
+    ]  # fmt: skip
+    assert float(dataset["r"]) == 0.6
+
+
+def test_a_data_frame_has_a_column_for_each_quantity():
+    pytest.importorskip("pandas")
+    _, trajectory = simulated()
+    frame = trajectory.to_dataframe()
+    assert list(frame.columns) == list(trajectory.names)
+    assert frame.index.name == "time"
+    np.testing.assert_array_equal(frame["q2"], trajectory["q2"])
+
+
+@pytest.mark.parametrize("name", ["chain", "fourbar", "disc_contact", "shaken"])
+def test_a_file_gives_everything_back(name, tmp_path):
+    pytest.importorskip("xarray")
+    _, trajectory = simulated(name)
+    trajectory.save(tmp_path / "run.nc")
+    loaded = Trajectory.load(tmp_path / "run.nc")
+    assert loaded.names == trajectory.names
+    for symbol in (*trajectory.state_symbols, *trajectory.specifieds_symbols):
+        np.testing.assert_array_equal(loaded[symbol], trajectory[symbol])
+        assert loaded.latex(symbol) == trajectory.latex(symbol)
+    for what in ("times", "states", "outputs", "constraints", "specifieds", "derivatives"):
+        np.testing.assert_array_equal(getattr(loaded, what), getattr(trajectory, what))
+    assert list(loaded.constants.values()) == list(trajectory.constants.values())
+    assert loaded.statistics["nfe"] == trajectory.statistics["nfe"].tolist()
+    between = [0.01, 0.52]
+    np.testing.assert_array_equal(loaded.at(between).states, trajectory.at(between).states)
+
+
+def test_a_file_keeps_events_and_odd_names(tmp_path):
+    pytest.importorskip("xarray")
+    trajectory = Trajectory(
+        [0.0, 1.0],
+        [[1.0, 5.0], [2.0, 6.0]],
+        {"coordinate": ["a/b", "a b"], "output": ["ω → 0"]},
+        outputs=[[3.0], [4.0]],
+        constants={sm.Symbol("a b"): 7.0},
+        events=[EventRecord(0.5, "hit", 0, np.array([1.5, 0.0]), np.array([-1.5, 0.0]))],
+    )
+    trajectory.save(tmp_path / "odd.nc")
+    loaded = Trajectory.load(tmp_path / "odd.nc")
+    assert loaded.names == ("a/b", "a b", "ω → 0")
+    np.testing.assert_array_equal(loaded["a b"], [5.0, 6.0])
+    assert loaded.constants == {"a b": 7.0}
+    (event,) = loaded.events
+    assert (event.name, event.time) == ("hit", 0.5)
+    np.testing.assert_array_equal(event.after, [-1.5, 0.0])
+    with pytest.raises(ValueError, match="holds no derivatives"):
+        loaded.at([0.5])
+
+
+def test_a_file_of_something_else_is_refused(tmp_path):
+    xarray = pytest.importorskip("xarray")
+    xarray.Dataset({"a": ("time", [1.0])}).to_netcdf(tmp_path / "a.nc", engine="scipy")
+    with pytest.raises(ValueError, match=r"must be a file that Trajectory\.save wrote"):
+        Trajectory.load(tmp_path / "a.nc")
+
+
+def test_loading_needs_no_sympy(tmp_path):
+    pytest.importorskip("xarray")
+    simulated("bare")[1].save(tmp_path / "run.nc")
+    code = (
+        "import sys; from pydy.trajectory import Trajectory; "
+        f"t = Trajectory.load({str(tmp_path / 'run.nc')!r}); t['q'], t.at([0.55]), t.latex('q'); "
+        "assert 'sympy' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
+
+
+def test_a_trajectory_can_be_pickled():
+    _, trajectory = simulated("timed")
+    twin = pickle.loads(pickle.dumps(trajectory))
+    np.testing.assert_array_equal(twin.at(TIMES[1:3]).states, trajectory.states[1:3])
+    np.testing.assert_allclose(twin.derivatives, trajectory.derivatives, rtol=1e-14)
+
+
+def test_a_missing_package_is_named(monkeypatch):
+    _, trajectory = simulated("bare")
+    monkeypatch.setitem(sys.modules, "xarray", None)
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    with pytest.raises(ImportError, match=r"needs xarray.*pip install 'pydy\[labels\]'"):
+        trajectory.to_xarray()
+    with pytest.raises(ImportError, match=r"needs pandas.*pip install 'pydy\[labels\]'"):
+        trajectory.to_dataframe()
+
+
+def test_tables_of_the_wrong_shape_are_refused():
+    with pytest.raises(ValueError, match=r"`outputs` must have the shape \(2, 1\).*got \(1, 1\)"):
+        Trajectory([0, 1], [[1], [2]], {"speed": ["u"], "output": ["y"]}, outputs=[[1]])
+
+
+def test_simulate_needs_times():
+    with pytest.raises(ValueError, match="at least two values"):
+        multi_mass_spring_damper().simulate()
