@@ -309,3 +309,45 @@ def test_tables_of_the_wrong_shape_are_refused():
 def test_simulate_needs_times():
     with pytest.raises(ValueError, match="at least two values"):
         multi_mass_spring_damper().simulate()
+
+
+# -- with what else a System can do ----------------------------------------------------------------
+
+
+def test_specifieds_that_are_expressions_or_samples_are_recorded():
+    from pydy.inputs import SampledInput
+
+    model = zoo.chain()
+    f0, f1, f2 = me.dynamicsymbols("f0 f1 f2")
+    x0, t = model.states[0], me.dynamicsymbols._t
+    specifieds = {f0: sm.sin(t) - 2 * x0, f1: SampledInput([0.0, 1.0], [1.0, 3.0]), f2: f0 + 1}
+    system = system_of(model, times=TIMES, specifieds=specifieds)
+    trajectory = system.simulate(**TIGHT)
+    expected = np.sin(TIMES) - 2 * trajectory[x0]
+    np.testing.assert_allclose(trajectory[f0], expected, atol=1e-14)
+    np.testing.assert_allclose(trajectory[f1], 1.0 + 2.0 * TIMES)
+    np.testing.assert_allclose(trajectory[f2], expected + 1.0, atol=1e-14)
+    np.testing.assert_array_equal(trajectory.derivatives, system.evaluate_ode(trajectory.states))
+    assert trajectory.at([0.55])[f1][0] == pytest.approx(2.1)
+
+
+def test_a_native_solver_gives_its_statistics():
+    from pydy import solvers
+
+    system = system_of(zoo.bare(), times=TIMES, ode_solver=solvers.dop853)
+    trajectory = system.simulate(rtol=1e-10, atol=1e-10)
+    exact = system_of(zoo.bare(), times=TIMES).integrate(**TIGHT)
+    np.testing.assert_allclose(trajectory.states, exact, atol=1e-8)
+    assert trajectory.statistics["evaluations"] > 10
+    assert trajectory.events == ()
+
+
+def test_a_trajectory_ends_where_an_event_ended_it():
+    states = np.array([[1.0, 2.0], [3.0, 4.0], [np.nan, np.nan]])
+
+    def solver(f, x0, t, args=()):
+        return states, {"events": []}
+
+    trajectory = system_of(zoo.bare(), times=[0.0, 1.0, 2.0], ode_solver=solver).simulate()
+    np.testing.assert_array_equal(trajectory.times, [0.0, 1.0])
+    np.testing.assert_array_equal(trajectory.states, states[:2])

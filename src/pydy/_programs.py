@@ -129,10 +129,14 @@ class Assembly:
     def _kinetic_energy(self) -> list[int]:
         if self.mechanism is None or not self.mechanism.bodies:
             return []
-        return self._read([self.mechanism.kinetic_energy], "the kinetic energy")
+        return self._reader("the kinetic energy").all([self.mechanism.kinetic_energy])
 
-    def _read(self, expressions: Iterable[Any], what: str) -> list[int]:
-        return SymPyReader(self.graph, self.atoms, what).all(expressions)
+    def read(self, expressions: Iterable[Any], what: str) -> list[int]:
+        """Return further expressions in the states and symbols as nodes; `what` is for messages."""
+        return substitute(self.graph, self._reader(what).all(expressions), self.given)
+
+    def _reader(self, what: str) -> SymPyReader:
+        return SymPyReader(self.graph, self.atoms, what)
 
     def program(self, *names: str) -> Program:
         """Return the Program of the named blocks.
@@ -168,8 +172,7 @@ class Assembly:
         """
         n, s, c = self.sizes
         sizes = (n, s - len(self.speeds), c) if self.external else self.sizes
-        nodes = substitute(self.graph, self._read(expressions, name), self.given)
-        return self.lowered([(name, shape, nodes)], sizes)
+        return self.lowered([(name, shape, self.read(expressions, name))], sizes)
 
     def jacobian_program(self, name: str, group: str) -> Program:
         """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
@@ -309,7 +312,7 @@ def assemble_system(
     else:
         kind = "ldl" if equations.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        solved = _accelerations(graph, rows, forcing, kind)
+        solved = solve_accelerations(graph, rows, forcing, kind)
     read.what = "the outputs"
     values = _evaluate_groups(graph, read, groups, dict(zip(accelerations, solved, strict=True)))
     integrated = auxiliary_groups(equations, groups)
@@ -351,7 +354,9 @@ def _other_symbols(equations: Equations) -> tuple[list[Any], list[Any]]:
     return [s for s in rest if s.is_Symbol], [s for s in rest if not s.is_Symbol]
 
 
-def _accelerations(graph: Graph, rows: list[list[int]], forcing: list[int], kind: str) -> list[int]:
+def solve_accelerations(
+    graph: Graph, rows: list[list[int]], forcing: list[int], kind: str
+) -> list[int]:
     """Return the solution of the equations of motion."""
     chain = difference_basis(graph, rows, forcing) if kind == "ldl" else None
     if chain is None:

@@ -33,11 +33,12 @@ from pydy._system.inputs import (
     check_values,
     sort_out,
 )
+from pydy._system.solving import HANDLED, prepare
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_system_function
 from pydy.codegen.right_hand_side import RightHandSide
-from pydy.solvers.solver import Solver
+from pydy.solvers.solver import SOLVERS, Solver
 from pydy.trajectory import Trajectory
 
 __all__ = ["System"]
@@ -415,6 +416,9 @@ class System:
     def ode_solver(self) -> Callable[..., Any]:
         """Function that integrates, with the signature of `scipy.integrate.odeint`.
 
+        It may be set to the name of a native solver, such as ``'dop853'`` for
+        `pydy.solvers.dop853`; ``'odeint'`` is the default again.
+
         ``x_history = ode_solver(f, x0, t, args=(r, p), **options)`` with ``f(x, t, r, p)``, which
         returns the derivatives as a fresh array.
 
@@ -437,9 +441,16 @@ class System:
         return self._ode_solver
 
     @ode_solver.setter
-    def ode_solver(self, ode_solver: Callable[..., Any] | None) -> None:
-        if ode_solver is None:
+    def ode_solver(self, ode_solver: Callable[..., Any] | str | None) -> None:
+        if ode_solver is None or ode_solver == "odeint":
             ode_solver = odeint
+        if isinstance(ode_solver, str):
+            if ode_solver not in SOLVERS:
+                raise ValueError(
+                    f"`ode_solver` must be one of {', '.join(map(repr, ('odeint', *SOLVERS)))}, or "
+                    f"a function, got {ode_solver!r}."
+                )
+            ode_solver = SOLVERS[ode_solver]
         if not callable(ode_solver):
             raise ValueError(
                 "`ode_solver` must be a function with the signature of scipy.integrate.odeint, "
@@ -892,7 +903,16 @@ class System:
         Parameters
         ----------
         **solver_kwargs
-            Options of the `ode_solver`.
+            Options of the `ode_solver`. These are understood here:
+
+            ``constraints='project'``
+                With a native solver: positions and velocities are brought back onto the
+                constraints after every step and at every output.
+            ``constraints='baumgarte', gain=g``
+                With any solver: constraint forces that let a residual c die out as in
+                c'' + 2 g c' + g² c = 0 are added to the equations.
+            ``events``
+                With a native solver: a list of `pydy.solvers.Event`.
 
         Returns
         -------
@@ -902,9 +922,11 @@ class System:
         Raises
         ------
         ValueError
-            There are fewer than two times.
+            There are fewer than two times, or an option makes no sense.
         SingularMatrixError
             The mass matrix became singular; the message tells where.
+        IntegrationError
+            A native solver could not go on; it holds what was computed.
         """
         if len(self._times) < 2:
             raise ValueError(
@@ -912,10 +934,15 @@ class System:
                 f"{len(self._times)}. Set `system.times`."
             )
         times = check_times(self._times)  # the array may have been edited in place
-        plan = self._plan(self._specifieds)
+        definition, plan = self._definition, self._plan(self._specifieds)
         plan.check_times(times, "times")
-        implementation = driven(self._current(), self._definition, plan)
-        f = implementation.rates_function(None if plan.constant else plan)
+        implementation = self._current()
+        if HANDLED & solver_kwargs.keys():
+            exact = driven(self._differentiable(), definition, plan)
+            implementation, solver_kwargs = prepare(
+                self._ode_solver, definition, implementation, exact, solver_kwargs
+            )
+        f = driven(implementation, definition, plan).rates_function(plan)
         r = plan.values if plan.constant else plan
         args = (r, self._p())
         return self._ode_solver(f, self._x0(), times, args=args, **solver_kwargs)
@@ -960,6 +987,9 @@ class System:
         states, info = result if isinstance(result, tuple) else (result, None)
         statistics = dict(info) if isinstance(info, dict) else {}
         times = statistics.pop("times", self._times)
+        reached = statistics.pop("reached", None)  # an event may have ended it
+        if reached is not None:
+            times, states = times[:reached], states[:reached]
         events = statistics.pop("events", ())
         dense = statistics.pop("dense_output", None)
         times, states = np.array(times, dtype=float), np.array(states, dtype=float)

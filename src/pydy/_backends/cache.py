@@ -18,6 +18,8 @@ from collections import OrderedDict
 from pathlib import Path
 from typing import Any
 
+from pydy._cache_folder import folder
+
 __all__ = ["LIMIT_BYTES", "folder", "memory", "read", "write"]
 
 LIMIT_BYTES = 256 * 2**20
@@ -51,16 +53,6 @@ class _Memory:
 
 
 memory = _Memory()
-
-
-def folder() -> Path | None:
-    """Return where entries lie, or None when the cache is turned off."""
-    chosen = os.environ.get("PYDY_CACHE_DIR")
-    if chosen:
-        return None if chosen.lower() == "off" else Path(chosen)
-    import platformdirs
-
-    return Path(platformdirs.user_cache_dir("pydy", appauthor=False))
 
 
 def _path(key: str) -> Path | None:

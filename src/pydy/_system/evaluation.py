@@ -124,6 +124,7 @@ class Snapshot:
     Attributes
     ----------
     implementation : RightHandSide
+        With the plan's expressions compiled into it.
     plan : SpecifiedsPlan
     p : ndarray
     energies : EnergyModel

@@ -6,7 +6,7 @@ when they are not float64 vectors of the right length; only then are they conver
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass
 from typing import Any
@@ -14,11 +14,18 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import SingularMatrixError
-from pydy._kernel import Kernel
+from pydy._graph.program import Program
+from pydy._kernel import Kernel, KernelCall
 from pydy._programs import Assembly
-from pydy.codegen.arguments import ConstantsArgument, SpecifiedsArgument, real_array
+from pydy.codegen.arguments import (
+    ConstantsArgument,
+    SpecifiedsArgument,
+    SpecifiedsPlan,
+    real_array,
+)
 from pydy.codegen.docstring import rhs_docstring
 from pydy.codegen.external_solve import Solver, with_external_solver
+from pydy.inputs import SampledInput
 
 __all__ = ["Layout", "RightHandSide", "raise_singular"]
 
@@ -79,7 +86,7 @@ class RightHandSide:
         options = dict(options)
         # Only the Cython generator has this option; here it decides what is refused.
         self.refuse_strided = generator == "cython" and not options.pop("force_c_contiguous", False)
-        self._assembly = assembly
+        self.assembly = assembly
         self._compiler = backend(**options)
         self._solver = solver
         self._blocks = ("rates", "ordinary") if self.num_outputs else ("rates",)
@@ -112,7 +119,7 @@ class RightHandSide:
         other = self._changed.pop(key, None)
         if other is None:
             other = copy(self)
-            other._assembly = change(self._assembly)
+            other.assembly = change(self.assembly)
             other._kernels, other._changed = {}, {}
             other.function_of_user = None
         self._changed[key] = other
@@ -128,7 +135,7 @@ class RightHandSide:
         """
         kernel = self._kernels.get(blocks)
         if kernel is None:
-            kernel = self._compiler.compile(self._assembly.program(*blocks))
+            kernel = self._compiler.compile(self.assembly.program(*blocks))
             if self._solver is not None:
                 matrices = self._system_kernel()
                 kernel = with_external_solver(kernel.program, matrices, self._solver, kernel)
@@ -137,29 +144,31 @@ class RightHandSide:
 
     def compiled_jacobian(self, block: str, group: str) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
-        key = (block, "by", group)
-        kernel = self._kernels.get(key)
-        if kernel is None:
-            kernel = self._compiler.compile(self._assembly.jacobian_program(block, group))
-            self._kernels[key] = kernel
-        return kernel
+        return self.compiled_by(
+            (block, "by", group), lambda: self.assembly.jacobian_program(block, group)
+        )
 
     def compiled_expressions(
         self, name: str, shape: tuple[int, ...], expressions: tuple[Any, ...]
     ) -> Kernel:
         """Return the Kernel of further expressions; see `Assembly.expression_program`."""
-        key = (name, shape, *expressions)
+        return self.compiled_by(
+            (name, shape, *expressions),
+            lambda: self.assembly.expression_program(name, shape, expressions),
+        )
+
+    def compiled_by(self, key: tuple[Any, ...], build: Callable[[], Program]) -> Kernel:
+        """Return the Kernel of a Program that `build` makes, at most once for each key."""
         kernel = self._kernels.get(key)
         if kernel is None:
-            program = self._assembly.expression_program(name, shape, expressions)
-            kernel = self._kernels[key] = self._compiler.compile(program)
+            kernel = self._kernels[key] = self._compiler.compile(build())
         return kernel
 
     def _system_kernel(self) -> Kernel:
         key = ("mass_matrix", "forcing")
         if key not in self._kernels:
             # Its r is the user's own, without the solution at the end.
-            assembly = self._assembly
+            assembly = self.assembly
             n = len(assembly.forcing)
             whole = assembly.sizes
             assembly.sizes = (whole[0], whole[1] - n, whole[2])
@@ -225,16 +234,18 @@ class RightHandSide:
             def rhs(*args):  # type: ignore[no-untyped-def]
                 return evaluate(args)
 
+        rhs.native = self.native  # type: ignore[attr-defined]
         return rhs
 
-    def rates_function(self, plan: Callable[[np.ndarray, float], np.ndarray] | None) -> Any:
+    def rates_function(self, plan: SpecifiedsPlan) -> Any:
         """Return ``f(x, t, r, p)`` for solvers: the derivatives alone, from arrays r and p.
+
+        Native solvers find a `KernelCall` through its attribute ``native``.
 
         Parameters
         ----------
-        plan : callable or None
-            Gives r at each state and time, in place of the argument, when there are samples, or
-            functions must be called.
+        plan : SpecifiedsPlan
+            Unless it is constant, it gives r at each state and time, in place of the argument.
         """
         kernel = self.compiled("rates")
         call, empty, n = kernel.call, np.empty, len(self.layout.states)
@@ -246,14 +257,48 @@ class RightHandSide:
                 convert(kernel, x, t, r, p, out)
             return out
 
-        if plan is None:
-            return f
-
         def f_with_functions(x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
             x = self._state(x)
             return f(x, t, plan(x, float(t)), p)
 
-        return f_with_functions
+        chosen: Any = f if plan.constant else f_with_functions
+        chosen.native = lambda args: self._native_call(kernel, plan, args[1])
+        return chosen
+
+    def _native_call(self, kernel: Kernel, plan: SpecifiedsPlan, p: Any) -> KernelCall:
+        return KernelCall(
+            kernel,
+            real_array(p, "`p`"),
+            plan.values,
+            plan.sampled,
+            plan if plan.functions else None,
+            tuple(map(str, self.layout.states)),
+            None if self._solver else lambda: self.compiled_jacobian("rates", "x"),
+        )
+
+    def native(self, args: tuple[Any, ...]) -> KernelCall | None:
+        """Return how native solvers call the generated function with `args` after x and t.
+
+        None where it has to be called itself: it returns more than derivatives, takes time first,
+        or the specifieds are a function.
+        """
+        symbols = self.layout.specifieds
+        if self.time_first or self.num_outputs or len(args) != (2 if symbols else 1):
+            return None
+        p, plan = self.constants(args[-1]), SpecifiedsPlan({}, symbols)
+        if symbols:
+            r = args[0]
+            if isinstance(r, SampledInput):
+                r = {symbols: r}
+            if isinstance(r, Mapping):
+                plan = SpecifiedsPlan(r, symbols, complete=True)
+                if plan.expressions:
+                    return None
+            elif callable(r):
+                return None
+            else:
+                plan.values = self.specifieds(r, _NOTHING, 0.0)
+        return self._native_call(self.kernel, plan, p)
 
     # -- the slow path ----------------------------------------------------------------------------
 

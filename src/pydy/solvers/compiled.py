@@ -17,7 +17,7 @@ from typing import Any
 import numba
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
 
-from pydy._backends.cache import folder
+from pydy._cache_folder import folder
 
 __all__ = ["compiled", "inlined"]
 

@@ -77,6 +77,8 @@ class CompiledEvents:
     names : tuple of str
     directions : tuple of int
     terminal : tuple of bool
+    constant : tuple of bool
+        Whether the expression depends on neither state nor time nor specifieds.
     values : Kernel
         The expressions.
     rates : Kernel
@@ -88,6 +90,7 @@ class CompiledEvents:
     names: tuple[str, ...]
     directions: tuple[int, ...]
     terminal: tuple[bool, ...]
+    constant: tuple[bool, ...]
     values: Kernel
     rates: Kernel
     resets: Sequence[Kernel | None]

@@ -22,7 +22,7 @@ from pydy._errors import (
 )
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
-from pydy.solvers.events import EventRecord
+from pydy.solvers.events import CompiledEvents, EventRecord
 from pydy.solvers.layout import Constraints, Memory, Problem, Run, Watch
 from pydy.solvers.methods import IMPLICIT, method_arrays, tableau_of
 from pydy.solvers.options import Options
@@ -192,6 +192,7 @@ class _Integration:
         if self.options.constraints is not None:
             self._check_start()
         if self.options.events is not None:
+            self._check_events(self.options.events)
             self._take_sides(())
         bar = self._bar()
         try:
@@ -316,6 +317,14 @@ class _Integration:
                 f"{self._state_name(k)} = {before[k]:.6g} would have to be {x[k]:.6g}. Call "
                 "`system.set_dependent_initial_conditions()` first."
             )
+
+    def _check_events(self, events: CompiledEvents) -> None:
+        for name, constant in zip(events.names, events.constant, strict=True):
+            if constant:
+                self._stop(
+                    f"cannot look for the event `{name}`, whose expression is constant,",
+                    "It must depend on the states, on specifieds or on time.",
+                )
 
     # -- events -----------------------------------------------------------------------------------
 

@@ -1,0 +1,112 @@
+"""Constraints stabilised by constraint forces, after Baumgarte.
+
+J. Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems", Computer
+Methods in Applied Mechanics and Engineering 1 (1972) 1–16, with both gains chosen for critical
+damping.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from pydy._eom.equations import Equations
+from pydy._graph.derivative import jacobian
+from pydy._graph.interpret import run
+from pydy._graph.lower import lower
+from pydy._programs import Assembly, solve_accelerations, substitute
+from pydy._system.definition import Definition
+from pydy.codegen.right_hand_side import RightHandSide
+
+__all__ = ["stabilised"]
+
+_TRIALS = 3
+
+
+def stabilised(implementation: RightHandSide, definition: Definition, gain: float) -> RightHandSide:
+    """Return the right-hand side whose constraint residuals c obey c'' + 2 g c' + g² c = 0.
+
+    A nonholonomic residual v obeys v' + 2 g v = 0.
+    """
+    return implementation.changed(
+        ("baumgarte", gain), lambda assembly: _stabilise(assembly, definition.equations, gain)
+    )
+
+
+def _stabilise(assembly: Assembly, equations: Equations, gain: float) -> Assembly:
+    graph, n = assembly.graph, len(assembly.speeds)
+    count = len(assembly.velocity)
+    share = _shares(assembly, equations)
+    forcing = list(assembly.forcing)
+    for i, node in enumerate(assembly.velocity):
+        terms = [(forcing[n - count + i], 1.0), (node, -2.0 * gain)]
+        terms += [
+            (h, -gain * gain * float(s))
+            for h, s in zip(assembly.holonomic, share[i], strict=True)
+            if s
+        ]
+        forcing[n - count + i] = graph.sum(terms)
+    rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
+    first = graph.args[assembly.speeds[0]][1]
+    before = assembly.rates[first : first + n]
+    after = solve_accelerations(graph, rows, forcing, "lu")
+    mapping = dict(zip(before, after, strict=True))
+    return replace(
+        assembly,
+        forcing=forcing,
+        rates=substitute(graph, assembly.rates, mapping),
+        outputs=substitute(graph, assembly.outputs, mapping),
+        ordinary=substitute(graph, assembly.ordinary, mapping),
+    )
+
+
+def _shares(assembly: Assembly, equations: Equations) -> np.ndarray:
+    """Return, for each velocity constraint, of which holonomic ones it is the rate, and how much.
+
+    Raises
+    ------
+    ValueError
+        The last rows of the mass matrix are not those of the velocity constraints, or a velocity
+        constraint is the rate of holonomic ones with factors that change.
+    """
+    graph, speeds = assembly.graph, assembly.speeds
+    n, count = len(speeds), len(assembly.velocity)
+    first = graph.args[speeds[0]][1]
+    coordinates = [graph.input("x", k) for k in range(first)]
+    names = {
+        "motion": (assembly.velocity, speeds),
+        "gradient": (assembly.holonomic, coordinates),
+        "kinematics": (assembly.rates[:first], speeds),
+    }
+    blocks = []
+    for name, (nodes, by) in names.items():
+        table = jacobian(graph, nodes, by)
+        cells = [row.get(k, graph.zero) for row in table for k in range(len(by))]
+        blocks.append((name, (len(nodes), len(by)), cells))
+    blocks.append(("rows", (count, n), assembly.mass_matrix[(n - count) * n :]))
+    program = lower(graph, assembly.sizes, blocks)
+    found: list[np.ndarray] = []
+    for seed in range(_TRIALS):
+        rng = np.random.default_rng(seed)
+        x, r, p = (rng.uniform(0.3, 1.3, size) for size in assembly.sizes)
+        out, _ = run(program, rng.uniform(0.1, 1.0, 1), x[None], r[None], p)
+        part = {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
+        if not np.allclose(part["rows"], part["motion"], rtol=1e-9, atol=1e-12):
+            raise ValueError(
+                "`constraints='baumgarte'` needs acceleration constraints that are the rates of "
+                "the velocity constraints, in the same order and not scaled; these are not. Use "
+                "constraints='project'."
+            )
+        reach = part["gradient"] @ part["kinematics"]
+        share, *_ = np.linalg.lstsq(reach.T, part["motion"].T, rcond=1e-9)
+        residual = part["motion"] - share.T @ reach
+        genuine = np.linalg.norm(residual, axis=1) > 1e-8 * np.linalg.norm(part["motion"], axis=1)
+        found.append(np.where(genuine[:, None], 0.0, share.T))
+    if not all(np.allclose(found[0], other, atol=1e-8) for other in found[1:]):
+        raise ValueError(
+            "`constraints='baumgarte'` needs velocity constraints that are the rates of holonomic "
+            "ones with constant factors; here the factors depend on the state. Use "
+            "constraints='project', or write the velocity constraints as `holonomic.diff(t)`."
+        )
+    return np.where(np.abs(found[0]) < 1e-12, 0.0, found[0])

@@ -1,0 +1,205 @@
+"""What native solvers are handed beside the equations: events and constraints, compiled."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from pydy._graph.derivative import jacobian
+from pydy._graph.program import Program
+from pydy._kernel import Kernel
+from pydy._numbers import number
+from pydy._programs import Assembly
+from pydy._system.baumgarte import stabilised
+from pydy._system.definition import Definition
+from pydy.codegen.arguments import describe
+from pydy.codegen.right_hand_side import RightHandSide
+from pydy.solvers.constraints import CompiledConstraints
+from pydy.solvers.events import CompiledEvents, Event
+from pydy.solvers.solver import Solver
+
+__all__ = ["HANDLED", "prepare"]
+
+HANDLED = {"constraints", "events", "gain"}
+"""Options of `System.integrate` that need the equations."""
+
+
+def prepare(
+    solver: Any,
+    definition: Definition,
+    implementation: RightHandSide,
+    exact: RightHandSide,
+    options: dict[str, Any],
+) -> tuple[RightHandSide, dict[str, Any]]:
+    """Turn events and constraints into what a solver takes.
+
+    Parameters
+    ----------
+    solver : callable
+    definition : Definition
+    implementation : RightHandSide
+        What would be integrated.
+    exact : RightHandSide
+        The same with its linear solve and all expressions compiled in.
+    options : dict
+        Of `System.integrate`.
+
+    Returns
+    -------
+    implementation : RightHandSide
+        What is to be integrated.
+    options : dict
+        For the solver.
+    """
+    options = dict(options)
+    native = isinstance(solver, Solver)
+    constraints, events = options.pop("constraints", None), options.pop("events", None)
+    gain = options.pop("gain", None)
+    if constraints not in (None, "project", "baumgarte"):
+        raise ValueError(
+            f"`constraints` must be None, 'project' or 'baumgarte', got {constraints!r}."
+        )
+    if constraints is not None and not definition.equations.velocity:
+        raise ValueError(
+            f"`constraints={constraints!r}` holds constraints, but the system has none with their "
+            "velocity equations. Give KanesMethod `velocity_constraints`, or leave this out."
+        )
+    if (gain is None) == (constraints == "baumgarte"):
+        raise ValueError(
+            "`gain` and `constraints='baumgarte'` belong together: the gain g > 0, in 1/s, lets "
+            "residuals die out about as exp(−g t). Pass both or neither."
+        )
+    if constraints == "baumgarte":
+        gain = number(gain, "`gain`", finite=True)
+        if gain <= 0.0:
+            raise ValueError(f"`gain` must be positive, got {gain}.")
+        implementation = stabilised(implementation, definition, gain)
+    if not native and (constraints == "project" or events is not None):
+        what = "constraints='project'" if constraints == "project" else "events"
+        raise ValueError(
+            f"`{what}` needs a native solver: set `system.ode_solver = 'dop853'`, or another one "
+            "of pydy.solvers."
+        )
+    if constraints == "project":
+        options["constraints"] = compile_constraints(exact, definition)
+    if events is not None:
+        checked = check_events(events, definition.states)
+        if checked:
+            options["events"] = compile_events(exact, definition, checked)
+    return implementation, options
+
+
+def check_events(events: Any, states: Sequence[Any]) -> tuple[Event, ...]:
+    """Return the events of an argument as a tuple.
+
+    Raises
+    ------
+    TypeError
+        Something that is no Event.
+    ValueError
+        A reset of something that is no state, or two events of one name.
+    """
+    if isinstance(events, Event):
+        events = (events,)
+    if not isinstance(events, Iterable):
+        raise TypeError(f"`events` must be a list of Event, got {type(events).__name__}.")
+    checked: tuple[Event, ...] = tuple(events)
+    for event in checked:
+        if not isinstance(event, Event):
+            raise TypeError(
+                "`events` must hold objects of pydy.solvers.Event, got "
+                f"{type(event).__name__}: {event!r}."
+            )
+        for symbol in event.reset:
+            if symbol not in states:
+                raise ValueError(
+                    f"`reset` of the event `{event.name}` has a value for `{symbol}`, which is no "
+                    f"state of the system: {describe(list(states))}."
+                )
+    names = [event.name for event in checked]
+    double = [name for name in names if names.count(name) > 1]
+    if double:
+        raise ValueError(f"`events` must have different names, got `{double[0]}` twice.")
+    return checked
+
+
+def compile_events(
+    implementation: RightHandSide, definition: Definition, events: tuple[Event, ...]
+) -> CompiledEvents:
+    """Compile events, their rates and their resets."""
+    expressions = tuple(event.expression for event in events)
+    states = definition.states
+    assembly = implementation.assembly
+    graph = assembly.graph
+    nodes = assembly.read(expressions, "the events")
+
+    def rates() -> Program:
+        along = [graph.input("x", k) for k in range(len(states))]
+        slopes = [*assembly.rates, graph.one]
+        rows = jacobian(graph, nodes, [*along, graph.input("t", 0)])
+        totals = [graph.sum([(graph.mul(d, slopes[k]), 1.0) for k, d in r.items()]) for r in rows]
+        return assembly.lowered([("rates", (len(totals),), totals)])
+
+    def moves(node: int) -> bool:
+        inputs = [graph.args[n] for n in graph.reachable([node]) if graph.ops[n] == "input"]
+        return any(group != "p" for group, _ in inputs)
+
+    resets: list[Kernel | None] = []
+    for event in events:
+        if not event.reset:
+            resets.append(None)
+            continue
+        after = tuple(event.reset.get(s, s) for s in states)
+        name = f"`reset` of the event `{event.name}`"
+        resets.append(implementation.compiled_expressions(name, (len(states),), after))
+    return CompiledEvents(
+        names=tuple(event.name for event in events),
+        directions=tuple(event.direction for event in events),
+        terminal=tuple(bool(event.terminal) for event in events),
+        constant=tuple(not moves(node) for node in nodes),
+        values=implementation.compiled_expressions("the events", (len(nodes),), expressions),
+        rates=implementation.compiled_by(("rates of the events", *expressions), rates),
+        resets=tuple(resets),
+    )
+
+
+def compile_constraints(
+    implementation: RightHandSide, definition: Definition
+) -> CompiledConstraints:
+    """Compile what the projection needs."""
+    equations = definition.equations
+    mechanism = equations.mechanism
+    weighted = mechanism is not None and bool(mechanism.bodies)
+    kernel = implementation.compiled_by(
+        ("projection",), lambda: _projection(implementation.assembly)
+    )
+    return CompiledConstraints(
+        kernel=kernel,
+        holonomic=len(equations.holonomic),
+        velocity=len(equations.velocity),
+        coordinates=len(equations.coordinates),
+        speeds=len(equations.speeds),
+        weighted=weighted,
+    )
+
+
+def _projection(assembly: Assembly) -> Program:
+    """Return the Program of `CompiledConstraints`."""
+    graph, speeds = assembly.graph, assembly.speeds
+    first = graph.args[speeds[0]][1]
+    coordinates = [graph.input("x", k) for k in range(first)]
+    kinematics = assembly.rates[:first]
+
+    def cells(nodes: list[int], by: list[int]) -> list[int]:
+        rows = jacobian(graph, nodes, by)
+        return [row.get(k, graph.zero) for row in rows for k in range(len(by))]
+
+    parts = {
+        "holonomic": assembly.holonomic,
+        "velocity": assembly.velocity,
+        "gradient": cells(assembly.holonomic, coordinates),
+        "kinematics": cells(kinematics, speeds),
+        "velocity_gradient": cells(assembly.velocity, speeds),
+        "kinetic_hessian": assembly.kinetic_hessian,
+    }
+    return assembly.lowered([(name, (len(nodes),), nodes) for name, nodes in parts.items()])
