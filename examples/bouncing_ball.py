@@ -6,8 +6,8 @@ A ball is thrown and bounces on.  Each bounce turns its vertical velocity round 
 of it, so that bounces follow each other faster and faster and accumulate at a finite time.
 
 A bounce is an event: the solver finds when the height crosses zero, resets the velocity, and goes
-on from there.  Between bounces the ball flies a parabola, so that the time of every bounce is known:
-t₁ (1 + 2 e + 2 e² + …) with the time t₁ of the first one.
+on from there.  Between bounces the ball flies a parabola, so that the time of every bounce is
+known: t₁ (1 + 2 e + 2 e² + …) with the time t₁ of the first one.
 """
 
 import sys

@@ -76,6 +76,10 @@ LATE = {
     "tqdm",
     "Cython",
     "setuptools",
+    "IPython",
+    "mpl_toolkits",
+    "PIL",
+    "playwright",
 }
 
 KANE_MODULE = "pydy._eom.kane"
