@@ -272,7 +272,7 @@ class RightHandSide:
             plan.values,
             plan.sampled,
             plan if plan.functions else None,
-            tuple(map(str, self.layout.states)),
+            lambda: tuple(map(str, self.layout.states)),
             None if self._solver else lambda: self.compiled_jacobian("rates", "x"),
         )
 
