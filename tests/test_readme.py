@@ -38,18 +38,15 @@ def test_the_tutorial_works_from_a_fresh_start(tmp_path):
 
 
 @pytest.mark.parametrize(
-<<<<<<< HEAD
     ("name", "least"),
     [
         ("README.md", 20),
         ("docs/system.md", 80),
         ("docs/results.md", 50),
         ("docs/animation.md", 30),
+        ("docs/solvers.md", 30),
         ("docs/tutorial.md", 30),
     ],
-=======
-    ("name", "least"), [("README.md", 20), ("docs/system.md", 80), ("docs/results.md", 50), ("docs/solvers.md", 30)]
->>>>>>> main
 )
 def test_the_main_pages_have_examples(name, least):
     assert len(examples(ROOT / name).examples) >= least
