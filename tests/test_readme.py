@@ -43,6 +43,7 @@ def test_the_tutorial_works_from_a_fresh_start(tmp_path):
         ("README.md", 20),
         ("docs/system.md", 80),
         ("docs/results.md", 50),
+        ("docs/solvers.md", 30),
         ("docs/animation.md", 30),
         ("docs/solvers.md", 30),
         ("docs/tutorial.md", 30),

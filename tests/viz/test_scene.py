@@ -1,5 +1,6 @@
 """Scene: its arguments, its motion, and what it refuses."""
 
+import sys
 from types import SimpleNamespace
 
 import numpy as np
@@ -262,3 +263,25 @@ def test_bodies_alone_get_a_default_shape(trajectory):
     scene = Scene(N, O, Particle("bob", P, 1), Visual(Arrow(u * N.x), P)).animate(trajectory)
     assert [type(i.shape).__name__ for i in scene._animation.items] == ["Sphere", "Arrow"]
     assert scene._animation.items[1].vectors[:, 0] == pytest.approx(np.cos(scene.times))
+
+
+# -- showing --------------------------------------------------------------------------------------
+
+
+def test_show_opens_a_file_in_the_browser(trajectory, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    path = swing().animate(trajectory).show()
+    assert opened == [path.as_uri()]
+    assert path.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+def test_show_displays_inline_in_a_notebook(trajectory, monkeypatch):
+    shown = []
+    display = SimpleNamespace(HTML=lambda text: text, display=shown.append)
+    shell = SimpleNamespace(kernel=object())
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    scene = swing().animate(trajectory)
+    scene.show()
+    assert shown == [scene._repr_html_()]

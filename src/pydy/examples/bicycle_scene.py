@@ -27,6 +27,7 @@ __all__ = ["scene", "visuals"]
 TYRE, RIM, STEEL, DARK = "#4a505b", "#aab3c0", "#c9433e", "#5a6270"
 SHIRT, TROUSERS, SKIN = "#3f7fc4", "#56617a", "#d9a27e"
 TYRE_RADIUS = 0.016
+PUSH = "#e0a92e"
 SPOKES = 14
 PUSH_SCALE = 0.003  # metres of arrow for each newton
 
@@ -84,7 +85,7 @@ def visuals(bicycle: Bicycle) -> list[Visual]:
     parts.rider()
     for name, point, colour in (("rear track", "P", "#ee8b3a"), ("front track", "Pf", "#35a883")):
         parts.add(Visual(Trace(colour=colour), points[point], name=name))
-    push = Arrow(bicycle.push * bicycle.frames["A"].y, scale=PUSH_SCALE, radius=0.018)
+    push = Arrow(bicycle.push * bicycle.frames["A"].y, scale=PUSH_SCALE, radius=0.018, colour=PUSH)
     parts.add(Visual(push, points["Bo"], name="push"))
     return parts.visuals
 

@@ -117,6 +117,7 @@ class RodShape extends THREE.Group {
     const corners = visual.radius > 0.02 * data.view.radius ? 20 : 8;
     this.joints = many(new THREE.SphereGeometry(1, corners, corners / 2), material, this.count);
     this.rods = many(unitShaft(corners), material, this.count - 1);
+    this.joints.castShadow = false; // all but the ends lie in the shadow of the rods
     this.add(this.joints, this.rods);
     this.row = new Float32Array(this.column.width);
     this.end = new THREE.Vector3();
