@@ -45,7 +45,6 @@ def test_the_tutorial_works_from_a_fresh_start(tmp_path):
         ("docs/results.md", 50),
         ("docs/solvers.md", 30),
         ("docs/animation.md", 30),
-        ("docs/solvers.md", 30),
         ("docs/tutorial.md", 30),
     ],
 )

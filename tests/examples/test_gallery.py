@@ -13,7 +13,8 @@ EXAMPLES = sorted(Path(__file__).parents[2].glob("examples/*.py"))
 
 @pytest.fixture
 def no_window(monkeypatch):
-    """Figures are drawn in memory, and none is left over."""
+    """Figures are drawn in memory; none is there before, and none is left over."""
+    plt.close("all")
     plt.switch_backend("agg")
     monkeypatch.setattr(plt, "show", lambda: None)
     yield
