@@ -15,12 +15,13 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser bench bench-peers three clean
+.PHONY: help demo test test-browser docs bench bench-peers three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
 	@echo "make test-browser  open the animation pages in Chromium and check them"
+	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi and JAX; operation counts"
 	@echo "make three  bundle three.js for the animation page anew (needs npm and a network)"
@@ -38,6 +39,9 @@ test: $(VENV)/.installed-test
 # A folder of its own, so that pytest's default run does not need a browser.
 test-browser: $(VENV)/.installed-test $(VENV)/.installed-browser
 	$(PY) -m pytest tests/browser
+
+docs: $(VENV)/.installed-docs
+	$(PY) -m sphinx -W --keep-going --doctree-dir build/doctrees docs build/docs
 
 bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 	$(PY) benchmarks/run.py --reference $(REFERENCE_PY)
@@ -58,7 +62,7 @@ three:
 	cp build/three/node_modules/three/LICENSE src/pydy/viz/page/three.LICENSE
 
 clean:
-	rm -rf $(VENV) $(REFERENCE) $(PEERS) build .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # A stamp for each extra, older than pyproject.toml when the dependencies may have changed.
 $(VENV)/.installed-%: pyproject.toml | $(PY)
