@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from pydy._backends import background, jit
-from pydy._backends.ir import Function, literal, vector_type
+from pydy._backends.ir import HEAP_DECLARATIONS, MALLOC, Function, literal, vector_type
 from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, TRUTHS, Emitter
 from pydy._backends.ir_math import sincos_declarations, sincos_functions, sincos_names
 from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
@@ -110,6 +110,8 @@ def kernel_text(program: Program, lanes: int, brief: bool = False) -> str:
     """
     body = _prepare(program, lanes, brief) + _kernel(program, lanes, brief)
     parts = [_declarations(program, lanes)]
+    if f"{MALLOC}(" in body:
+        parts.append(HEAP_DECLARATIONS)
     # Sines and cosines are taken several at a time, in as many widths as they come.
     parts += [
         sincos_declarations(width, kind)
