@@ -19,8 +19,10 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
+from pydy._graph.passes import Passes
 from pydy._graph.program import Program
-from pydy._graph.simplify import again, rebuild, simplify
+from pydy._graph.rewrite import again, rebuild
+from pydy._graph.simplify import simplify
 from pydy._graph.structure import difference_basis
 
 __all__ = [
@@ -67,8 +69,8 @@ class Assembly:
         Constraint residuals.
     mass_matrix, forcing : list of nodes
         The linear system for the accelerations; empty where the form has none.
-    simplified : bool
-        Whether Programs are rewritten to fewer operations.
+    passes : Passes
+        The rewriting that Programs go through.
     """
 
     graph: Graph
@@ -81,7 +83,7 @@ class Assembly:
     nonholonomic: list[int] = field(default_factory=list)
     mass_matrix: list[int] = field(default_factory=list)
     forcing: list[int] = field(default_factory=list)
-    simplified: bool = True
+    passes: Passes = field(default_factory=Passes)
 
     @property
     def constraints(self) -> list[int]:
@@ -110,14 +112,13 @@ class Assembly:
         """Simplify and lower blocks of nodes."""
         with collector_paused():
             nodes = [n for _, _, part in blocks for n in part]
-            if self.simplified:
-                nodes = simplify(self.graph, nodes)
+            nodes = simplify(self.graph, nodes, self.passes)
             new = []
             start = 0
             for name, shape, part in blocks:
                 new.append((name, shape, nodes[start : start + len(part)]))
                 start += len(part)
-            return lower(self.graph, self.sizes, new)
+            return lower(self.graph, self.sizes, new, passes=self.passes)
 
 
 def _inputs(
@@ -238,7 +239,7 @@ def assemble_system(
         nonholonomic,
         matrix,
         forcing,
-        simplified,
+        Passes() if simplified else Passes.none(),
     )
 
 
@@ -423,5 +424,5 @@ def assemble_form(
     values = read.all(outputs)
     return Assembly(
         graph, sizes, rates, values, values, mass_matrix=matrix, forcing=forcing,
-        simplified=simplified,
+        passes=Passes() if simplified else Passes.none(),
     )  # fmt: skip

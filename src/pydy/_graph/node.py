@@ -78,11 +78,14 @@ class Graph:
         Operands of each node: other nodes, except for the kinds ``const`` (value,), ``bool``
         (value,), ``input`` (group, index), ``sum``, ``prod`` (see the module), ``factor``
         (kind, n, entries), ``solve`` (factor, right-hand sides) and ``item`` (solve, index).
+    constant : list of bool
+        Whether each node depends on constants (inputs 'p') and numbers alone.
     """
 
     def __init__(self) -> None:
         self.ops: list[str] = []
         self.args: list[tuple[Any, ...]] = []
+        self.constant: list[bool] = []
         self._known: dict[tuple[Any, ...], int] = {}
         self.zero = self.const(0.0)
         self.one = self.const(1.0)
@@ -99,7 +102,21 @@ class Graph:
             self._known[key] = node
             self.ops.append(op)
             self.args.append(args)
+            self.constant.append(self._is_constant(op, args))
         return node
+
+    def _is_constant(self, op: str, args: tuple[Any, ...]) -> bool:
+        constant = self.constant
+        if op == "sum":
+            return all(constant[n] for n, _ in args[1])
+        if op == "prod":
+            return all(constant[n] for n, _ in args)
+        if op in ("const", "bool"):
+            return True
+        if op == "input":
+            return bool(args[0] == "p")
+        # Solves report failures, which only calls can do.
+        return op not in ("factor", "solve", "item") and all(constant[n] for n in args)
 
     # -- leaves ---------------------------------------------------------------------------------
 
