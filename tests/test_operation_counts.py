@@ -19,9 +19,9 @@ from harness.program import assembly_of
 # is what sympy.cse leaves of M and F.
 LIMITS = {
     "pendulum-1": (9, 21, 16),
-    "pendulum-5": (143, 309, 416),
-    "pendulum-10": (398, 1154, 2161),
-    "pendulum-20": (1208, 5419, 12457),
+    "pendulum-5": (143, 304, 416),
+    "pendulum-10": (398, 670, 2161),
+    "pendulum-20": (1208, 1390, 12457),
     "rods-3": (1511, 1825, 2291),
     "bicycle": (1004, 1454, 1498),
     "rider-bicycle": (8529, 9841, 12216),

@@ -87,26 +87,33 @@ class _Names:
 
 
 def _needed_later(program: Program, swallowed: set[int], setup: bool) -> set[int]:
-    """Return the numbers of a stage that are used in a later block than their own."""
+    """Return the numbers of a stage that are used in a later block than their own.
+
+    A fallback is a block of its own; so is, between its lines, each of its operations.
+    """
+    put_off = {k for nodes in program.fallback.values() for k in nodes}
     block = {}
     count = 0
     later: set[int] = set()
     for k, op in enumerate(program.ops):
         if program.setup[k] != setup or op in ("const", "bool", "input") or k in swallowed:
             continue
+        if k in put_off:
+            later.update(operands(op, program.args[k]))
+            continue
         block[k] = count // BLOCK
         count += 1
         stack = list(operands(op, program.args[k]))
         while stack:
             other = stack.pop()
-            if other in swallowed:
+            if other in swallowed and other not in put_off:
                 stack.extend(program.args[other])
             elif other in block and block[other] != block[k]:
                 later.add(other)
     if not setup:
         later.update(k for k in program.outputs if k in block and block[k] != count // BLOCK)
     kinds = TRUTHS | {"factor", "solve", "guard"}
-    return {k for k in later if program.ops[k] not in kinds}
+    return {k for k in later if k in block and k not in swallowed and program.ops[k] not in kinds}
 
 
 def _fusion(program: Program) -> tuple[set[int], set[int]]:
@@ -162,6 +169,8 @@ class Emitter:
         self.routines = solver_names(lanes)
         self.angles: dict[int, tuple[_Place, _Place]] = {}
         self.fused, self.swallowed = _fusion(program)
+        self.put_off = {k for nodes in program.fallback.values() for k in nodes}
+        self.carried: dict[int, int] = {}
 
     def constants(self) -> None:
         """Name the numbers, which need no instruction."""
@@ -193,17 +202,49 @@ class Emitter:
                     else:
                         self.places.setdefault(node, []).append((self.kept[k], place))
 
+    def load_carried(self, node: int) -> None:
+        """Read a value of the setup stage, unless it is known or none."""
+        if node not in self.carried or node in self.names:
+            return
+        if self.program.ops[node] in TRUTHS:
+            number = self.f.load(self.v, "%c", str(self.carried[node]))
+            zero = literal(0.0, self.lanes)
+            self.names[node] = self.f.let(f"fcmp une {self.v} {number}, {zero}")
+        else:
+            self.load(node, "%c", self.carried[node])
+
     def _keep(self, node: int) -> None:
         for pointer, place in self.places.get(node, ()):
             self.f.store(self.v, self.names[node], pointer, str(place))
 
     def node(self, node: int) -> None:
-        """Write one operation."""
+        """Write one operation; what only a fallback needs is written there."""
+        if node in self.put_off:
+            return
         if self.written and self.written % BLOCK == 0:
             self._next_block()
         self.written += node not in self.swallowed
+        self._write_and_keep(node)
+
+    def _write_and_keep(self, node: int) -> None:
+        for other in operands(self.program.ops[node], self.program.args[node]):
+            if other not in self.put_off:
+                self.load_carried(other)
         self._write(node)
         self._keep(node)
+
+    def _write_fallback(self, guard: int) -> None:
+        """Write, in blocks, what only the fallback of a guard needs."""
+        nodes = self.program.fallback[guard]
+        if not nodes:
+            return
+        written = self.written
+        self.names.new_block()
+        for count, node in enumerate(nodes):
+            if count and count % BLOCK == 0:
+                self._next_block()
+            self._write_and_keep(node)
+        self.written = written
 
     def blocks(self, setup: bool, pointer: str) -> None:
         """Write in blocks of limited length; `pointer` is a parameter that is never null."""
@@ -439,6 +480,7 @@ class Emitter:
         before = f.current
         f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
         f.label(slow)
+        self._write_fallback(node)
         matrix = self.kept[node]
         b = self._buffer(column)
         if len(_stored(n, entries)) < n * n:

@@ -17,6 +17,7 @@ from pydy._graph.linsolve import LoopFactor, UnrolledLDL, UnrolledLU, symmetric
 from pydy._graph.node import BOOLEAN, Graph
 from pydy._graph.passes import Passes
 from pydy._graph.program import Program, Tape
+from pydy._graph.semiseparable import Part, SemiseparableLDL, separate
 from pydy._graph.share import is_pair, share_pairs
 from pydy._graph.structure import elimination_order, pivot_order
 
@@ -26,7 +27,10 @@ __all__ = ["UNROLL_LIMIT", "lower"]
 # elimination of constants costs only code, since it runs once per binding.
 UNROLL_LIMIT = 3500
 
-Factor = LoopFactor | UnrolledLDL | UnrolledLU
+# Below this many multiply-adds an elimination needs no structure beside its zeros.
+_SEPARATE_FROM = 200
+
+Factor = LoopFactor | UnrolledLDL | UnrolledLU | SemiseparableLDL
 
 
 def lower(
@@ -112,8 +116,7 @@ class _Lowering:
             return tape.make(op, *args)
         if op == "factor":
             kind, n, entries = args
-            cells = [new[e] for e in entries]
-            self.factors[node] = self._factorise(kind, n, cells)
+            self.factors[node] = self._factorise(kind, n, entries)
             return -1
         if op == "solve":
             return self.factors[args[0]].solve([new[b] for b in args[1]])
@@ -121,16 +124,20 @@ class _Lowering:
             return tape.make("item", new[args[0]], args[1])
         return tape.make(op, *(new[a] for a in args))
 
-    def _factorise(
-        self, kind: str, n: int, cells: list[int]
-    ) -> UnrolledLDL | UnrolledLU | LoopFactor:
+    def _factorise(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
         """Unroll an elimination unless its operations, zeros left out, are too many."""
         tape = self.tape
+        cells = [self.new[e] for e in entries]
         if kind == "ldl":
             zero = tape.const(0.0)
             filled = np.array(symmetric(n, cells)).reshape(n, n) != zero
             order, cost = elimination_order(filled)
             constant = all(tape.setup[c] for c in cells)
+            found = None
+            if self.passes.separate and not constant and cost > _SEPARATE_FROM:
+                found = separate(self.graph, n, entries)
+            if found is not None and found.cost < cost:
+                return SemiseparableLDL(tape, n, cells, found, self._parts)
             if cost <= self.unroll_limit * (4 if constant else 1):
                 return UnrolledLDL(tape, n, cells, order)
         elif n:
@@ -138,6 +145,17 @@ class _Lowering:
             if pivots is not None and pivots[2] <= self.unroll_limit:
                 return UnrolledLU(tape, n, cells, *pivots[:2])
         return LoopFactor(tape, kind, n, cells)
+
+    def _parts(self, parts: dict[Part, float]) -> int:
+        """Return the value of a generator of a semiseparable matrix."""
+        tape = self.tape
+        result = tape.const(0.0)
+        for part, coefficient in parts.items():
+            values = [self._power(n, e) for n, e in part]
+            factors = self._chain([tape.const(coefficient), *values])
+            assert factors is not None
+            result = tape.add(result, factors)
+        return result
 
     def _pivots(self, n: int, cells: list[int]) -> tuple[list[int], list[int], int] | None:
         """Look at a matrix at generic states and choose its pivots."""

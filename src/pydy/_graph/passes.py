@@ -21,12 +21,16 @@ class Passes:
     share_products, share_sums : bool
         Make the pair of factors, or terms, that occurs most often a value of its own, again and
         again (`pydy._graph.share`).
+    separate : bool
+        Solve in O(n) where the rows and columns of a mass matrix separate
+        (`pydy._graph.semiseparable`).
     """
 
     factor: bool = True
     expand: bool = True
     share_products: bool = True
     share_sums: bool = True
+    separate: bool = True
 
     @classmethod
     def none(cls) -> Passes:
