@@ -12,6 +12,7 @@ from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 from harness.frozen import Model
 from harness.problems import BICYCLE
 from harness.serve import module_at
+from harness.written_down import pendulum_written_down, rods_written_down
 
 
 def from_kane(name: str, kane: Any, values: Callable[[str], float], **about: Any) -> Model:
@@ -65,57 +66,6 @@ def pendulum(n: int) -> Model:
         kane,
         lambda name: 9.81 if name == "g" else 1.0 / n,
         source="sympy.physics.mechanics.models.n_link_pendulum_on_cart",
-    )
-
-
-def pendulum_written_down(n: int) -> Model:
-    """Return the same pendulum without deriving it, which takes SymPy minutes at 50 links.
-
-    The terms are those that Kane's method gives, one for each mass below a joint, none collected.
-    """
-    m, length, g = sm.symbols(f"m0:{n + 1}"), sm.symbols(f"l0:{n}"), sm.Symbol("g")
-    q, u = (me.dynamicsymbols(f"{name}0:{n + 1}") for name in "qu")
-    force = me.dynamicsymbols("F")
-    s, c = [sm.sin(angle) for angle in q], [sm.cos(angle) for angle in q]
-    links = range(1, n + 1)
-
-    def total(terms: Any) -> Any:
-        return sm.Add(*terms, evaluate=False)
-
-    def product(*factors: Any) -> Any:
-        return sm.Mul(*factors, evaluate=False)
-
-    matrix = [[sm.S.Zero] * (n + 1) for _ in range(n + 1)]
-    matrix[0][0] = total(m)
-    loads: list[list[Any]] = [[] for _ in range(n + 1)]
-    loads[0].append(force)
-    for i in links:
-        a = length[i - 1]
-        matrix[0][i] = matrix[i][0] = total(product(-1, a, m[k], c[i]) for k in range(i, n + 1))
-        matrix[i][i] = total(product(a**2, m[k]) for k in range(i, n + 1))
-        loads[0] += [product(-1, a, m[k], u[i] ** 2, s[i]) for k in range(i, n + 1)]
-        loads[i] += [product(g, a, m[k], s[i]) for k in range(i, n + 1)]
-        for j in links:
-            if j == i:
-                continue
-            below = range(max(i, j), n + 1)
-            b = length[j - 1]
-            across = s[i] * s[j] + c[i] * c[j]
-            matrix[i][j] = total(product(a, b, m[k], across) for k in below)
-            turned = s[i] * c[j] - s[j] * c[i]
-            loads[i] += [product(-1, a, b, m[k], turned, u[j] ** 2) for k in below]
-    return Model(
-        name=f"pendulum-{n}",
-        coordinates=list(q),
-        speeds=list(u),
-        specifieds=[force],
-        constants=sorted([g, *length, *m], key=sm.default_sort_key),
-        mass_matrix=[entry for row in matrix for entry in row],
-        forcing=[total(terms) for terms in loads],
-        coordinate_derivatives=list(u),
-        positive_definite=True,
-        values=[9.81, *[1.0 / n] * (2 * n + 1)],  # g sorts first
-        about={"sympy": sm.__version__, "source": "a pendulum on a cart, written down by hand"},
     )
 
 
@@ -244,9 +194,9 @@ MODELS: dict[str, Callable[[], Model]] = {
     "springs-100-absolute": lambda: spring_chain(100, absolute=True),
     "springs-100-stretch": lambda: spring_chain(100, absolute=False),
     "rider-bicycle": rider_bicycle,
-    # On request only: `python benchmarks/freeze.py pendulum-50`.
+    # Not frozen: large, and quickly written down.
     "pendulum-50": lambda: pendulum_written_down(50),
     "rods-5": lambda: rods(5),
-    "rods-10": lambda: rods(10),
+    "rods-10": lambda: rods_written_down(10),
 }
 STANDARD = tuple(MODELS)[:-3]
