@@ -91,6 +91,26 @@ def plus(*vectors: Vector) -> Vector:
     return [total(parts) for parts in zip(*vectors, strict=True)]
 
 
+def along(axes: list[Vector], vector: Vector) -> Vector:
+    """Return the components along other axes."""
+    return [dot(axis, vector) for axis in axes]
+
+
+def at(
+    distance: Any,
+    turning: list[Vector],
+    moving: list[Vector],
+    omega: Vector,
+    alpha: Vector,
+    pull: Vector,
+) -> tuple[list[Vector], Vector]:
+    """Return partial velocities and acceleration of a rod's point below its joint."""
+    arm = [sm.S.Zero, sm.S.Zero, product(-1, distance)]
+    swing = plus(cross(alpha, arm), cross(omega, cross(omega, arm)))
+    partial = [plus(v, cross(w, arm)) for v, w in zip(moving, turning, strict=True)]
+    return partial, plus(pull, swing)
+
+
 def rods_written_down(n: int) -> Model:
     """Return the chain of rods of `harness.models.rods` by Kane's method, body by body.
 
@@ -119,35 +139,26 @@ def rods_written_down(n: int) -> Model:
             [sb, product(-1, sa, cb), product(ca, cb)],
         ]
 
-        def along(vector: Vector, axes: list[Vector] = axes) -> Vector:
-            return [dot(axis, vector) for axis in axes]
-
         unit = [[sm.S.One if i == j else zero for j in range(3)] for i in range(3)]
-        turning = [along(v) for v in turning] + unit
-        moving = [along(v) for v in moving] + [[zero] * 3] * 3
-        omega = plus(along(omega), own)
-        alpha = plus(along(alpha), cross(omega, own))
-        pull = along(pull)
+        turning = [along(axes, v) for v in turning] + unit
+        moving = [along(axes, v) for v in moving] + [[zero] * 3] * 3
+        omega = plus(along(axes, omega), own)
+        alpha = plus(along(axes, alpha), cross(omega, own))
+        pull = along(axes, pull)
         inertia = [ix[k], iy[k], iz[k]]
         momentum = [product(i, w) for i, w in zip(inertia, omega, strict=True)]
         moment = plus(
             [product(i, a) for i, a in zip(inertia, alpha, strict=True)], cross(omega, momentum)
         )
 
-        def at(distance: Any, omega: Vector = omega, alpha: Vector = alpha) -> Any:
-            """Return partial velocities and acceleration at a point of the rod."""
-            arm = [zero, zero, product(-1, distance)]
-            swing = plus(cross(alpha, arm), cross(omega, cross(omega, arm)))
-            partial = [plus(v, cross(w, arm)) for v, w in zip(moving, turning, strict=True)]
-            return partial, plus(pull, swing)
-
-        centre, acceleration = at(length[k] / 2)
+        body = (turning, moving, omega, alpha, pull)
+        centre, acceleration = at(length[k] / 2, *body)
         for i, (v, w) in enumerate(zip(centre, turning, strict=True)):
             forcing[i] += [product(-1, m[k], dot(v, acceleration)), product(-1, dot(w, moment))]
             spun = [product(a, b) for a, b in zip(inertia, w, strict=True)]
             for j in range(i + 1):
                 matrix[i][j] += [product(m[k], dot(v, centre[j])), dot(spun, turning[j])]
-        moving, pull = at(length[k])
+        moving, pull = at(length[k], *body)
         coordinates += angles
         speeds += own
     full = [[total(cell) for cell in row] for row in matrix]

@@ -56,7 +56,7 @@ def _collect(graph: Graph, terms: list[Term]) -> list[Term]:
             collected.extend(members)
             continue
         rest = [({n: e for n, e in f.items() if graph.constant[n]}, c) for f, c in members]
-        inner = _extract(graph, rest, 0.0)
+        inner = _extract(graph, rest, 0.0, constant=True)
         scale, core = graph.scaled(inner)
         if graph.value(core) is not None:
             value = graph.value(core) or 0.0
@@ -73,32 +73,56 @@ def _collect(graph: Graph, terms: list[Term]) -> list[Term]:
     return collected
 
 
-def _extract(graph: Graph, terms: list[Term], c0: float) -> int:
-    """Return Σ terms + c0 with the most frequent factor taken out, again and again."""
+def _extract(graph: Graph, terms: list[Term], c0: float, *, constant: bool = False) -> int:
+    """Return Σ terms + c0 with the most frequent factor taken out, again and again.
+
+    Takes the terms apart. `constant` says that they depend on constants alone.
+    """
     done: list[tuple[int, float]] = []
+    brackets = []  # those around the present one: the terms outside, what is done, the factors
     while True:
-        best = _most_frequent(graph, terms)
-        if best is None:
-            break
-        factor, sign = best
-        inside: list[Term] = []
-        outside: list[Term] = []
-        for factors, coefficient in terms:
-            exponent = factors.get(factor, 0)
-            (inside if exponent * sign > 0 else outside).append((factors, coefficient))
-        common = _common(inside)
-        reduced: list[Term] = []
-        for factors, coefficient in inside:
-            left = {n: e - common.get(n, 0) for n, e in factors.items()}
-            reduced.append(({n: e for n, e in left.items() if e}, coefficient))
-        bracket = _extract(graph, reduced, 0.0)
-        product = graph.product([*common.items(), (bracket, 1)])
-        if not outside and not done and c0 == 0.0:
-            return product
-        done.append((product, 1.0))
-        terms = outside
-    done.extend((graph.product(list(f.items())), c) for f, c in terms)
-    return graph.sum(done, c0)
+        step = _next_factors(graph, terms, constant) if len(terms) > 1 else None
+        if step is not None:
+            common, inside, outside = step
+            for factors, _ in inside:
+                for node, exponent in common.items():
+                    factors[node] -= exponent
+                    if not factors[node]:
+                        del factors[node]
+            brackets.append((outside, done, c0, common))
+            terms, done, c0 = inside, [], 0.0
+            continue
+        done.extend((graph.product(f.items()), c) for f, c in terms)
+        value = graph.sum(done, c0)
+        while brackets:
+            terms, done, c0, common = brackets.pop()
+            value = graph.product([*common.items(), (value, 1)])
+            if terms or done or c0 != 0.0:
+                done.append((value, 1.0))
+                break
+        else:
+            return value
+
+
+def _next_factors(
+    graph: Graph, terms: list[Term], constant: bool
+) -> tuple[dict[int, int], list[Term], list[Term]] | None:
+    """Return the powers to take out, the terms that have them, and the others."""
+    # What all terms but numbers have goes first without counting, unless it is constant and they
+    # are not.
+    products = [term for term in terms if term[0]]
+    common = _common(products) if len(products) > 1 else {}
+    if common and (constant or not all(graph.constant[n] for n in common)):
+        return common, products, [term for term in terms if not term[0]]
+    best = _most_frequent(graph, terms)
+    if best is None:
+        return None
+    factor, sign = best
+    inside: list[Term] = []
+    outside: list[Term] = []
+    for term in terms:
+        (inside if term[0].get(factor, 0) * sign > 0 else outside).append(term)
+    return _common(inside), inside, outside
 
 
 def _common(terms: list[Term]) -> dict[int, int]:
@@ -111,6 +135,8 @@ def _common(terms: list[Term]) -> dict[int, int]:
                 del common[n]
             elif abs(other) < abs(e):
                 common[n] = other
+        if not common:
+            break
     return common
 
 

@@ -66,6 +66,9 @@ BOOLEAN = frozenset(COMPARISONS) | {"and", "or", "not", "bool"}
 _ODD = frozenset({"sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "sign"})
 _EVEN = frozenset({"cos", "cosh", "abs"})
 
+# Factors of a product that are not just counted.
+_SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
+
 
 class Graph:
     """The arena that holds every node.
@@ -165,7 +168,7 @@ class Graph:
                     node, factor = inner_terms[0]
                     coefficient *= factor
             collected[node] = collected.get(node, 0.0) + coefficient
-        pairs = tuple((n, collected[n]) for n in sorted(collected) if collected[n] != 0.0)
+        pairs = tuple([(n, collected[n]) for n in sorted(collected) if collected[n] != 0.0])
         if not pairs:
             return self.const(c0)
         if c0 == 0.0:
@@ -181,16 +184,19 @@ class Graph:
     def product(self, factors: Iterable[tuple[int, int]], coefficient: float = 1.0) -> int:
         """Return ``coefficient · Π node ** exponent``; nested products are flattened."""
         powers: dict[int, int] = {}
+        ops = self.ops
         stack = list(factors)[::-1]
         while stack:
             node, exponent = stack.pop()
-            op = self.ops[node]
-            if exponent == 0:
+            op = ops[node]
+            if op not in _SPECIAL_FACTORS:
+                powers[node] = powers.get(node, 0) + exponent
+            elif exponent == 0:
                 continue
-            if op == "const":
+            elif op == "const":
                 coefficient *= _powi(self.args[node][0], exponent)
             elif op == "prod":
-                stack.extend((n, e * exponent) for n, e in reversed(self.args[node]))
+                stack += [(n, e * exponent) for n, e in self.args[node][::-1]]
             elif op == "sum":
                 c0, terms = self.args[node]
                 if c0 == 0.0 and len(terms) == 1:
@@ -213,13 +219,13 @@ class Graph:
                 stack.append((self.args[node][0], sign * half))
             else:
                 powers[node] = powers.get(node, 0) + exponent
-        pairs = tuple((n, powers[n]) for n in sorted(powers) if powers[n] != 0)
+        pairs = tuple([(n, powers[n]) for n in sorted(powers) if powers[n] != 0])
         if coefficient == 0.0 or not pairs:
             return self.const(coefficient)
         core = pairs[0][0] if pairs[0][1] == 1 and len(pairs) == 1 else self.make("prod", pairs)
         if coefficient == 1.0:
             return core
-        return self.sum([(core, coefficient)])
+        return self.make("sum", (0.0, ((core, coefficient),)))
 
     def add(self, *nodes: int) -> int:
         """Return the sum of `nodes`."""
@@ -343,13 +349,13 @@ class Graph:
 
     def reachable(self, roots: Iterable[int]) -> list[int]:
         """Return every node the roots need, in topological (ascending) order."""
+        operands = self.operands
         seen = set(roots)
         stack = list(seen)
         while stack:
-            for other in self.operands(stack.pop()):
-                if other not in seen:
-                    seen.add(other)
-                    stack.append(other)
+            new = [n for n in operands(stack.pop()) if n not in seen]
+            seen.update(new)
+            stack += new
         return sorted(seen)
 
 
