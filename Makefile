@@ -9,7 +9,7 @@ PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 # The released PyDy that benchmarks compare with; it needs an environment of its own.
 REFERENCE := .venv-reference
 REFERENCE_PY := $(REFERENCE)/bin/python
-# heyoka, CasADi and JAX, whose generated code is compared with ours.
+# heyoka, CasADi, JAX and Pinocchio, which are compared with ours.
 PEERS := .venv-peers
 PEERS_PY := $(PEERS)/bin/python
 
@@ -21,7 +21,7 @@ help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
 	@echo "make bench  ratios against the released pydy 0.9.4"
-	@echo "make bench-peers  ratios against heyoka, CasADi and JAX; operation counts"
+	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts"
 	@echo "make clean  remove the environments and caches"
 
 demo: $(VENV)/.installed-plot

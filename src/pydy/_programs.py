@@ -7,8 +7,10 @@ for nothing else.
 
 from __future__ import annotations
 
+import hashlib
+import marshal
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import astuple, dataclass, field, fields
 from itertools import pairwise
 from typing import Any
 
@@ -104,21 +106,38 @@ class Assembly:
         """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
         nodes: list[int] = getattr(self, name)
         width = dict(zip("xrp", self.sizes, strict=True))[group]
-        rows = jacobian(self.graph, nodes, [self.graph.input(group, k) for k in range(width)])
-        cells = [row.get(k, self.graph.zero) for row in rows for k in range(width)]
-        return self.lowered([("jacobian", (len(nodes), width), cells)])
+        graph = self.graph.copy()
+        rows = jacobian(graph, nodes, [graph.input(group, k) for k in range(width)])
+        cells = [row.get(k, graph.zero) for row in rows for k in range(width)]
+        return self.lowered([("jacobian", (len(nodes), width), cells)], graph)
 
-    def lowered(self, blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]]) -> Program:
-        """Simplify and lower blocks of nodes."""
+    def lowered(
+        self,
+        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+        graph: Graph | None = None,
+    ) -> Program:
+        """Simplify and lower blocks of nodes, of this graph unless another is given.
+
+        Each Program starts from the equations as they are: it does not depend on which others were
+        made before.
+        """
         with collector_paused():
+            graph = self.graph.copy() if graph is None else graph
             nodes = [n for _, _, part in blocks for n in part]
-            nodes = simplify(self.graph, nodes, self.passes)
+            nodes = simplify(graph, nodes, self.passes)
             new = []
             start = 0
             for name, shape, part in blocks:
                 new.append((name, shape, nodes[start : start + len(part)]))
                 start += len(part)
-            return lower(self.graph, self.sizes, new, passes=self.passes)
+            return lower(graph, self.sizes, new, passes=self.passes)
+
+    def fingerprint(self) -> bytes:
+        """Return a digest of all that Programs are made from."""
+        blocks = [getattr(self, f.name) for f in fields(self) if f.name not in ("graph", "passes")]
+        content = (self.graph.ops, self.graph.args, blocks, astuple(self.passes))
+        # Version 2 of the format writes every object in full: equal content gives equal bytes.
+        return hashlib.sha256(marshal.dumps(content, 2)).digest()
 
 
 def _inputs(

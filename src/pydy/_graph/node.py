@@ -96,6 +96,14 @@ class Graph:
     def __len__(self) -> int:
         return len(self.ops)
 
+    def copy(self) -> Graph:
+        """Return a graph with the same nodes, which grows on its own."""
+        other = Graph.__new__(Graph)
+        other.ops, other.args = self.ops.copy(), self.args.copy()
+        other.constant, other._known = self.constant.copy(), self._known.copy()
+        other.zero, other.one = self.zero, self.one
+        return other
+
     def make(self, op: str, args: tuple[Any, ...]) -> int:
         """Return the node for `op` on `args` as they are, without any rewriting."""
         key = (op, args)

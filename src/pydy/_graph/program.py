@@ -19,10 +19,11 @@ Operations and their arguments::
 from __future__ import annotations
 
 import hashlib
+import marshal
 import struct
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass, fields
 from functools import cached_property
 from math import prod
 from typing import Any
@@ -234,6 +235,18 @@ class Program:
             table.append(Block(name, tuple(shape), start, start + len(nodes)))
             start += len(nodes)
         return cls(*sizes, ops, args, setup, carried, outputs, tuple(table))
+
+    def to_bytes(self) -> bytes:
+        """Return the Program as bytes, for this version of Python."""
+        blocks = tuple(astuple(block) for block in self.blocks)
+        values = [blocks if f.name == "blocks" else getattr(self, f.name) for f in fields(self)]
+        return marshal.dumps(values)
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> Program:
+        """Return the Program that `to_bytes` wrote."""
+        *values, blocks = marshal.loads(data)
+        return cls(*(*values, tuple(Block(*block) for block in blocks)))
 
     def block(self, name: str) -> Block:
         """Return the output block of that name."""

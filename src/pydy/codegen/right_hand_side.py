@@ -13,11 +13,13 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import SingularMatrixError
+from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._programs import Assembly
 from pydy.codegen.arguments import ConstantsArgument, SpecifiedsArgument, real_array
 from pydy.codegen.docstring import rhs_docstring
 from pydy.codegen.external_solve import Solver, with_external_solver
+from pydy.codegen.stored import stored_program
 
 __all__ = ["Layout", "RightHandSide", "raise_singular"]
 
@@ -95,19 +97,28 @@ class RightHandSide:
         """Return the Kernel of some blocks of the assembly, compiled at most once."""
         kernel = self._kernels.get(blocks)
         if kernel is None:
-            kernel = self._compiler.compile(self._assembly.program(*blocks))
+            kernel = self._compiler.compile(self._program(*blocks))
             if self._solver is not None:
                 matrices = self._system_kernel()
                 kernel = with_external_solver(kernel.program, matrices, self._solver, kernel)
             self._kernels[blocks] = kernel
         return kernel
 
+    def _program(self, *blocks: str) -> Program:
+        assembly = self._assembly
+        return stored_program(assembly, ", ".join(blocks), lambda: assembly.program(*blocks))
+
     def compiled_jacobian(self, block: str, group: str) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
         key = (block, "by", group)
         kernel = self._kernels.get(key)
         if kernel is None:
-            kernel = self._compiler.compile(self._assembly.jacobian_program(block, group))
+            program = stored_program(
+                self._assembly,
+                f"{block} by {group}",
+                lambda: self._assembly.jacobian_program(block, group),
+            )
+            kernel = self._compiler.compile(program)
             self._kernels[key] = kernel
         return kernel
 
@@ -120,7 +131,7 @@ class RightHandSide:
             whole = assembly.sizes
             assembly.sizes = (whole[0], whole[1] - n, whole[2])
             try:
-                self._kernels[key] = self._compiler.compile(assembly.program(*key))
+                self._kernels[key] = self._compiler.compile(self._program(*key))
             finally:
                 assembly.sizes = whole
         return self._kernels[key]
