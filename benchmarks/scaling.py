@@ -84,7 +84,7 @@ def _spring(n: int, absolute: bool, rounds: int) -> dict[str, Any]:
         "operations": sum(program.operation_count["run"].values()),
         "build": median(_times_of_builds(model, rounds)),
     }
-    count = 512  # few enough to stay in the cache of the processor
+    count = 16384 // n // 8 * 8  # states that stay in the cache of the processor
     x, r, p = samples(model, count)
     t = np.zeros(count)
     for kind, lanes, order in (("scalar", 1, "C"), ("batched", 8, "F")):

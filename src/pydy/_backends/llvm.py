@@ -11,8 +11,9 @@ from typing import Any
 
 from pydy._backends import background, jit
 from pydy._backends.ir import Function, vector_type
-from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, TRUTHS, Emitter
+from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, Emitter
 from pydy._backends.ir_math import sincos_declarations, sincos_functions, sincos_names
+from pydy._backends.ir_plan import TRUTHS
 from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
@@ -149,6 +150,7 @@ def _declarations(program: Program, lanes: int) -> str:
     ]
     if _SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
+        lines.append("declare ptr @malloc(i64)\ndeclare void @free(ptr)")
     packs = (1, 2, 4, 8) if lanes == 1 and _ANGLES & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
     for name in sorted({INTRINSICS[op] for op in INTRINSICS if op in program.ops} - {"fabs"}):
