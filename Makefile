@@ -9,7 +9,7 @@ PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 # The released PyDy that benchmarks compare with; it needs an environment of its own.
 REFERENCE := .venv-reference
 REFERENCE_PY := $(REFERENCE)/bin/python
-# heyoka, CasADi and JAX, whose generated code is compared with ours.
+# heyoka, CasADi, JAX and Pinocchio, which are compared with ours.
 PEERS := .venv-peers
 PEERS_PY := $(PEERS)/bin/python
 
@@ -23,7 +23,7 @@ help:
 	@echo "make test-browser  open the animation pages in Chromium and check them"
 	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
-	@echo "make bench-peers  ratios against heyoka, CasADi and JAX; operation counts"
+	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts"
 	@echo "make three  bundle three.js for the animation page anew (needs npm and a network)"
 	@echo "make clean  remove the environments and caches"
 
