@@ -59,10 +59,13 @@ def prepare(
         raise ValueError(
             f"`constraints` must be None, 'project' or 'baumgarte', got {constraints!r}."
         )
-    if constraints is not None and not definition.equations.velocity:
+    equations = definition.equations
+    if constraints == "project" and not (equations.holonomic or equations.velocity):
+        raise ValueError("`constraints='project'` holds constraints, but the system has none.")
+    if constraints == "baumgarte" and not equations.velocity:
         raise ValueError(
-            f"`constraints={constraints!r}` holds constraints, but the system has none with their "
-            "velocity equations. Give KanesMethod `velocity_constraints`, or leave this out."
+            "`constraints='baumgarte'` works on velocity constraints, but the system has none. "
+            "Give KanesMethod `velocity_constraints`, or use constraints='project'."
         )
     if (gain is None) == (constraints == "baumgarte"):
         raise ValueError(
@@ -180,7 +183,16 @@ def compile_constraints(
         coordinates=len(equations.coordinates),
         speeds=len(equations.speeds),
         weighted=weighted,
+        names=(
+            *(_named("holonomic", k, e) for k, e in enumerate(equations.holonomic)),
+            *(_named("velocity", k, e) for k, e in enumerate(equations.velocity)),
+        ),
     )
+
+
+def _named(kind: str, k: int, expression: Any) -> str:
+    text = str(expression)
+    return f"{kind} constraint {k}: {text if len(text) <= 60 else text[:57] + '...'}"
 
 
 def _projection(assembly: Assembly) -> Program:

@@ -173,17 +173,21 @@ def project(problem, run, constraints, t, x):
         )
         if code < 0:
             return UNPROJECTED
-        worst = 0.0  # in units of rounding errors
+        # In units of rounding errors: of angles and lengths as they are, and of 1 at least, for
+        # expressions in which larger terms cancel.
+        worst = rough = 0.0
         gradient = _table(values, at_gradient, h, q)
         for i in range(h):
-            scale = 0.0
+            scale = wide = 0.0
             for j in range(q):
                 scale += abs(gradient[i, j]) * max(abs(x[j]), 1e-3)
+                wide += abs(gradient[i, j]) * max(abs(x[j]), 1.0)
             if values[i] != 0.0:
                 worst = max(worst, abs(values[i]) / (_EPS * scale))
+                rough = max(rough, abs(values[i]) / (_EPS * wide))
             if values[i] != values[i]:
                 return UNPROJECTED
-        if worst <= 4.0 or (worst >= 0.5 * before and worst <= 256.0):
+        if worst <= 4.0 or (worst >= 0.5 * before and rough <= 256.0):
             break
         if iteration == _ITERATIONS - 1:
             return UNPROJECTED
@@ -194,10 +198,14 @@ def project(problem, run, constraints, t, x):
         kinematics = _table(values, at_kinematics, q, u)
         rows = np.zeros((h, u))
         for i in range(h):
-            for j in range(q):
-                if gradient[i, j] != 0.0:
-                    for k in range(u):
-                        rows[i, k] += gradient[i, j] * kinematics[j, k]
+            for k in range(u):
+                size = 0.0
+                for j in range(q):
+                    term = gradient[i, j] * kinematics[j, k]
+                    rows[i, k] += term
+                    size += abs(term)
+                if abs(rows[i, k]) <= 4.0 * q * _EPS * size:
+                    rows[i, k] = 0.0  # nothing but rounding, as in the norm of a quaternion
         _divide_rows(rows, factor)
         right = _negative(values, 0, h)
         step = _minimum_norm(rows, right)
