@@ -10,7 +10,7 @@ ROOT = Path(__file__).parents[1]
 # Parts of public packages that are not public themselves.
 INTERNAL = {
     f"pydy.codegen.{name}"
-    for name in ("arguments", "docstring", "external_solve", "right_hand_side")
+    for name in ("arguments", "docstring", "external_solve", "right_hand_side", "stored")
 }
 
 
