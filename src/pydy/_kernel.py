@@ -91,8 +91,8 @@ class KernelCall:
         Those that are sampled data, with their places in r.
     inputs : callable or None
         ``inputs(x, t)`` gives r where functions have to be called for it.
-    names : tuple of str
-        Of the states.
+    names : callable
+        Returns the names of the states.
     jacobian : callable or None
         Returns the Kernel of ∂f/∂x.
     """
@@ -102,7 +102,7 @@ class KernelCall:
     r: np.ndarray
     sampled: tuple[tuple[np.ndarray, Any], ...] = ()
     inputs: Callable[[np.ndarray, float], np.ndarray] | None = None
-    names: tuple[str, ...] = ()
+    names: Callable[[], tuple[str, ...]] = tuple
     jacobian: Callable[[], Kernel] | None = None
 
     def inputs_at(self, x: np.ndarray, t: float) -> np.ndarray:

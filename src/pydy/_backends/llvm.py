@@ -11,13 +11,14 @@ from collections.abc import Iterable
 from typing import Any
 
 from pydy._backends import background, jit
-from pydy._backends.ir import Function, literal, vector_type
-from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, TRUTHS, Emitter
+from pydy._backends.ir import HEAP_DECLARATIONS, MALLOC, Function, vector_type
+from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, Emitter
 from pydy._backends.ir_math import sincos_declarations, sincos_functions, sincos_names
+from pydy._backends.ir_plan import TRUTHS
 from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
-from pydy._graph.program import Program, operands
+from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
 __all__ = ["LLVMBackend", "kernel_text"]
@@ -114,6 +115,8 @@ def kernel_text(program: Program, lanes: int, brief: bool = False) -> str:
     """
     body = _prepare(program, lanes, brief) + _kernel(program, lanes, brief)
     parts = [_declarations(program, lanes)]
+    if f"{MALLOC}(" in body:
+        parts.append(HEAP_DECLARATIONS)
     # Sines and cosines are taken several at a time, in as many widths as they come.
     parts += [
         sincos_declarations(width, kind)
@@ -153,6 +156,7 @@ def _declarations(program: Program, lanes: int) -> str:
     ]
     if _SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
+        lines.append("declare ptr @malloc(i64)\ndeclare void @free(ptr)")
     packs = (1, 2, 4, 8) if lanes == 1 and _ANGLES & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
     for name in sorted({INTRINSICS[op] for op in INTRINSICS if op in program.ops} - {"fabs"}):
@@ -215,14 +219,9 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
     e.blocks(False, "%t")
     e.reserve()
     e.status = f.variable("i32", "0")
-    places = {node: index for index, node in enumerate(program.carried)}
+    e.carried = {node: index for index, node in enumerate(program.carried)}
     for k, op in enumerate(program.ops):
-        if program.setup[k]:
-            continue
-        for other in operands(op, program.args[k]):
-            if other in places and other not in e.names:
-                _load_carried(e, other, places[other])
-        if op in ("const", "bool"):
+        if program.setup[k] or op in ("const", "bool"):
             continue
         if op == "input":
             group, index = program.args[k]
@@ -230,18 +229,9 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
         else:
             e.node(k)
     for index, k in enumerate(program.outputs):
-        if k in places and k not in e.names:
-            _load_carried(e, k, places[k])
+        e.load_carried(k)
         f.store(e.v, e.names[k], "%out", str(index))
     f.do(f"ret i32 {f.get('i32', e.status)}")
     f.label("%bail")
     f.do("ret i32 0")
     return "\n".join([f.text(), *BRANCH_WEIGHTS, ""])
-
-
-def _load_carried(e: Emitter, node: int, index: int) -> None:
-    if e.program.ops[node] in TRUTHS:
-        number = e.f.load(e.v, "%c", str(index))
-        e.names[node] = e.f.let(f"fcmp une {e.v} {number}, {literal(0.0, e.lanes)}")
-    else:
-        e.load(node, "%c", index)

@@ -132,7 +132,7 @@ def compile_events(
     """Compile events, their rates and their resets."""
     expressions = tuple(event.expression for event in events)
     states = definition.states
-    assembly = implementation.assembly
+    assembly = implementation.assembly.fork()
     graph = assembly.graph
     nodes = assembly.read(expressions, "the events")
 
@@ -141,7 +141,7 @@ def compile_events(
         slopes = [*assembly.rates, graph.one]
         rows = jacobian(graph, nodes, [*along, graph.input("t", 0)])
         totals = [graph.sum([(graph.mul(d, slopes[k]), 1.0) for k, d in r.items()]) for r in rows]
-        return assembly.lowered([("rates", (len(totals),), totals)])
+        return assembly.lowered([("rates", (len(totals),), totals)], graph)
 
     def moves(node: int) -> bool:
         inputs = [graph.args[n] for n in graph.reachable([node]) if graph.ops[n] == "input"]
@@ -174,7 +174,7 @@ def compile_constraints(
     mechanism = equations.mechanism
     weighted = mechanism is not None and bool(mechanism.bodies)
     kernel = implementation.compiled_by(
-        ("projection",), lambda: _projection(implementation.assembly)
+        ("projection",), lambda: _projection(implementation.assembly.fork())
     )
     return CompiledConstraints(
         kernel=kernel,
@@ -214,4 +214,5 @@ def _projection(assembly: Assembly) -> Program:
         "velocity_gradient": cells(assembly.velocity, speeds),
         "kinetic_hessian": assembly.kinetic_hessian,
     }
-    return assembly.lowered([(name, (len(nodes),), nodes) for name, nodes in parts.items()])
+    blocks = [(name, (len(nodes),), nodes) for name, nodes in parts.items()]
+    return assembly.lowered(blocks, graph)

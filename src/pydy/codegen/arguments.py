@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -232,7 +232,7 @@ class SpecifiedsPlan:
         self.values = np.zeros(len(self.symbols))
         self.expressions: dict[Any, Any] = {}
         sampled: list[tuple[np.ndarray, SampledInput]] = []
-        functions: list[tuple[np.ndarray, _Checked, str]] = []
+        functions: list[tuple[np.ndarray, _Checked]] = []
         place = {s: k for k, s in enumerate(self.symbols)}
         seen: set[Any] = set()
         for key, value in values.items():
@@ -247,36 +247,39 @@ class SpecifiedsPlan:
                 if name in seen:
                     raise ValueError(f"`{argument}` gives `{name}` more than once.")
                 seen.add(name)
-            label = what or f"`{argument}` for {describe(names)}"
             columns = np.array([place[n] for n in names], dtype=np.int64)
-            _refuse_mixtures(value, label)
-            if isinstance(value, SampledInput):
-                if value.size != len(names):
-                    raise ValueError(
-                        f"{label} must be a SampledInput of {len(names)} values at each time, one "
-                        f"for each specified, got values of the shape {value.values.shape}."
-                    )
+            if type(value) is float and not several:
+                self.values[columns] = value  # the usual case, without the cost of a label
+            elif isinstance(value, SampledInput) and value.size == len(names):
                 sampled.append((columns, value))
-            elif (entries := symbolic_entries(value)) is not None:
-                self._take_entries(entries, names, columns, label)
-            elif callable(value):
+            elif callable(value) and not isinstance(value, (SampledInput, sm.Basic)):
                 whole = tuple(range(len(names)))
-                function = _Checked(value, names, time_first, whole)
-                functions.append((columns, function, describe(names)))
+                functions.append((columns, _Checked(value, names, time_first, whole)))
             else:
-                self.values[columns] = (
-                    _vector(value, len(names), label) if several else number(value, label)
-                )
+                label = what or f"`{argument}` for {describe(names)}"
+                self._take(value, names, columns, label, several)
         missing = [s for s in self.symbols if s not in seen]
         if complete and missing:
             raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
         self.given = frozenset(seen)
         self.sampled = tuple(sampled)
-        self.functions = tuple(functions)
+        self._functions = tuple(functions)
 
-    def _take_entries(
-        self, entries: list[Any], names: Sequence[Any], columns: np.ndarray, label: str
+    def _take(
+        self, value: Any, names: Sequence[Any], columns: np.ndarray, label: str, several: bool
     ) -> None:
+        """Take numbers and expressions, or say what is wrong with anything else."""
+        if isinstance(value, SampledInput):
+            raise ValueError(
+                f"{label} must be a SampledInput of {len(names)} values at each time, one for each "
+                f"specified, got values of the shape {value.values.shape}."
+            )
+        _refuse_mixtures(value, label)
+        entries = symbolic_entries(value)
+        if entries is None:
+            value = _vector(value, len(names), label) if several else number(value, label)
+            self.values[columns] = value
+            return
         if len(entries) != len(names):
             raise ValueError(
                 f"{label} must be {len(names)} expressions, one for each specified, got "
@@ -296,7 +299,12 @@ class SpecifiedsPlan:
     @property
     def constant(self) -> bool:
         """Whether r is the same at every state and time."""
-        return not self.sampled and not self.functions
+        return not self.sampled and not self._functions
+
+    @property
+    def functions(self) -> tuple[tuple[np.ndarray, Callable[..., np.ndarray], str], ...]:
+        """The functions of the user, with the places they fill."""
+        return tuple((columns, f, describe(f.names)) for columns, f in self._functions)
 
     def updated(self, other: SpecifiedsPlan) -> SpecifiedsPlan:
         """Return this plan with another's values in place of its own, where the other has any."""
@@ -311,14 +319,13 @@ class SpecifiedsPlan:
             left = [j for j, c in enumerate(columns) if kept[c]]
             if left:
                 sampled.append((columns[left], samples.of(left)))
-        for columns, function, label in self.functions:
+        for columns, function in self._functions:
             left = [j for j, c in enumerate(columns) if kept[c]]
             if left:
                 part = tuple(function.kept[j] for j in left)
-                function = _Checked(function.function, function.names, function.time_first, part)
-                functions.append((columns[left], function, label))
+                functions.append((columns[left], replace(function, kept=part)))
         result.sampled = (*sampled, *other.sampled)
-        result.functions = (*functions, *other.functions)
+        result._functions = (*functions, *other._functions)
         return result
 
     def check_times(self, t: np.ndarray, argument: str) -> None:
@@ -338,7 +345,7 @@ class SpecifiedsPlan:
         for columns, samples in self.sampled:
             for column, value in zip(columns.tolist(), samples.at(t), strict=True):
                 r[column] = value
-        for columns, function, _ in self.functions:
+        for columns, function in self._functions:
             r[columns] = function(x, t)
         return r
 
@@ -349,7 +356,7 @@ class SpecifiedsPlan:
         r = np.tile(self.values, (len(t), 1))
         for columns, samples in self.sampled:
             r[:, columns] = samples.rows(t)
-        for columns, function, _ in self.functions:
+        for columns, function in self._functions:
             for k, instant in enumerate(t):
                 r[k, columns] = function(x[k], float(instant))
         return r

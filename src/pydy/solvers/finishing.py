@@ -14,7 +14,7 @@ from pydy.solvers.layout import (
     TIME,
 )
 from pydy.solvers.projecting import project
-from pydy.solvers.runge_kutta import interpolate
+from pydy.solvers.runge_kutta import copy_vector, interpolate
 from pydy.solvers.watching import scan_events
 
 __all__ = ["finish_step", "write_start"]
@@ -26,7 +26,8 @@ def write_start(problem, memory, run):
     n, times = problem.words[STATES], run.times
     k = run.counts[NEXT]
     while k < times.size and times[k] <= run.state[TIME]:
-        run.flat[k * n : (k + 1) * n] = memory.x[:n]
+        for i in range(n):
+            run.flat[k * n + i] = memory.x[i]
         k += 1
     run.counts[NEXT] = k
     return k == times.size
@@ -62,13 +63,13 @@ def finish_step(method, problem, memory, run, constraints, watch, t, h):
     code = _write_outputs(method, problem, memory, run, constraints, t, h, end)
     if code == 0 and status != 0 and theta < 1.0:
         interpolate(method, problem, memory, theta, address_of(memory.trial, 0))
-        memory.new[:] = memory.trial
+        copy_vector(memory.trial, memory.new)
         if constraints.words[ACTIVE] == 1:
             code = project(problem, run, constraints, end, memory.new)
     if code != 0:
         run.state[TIME], run.state[SIZE] = t, h
         return code
     if status != 0:
-        memory.x[:] = memory.new
+        copy_vector(memory.new, memory.x)
         run.state[TIME], run.state[SIZE], run.counts[STARTED] = end, 0.0, 0
     return status

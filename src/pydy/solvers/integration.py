@@ -6,7 +6,7 @@ can move; at events that change the state; and when it cannot go on.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from time import perf_counter
 from typing import Any
@@ -49,6 +49,35 @@ _CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time 
 _EPS = np.finfo(float).eps
 
 
+def _watch(
+    address: int,
+    c: np.ndarray,
+    directions: Sequence[int],
+    acting: Sequence[bool],
+    n: int,
+    rows: int,
+) -> Watch:
+    number = len(directions)
+    return Watch(
+        words=np.array([address, number]),
+        c=c,
+        directions=np.array(directions, dtype=np.int64),
+        acting=np.array(acting, dtype=np.int64),
+        sides=np.zeros(number, dtype=np.int64),
+        fired=np.zeros(number, dtype=np.int64),
+        values=np.zeros(2 * number),
+        trial=np.zeros(BLOCK * blocks(n)),
+        log_times=np.zeros(rows),
+        log_events=np.zeros(rows, dtype=np.int64),
+        log_states=np.zeros((rows, n)),
+    )
+
+
+# Compiled code neither reads nor writes these any further.
+_NO_CONSTRAINTS = Constraints(np.zeros(7, dtype=np.int64), np.zeros(1), np.zeros(1))
+_NO_EVENTS = _watch(0, np.zeros(1), (), (), 1, 0)
+
+
 def _first_budget(method: str, calls_python: bool) -> int:
     """Return how many steps take a few milliseconds at most; further ones are measured."""
     if calls_python:
@@ -65,7 +94,9 @@ def integrate(
     options: Options,
 ) -> tuple[np.ndarray, dict[str, Any]]:
     """Integrate; see `pydy.solvers.Solver`."""
-    return _Integration(method, f, x0, times, args, options).run()
+    integration = _Integration(method, f, x0, times, args, options)
+    states = integration.run()
+    return states, integration.info() if options.full_output else {}
 
 
 class _Integration:
@@ -134,10 +165,8 @@ class _Integration:
         length = BLOCK * blocks(n)
         self.method = method_arrays(self.name, length)
         stages, depth = max(1, len(self.method.nodes)), int(self.method.shape[at.DEPTH])
-        padded = np.zeros((7, length))
-        padded[0, :n] = x0
-        tolerances = np.empty((2, n))
         try:
+            tolerances = np.empty((2, n))
             tolerances[0], tolerances[1] = self.options.rtol, self.options.atol
         except ValueError:
             raise ValueError(
@@ -145,24 +174,26 @@ class _Integration:
                 f"{np.shape(self.options.rtol)} and {np.shape(self.options.atol)}."
             ) from None
         np.maximum(tolerances[1], 1e-300, out=tolerances[1])  # 0 / 0 would be no error
+        vectors = np.zeros((6 + stages + depth, length))  # one block of memory for all of them
+        vectors[0, :n] = x0
         return Memory(
-            x=padded[0],
-            new=padded[1],
-            trial=padded[2],
+            x=vectors[0],
+            new=vectors[1],
+            trial=vectors[2],
             step=np.zeros(BLOCK),
-            zero=padded[3],
-            errors=np.zeros(2 * length),
-            stages=np.zeros(stages * length),
-            interpolant=np.zeros(depth * length),
+            zero=vectors[3],
+            errors=vectors[4:6].ravel(),
+            stages=vectors[6 : 6 + stages].ravel(),
+            interpolant=vectors[6 + stages :].ravel(),
             rtol=tolerances[0],
             atol=tolerances[1],
         )
 
     def _hold(self) -> Constraints:
         wanted = self.options.constraints
-        words = np.zeros(7, dtype=np.int64)
         if wanted is None:
-            return Constraints(words, np.zeros(1), np.zeros(1))
+            return _NO_CONSTRAINTS
+        words = np.zeros(7, dtype=np.int64)
         words[at.ACTIVE] = 1
         words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
         words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
@@ -173,35 +204,18 @@ class _Integration:
 
     def _look_out(self) -> Watch:
         wanted = self.options.events
-        words = np.zeros(2, dtype=np.int64)
-        number = 0 if wanted is None else len(wanted.names)
-        c = np.zeros(1)
-        directions = acting = np.zeros(number, dtype=np.int64)
-        if wanted is not None and number:
-            words[at.EVENTS] = number
-            words[at.WATCHER], c = self._bind_kernel(wanted.values)
-            directions = np.array(wanted.directions, dtype=np.int64)
-            stops = zip(wanted.terminal, wanted.resets, strict=True)
-            acting = np.array([end or reset is not None for end, reset in stops], dtype=np.int64)
-        rows = _LOG if number else 0
-        return Watch(
-            words=words,
-            c=c,
-            directions=directions,
-            acting=acting,
-            sides=np.zeros(number, dtype=np.int64),
-            fired=np.zeros(number, dtype=np.int64),
-            values=np.zeros(2 * number),
-            trial=np.zeros(BLOCK * blocks(self.n)),
-            log_times=np.zeros(rows),
-            log_events=np.zeros(rows, dtype=np.int64),
-            log_states=np.zeros((rows, self.n)),
-        )
+        if wanted is None:
+            return _NO_EVENTS
+        number = len(wanted.names)
+        address, c = self._bind_kernel(wanted.values)
+        stops = zip(wanted.terminal, wanted.resets, strict=True)
+        acting = [end or reset is not None for end, reset in stops]
+        return _watch(address, c, wanted.directions, acting, self.n, _LOG if number else 0)
 
     # -- running ----------------------------------------------------------------------------------
 
-    def run(self) -> tuple[np.ndarray, dict[str, Any]]:
-        """Run to the end and return states and statistics."""
+    def run(self) -> np.ndarray:
+        """Run to the end and return the states."""
         self._check_tolerances()
         bar = self._bar()
         try:
@@ -221,7 +235,7 @@ class _Integration:
         self._empty_log()
         states = self._states()
         states[self.progress.counts[at.NEXT] :] = np.nan
-        return states, self._info()
+        return states
 
     def _run(self, bar: Any) -> None:
         advance = self._stepper()
@@ -444,7 +458,8 @@ class _Integration:
         times, flat = self.progress.times, self.progress.flat
         return flat[: len(times) * self.n].reshape(len(times), self.n)
 
-    def _info(self) -> dict[str, Any]:
+    def info(self) -> dict[str, Any]:
+        """Return the statistics."""
         state, count = self.progress.state, self.progress.counts
         return {
             "method": self.name,
@@ -462,7 +477,7 @@ class _Integration:
         }
 
     def _state_name(self, k: int) -> str:
-        names = () if self.call is None else self.call.names
+        names = () if self.call is None else self.call.names()
         return names[k] if k < len(names) else f"x[{k}]"
 
     def _raise_callback(self) -> None:
@@ -493,5 +508,5 @@ class _Integration:
             self._states()[:reached].copy(),
             t,
             x,
-            self._info(),
+            self.info(),
         )

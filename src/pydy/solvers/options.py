@@ -53,6 +53,9 @@ class Options:
     constraints: CompiledConstraints | None = None
 
 
+_NAMES = {field.name for field in fields(Options)}
+
+
 def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Options:
     """Check the names and values of options.
 
@@ -64,23 +67,23 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
         A value that makes no sense.
     """
     foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
-    names = {f.name for f in fields(Options)} - foreign
+    names = _NAMES - foreign
     unknown = [name for name in given if name not in names]
     if unknown:
         raise TypeError(
             f"`{method}` has no option `{unknown[0]}`; its options are {', '.join(sorted(names))}."
         )
     options = Options(**given)
-    for name in ("first_step", "max_step", "step"):
-        value = getattr(options, name)
+    for name in given.keys() & {"first_step", "max_step", "step"}:
+        value = given[name]
         if value is not None and not number(value, f"`{name}`") > 0.0:
             raise ValueError(f"`{name}` must be positive, got {value!r}.")
     if not adaptive and options.step is None:
         raise ValueError(f"`{method}` takes steps of fixed size: pass `step`, their largest size.")
     if not options.max_steps >= 1:
         raise ValueError(f"`max_steps` must be at least 1, got {options.max_steps!r}.")
-    for name in ("rtol", "atol"):
-        value = real_array(getattr(options, name), f"`{name}`")
+    for name in given.keys() & {"rtol", "atol"}:
+        value = real_array(given[name], f"`{name}`")
         if not (np.isfinite(value).all() and (value >= 0.0).all()):
             raise ValueError(f"`{name}` must be finite and not negative, got {value}.")
     return options

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,8 @@ import numpy as np
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.layout import Problem
+
+_NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
 __all__ = ["Callback", "bind_constants", "callback_problem", "kernel_problem"]
 
@@ -32,16 +35,26 @@ def bind_constants(kernel: Kernel, p: np.ndarray) -> tuple[int, np.ndarray]:
     assert addresses is not None
     c = np.zeros(max(1, len(kernel.program.carried)))
     p = np.ascontiguousarray(p, dtype=float)
-    _PREPARE(addresses[1])(p.ctypes.data, c.ctypes.data)
+    _prepare(addresses[1])(address(p), address(c))
     return addresses[0], c
+
+
+def address(array: np.ndarray) -> int:
+    """Return where an array's numbers lie: `ndarray.ctypes`, without its object."""
+    return int(array.__array_interface__["data"][0])
+
+
+@lru_cache(maxsize=256)
+def _prepare(place: int) -> Callable[[int, int], None]:
+    return _PREPARE(place)
 
 
 def kernel_problem(call: KernelCall, n: int) -> Problem:
     """Return the arrays for a Kernel."""
-    address, c = bind_constants(call.kernel, call.p)
+    kernel, c = bind_constants(call.kernel, call.p)
     tables, knots, cubics = _tables(call.sampled)
     return Problem(
-        words=np.array([address, n, blocks(n)]),
+        words=np.array([kernel, n, blocks(n)]),
         clock=np.zeros(1),
         r=_inputs(call),
         c=c,
@@ -71,7 +84,7 @@ def _tables(
             cubics.append([[samples.last[j], 0.0, 0.0, 0.0]])
             first += number
     if not tables:
-        return np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
+        return _NO_TABLES
     return np.array(tables, dtype=np.int64), np.concatenate(knots), np.concatenate(cubics)
 
 

@@ -109,8 +109,8 @@ class Solver:
             raise ValueError(f"`t` must be one-dimensional, got the shape {times.shape}.")
         if not np.isfinite(times).all():
             raise ValueError("`t` must be finite.")
-        if (np.diff(times) < 0.0).any():
-            k = int(np.argmax(np.diff(times) < 0.0))
+        if (times[1:] < times[:-1]).any():
+            k = int(np.argmax(times[1:] < times[:-1]))
             raise ValueError(
                 f"`t` must be ascending, got {times[k + 1]} after {times[k]} at index {k + 1}."
             )
