@@ -9,19 +9,20 @@ PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 # The released PyDy that benchmarks compare with; it needs an environment of its own.
 REFERENCE := .venv-reference
 REFERENCE_PY := $(REFERENCE)/bin/python
-# heyoka, CasADi and JAX, whose generated code is compared with ours.
+# heyoka, CasADi, JAX and diffsol, whose generated code and solvers are compared with ours.
 PEERS := .venv-peers
 PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test bench bench-peers clean
+.PHONY: help demo test bench bench-peers bench-solvers clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi and JAX; operation counts"
+	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
 	@echo "make clean  remove the environments and caches"
 
 demo: $(VENV)/.installed-plot
@@ -40,6 +41,9 @@ bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/operations.py
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
+
+bench-solvers: $(VENV)/.installed-test $(PEERS)/.installed $(REFERENCE)/.installed
+	$(PY) benchmarks/solvers.py --peer-python $(PEERS_PY) --reference $(REFERENCE_PY)
 
 clean:
 	rm -rf $(VENV) $(REFERENCE) $(PEERS) build .mypy_cache .pytest_cache .ruff_cache .hypothesis
