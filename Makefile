@@ -9,19 +9,23 @@ PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 # The released PyDy that benchmarks compare with; it needs an environment of its own.
 REFERENCE := .venv-reference
 REFERENCE_PY := $(REFERENCE)/bin/python
-# heyoka, CasADi and JAX, whose generated code is compared with ours.
+# heyoka, CasADi, JAX, Pinocchio and diffsol, which are compared with ours.
 PEERS := .venv-peers
 PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test bench bench-peers clean
+.PHONY: help demo test test-browser docs bench bench-peers bench-solvers three clean
 
 help:
-	@echo "make demo   install into $(VENV), run the bicycle demo, plot it into build/"
+	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
+	@echo "make test-browser  open the animation pages in Chromium and check them"
+	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
-	@echo "make bench-peers  ratios against heyoka, CasADi and JAX; operation counts"
+	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts"
+	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
+	@echo "make three  bundle three.js for the animation page anew (needs npm and a network)"
 	@echo "make clean  remove the environments and caches"
 
 demo: $(VENV)/.installed-plot
@@ -33,6 +37,13 @@ test: $(VENV)/.installed-test
 	$(PY) -m mypy src
 	$(PY) -m pytest -n $(JOBS)
 
+# A folder of its own, so that pytest's default run does not need a browser.
+test-browser: $(VENV)/.installed-test $(VENV)/.installed-browser
+	$(PY) -m pytest tests/browser
+
+docs: $(VENV)/.installed-docs
+	$(PY) -m sphinx -W --keep-going --doctree-dir build/doctrees docs build/docs
+
 bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 	$(PY) benchmarks/run.py --reference $(REFERENCE_PY)
 	$(PY) benchmarks/imports.py
@@ -41,8 +52,21 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/operations.py
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 
+bench-solvers: $(VENV)/.installed-test $(PEERS)/.installed $(REFERENCE)/.installed
+	$(PY) benchmarks/solvers.py --peer-python $(PEERS_PY) --reference $(REFERENCE_PY)
+
+# Pinned: what is committed can be made again, byte for byte.
+three:
+	rm -rf build/three && mkdir -p build/three
+	cp tools/three.entry.js build/three/
+	cd build/three && npm install --no-save --no-audit --no-fund three@0.187.0 esbuild@0.28.2
+	cd build/three && npx esbuild three.entry.js --bundle --minify --format=iife --global-name=THREE \
+		--target=es2020 --charset=ascii --legal-comments=none --outfile=three.min.js
+	cp build/three/three.min.js src/pydy/viz/page/
+	cp build/three/node_modules/three/LICENSE src/pydy/viz/page/three.LICENSE
+
 clean:
-	rm -rf $(VENV) $(REFERENCE) $(PEERS) build .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # A stamp for each extra, older than pyproject.toml when the dependencies may have changed.
 $(VENV)/.installed-%: pyproject.toml | $(PY)

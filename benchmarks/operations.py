@@ -7,11 +7,14 @@ from __future__ import annotations
 
 import argparse
 import time
+from dataclasses import fields
 from typing import Any
 
 from harness import frozen
 from harness.program import assembly_of
 from harness.report import save, seconds, table
+
+from pydy._graph.passes import Passes
 
 
 def main() -> None:
@@ -19,10 +22,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--models", nargs="+", default=frozen.names())
     parser.add_argument("--kinds", action="store_true", help="print the run stage by kind")
-
+    parser.add_argument("--no-passes", action="store_true", help="skip the effect of each pass")
     options = parser.parse_args()
 
-    results = [_count(frozen.read(name)) for name in options.models]
+    results = [_count(frozen.read(name), not options.no_passes) for name in options.models]
     rows = []
     for line in results:
         run, cse = sum(line["run"].values()), line["cse"]
@@ -32,6 +35,14 @@ def main() -> None:
         rows.append((line["model"], cse or "–", setup, run, ratio, rates, seconds(line["seconds"])))
     header = ("model", "cse", "set-up", "run", "run / cse", "run with solve", "time")
     table("Operations in M and F", header, rows)
+    if not options.no_passes:
+        names = list(results[0]["without"])
+        rows = [
+            (line["model"], sum(line["run"].values()), *line["without"].values())
+            for line in results
+        ]
+        header = ("model", "all", *(f"no {name}" for name in names))
+        table("The same at every call, one pass left out", header, rows)
     if options.kinds:
         for line in results:
             kinds = ", ".join(f"{v} {k}" for k, v in sorted(line["run"].items()))
@@ -39,7 +50,7 @@ def main() -> None:
     save("operations", results)
 
 
-def _count(model: frozen.Model) -> dict[str, Any]:
+def _count(model: frozen.Model, passes: bool) -> dict[str, Any]:
     start = time.perf_counter()
     assembly = assembly_of(model)
     program = assembly.program("mass_matrix", "forcing")
@@ -55,7 +66,21 @@ def _count(model: frozen.Model) -> dict[str, Any]:
         "rates": {stage: dict(c) for stage, c in whole.operation_count.items()},
         "digest": program.digest,
         "seconds": elapsed,
+        "without": _without_each(model) if passes else {},
     }
+
+
+def _without_each(model: frozen.Model) -> dict[str, int]:
+    """Return the operations in M and F at every call with one pass left out, or all of them."""
+    names = [f.name for f in fields(Passes)]
+    chosen = {name: Passes(**{name: False}) for name in names} | {"passes": Passes.none()}
+    counts = {}
+    for name, switched in chosen.items():
+        assembly = assembly_of(model)
+        assembly.passes = switched
+        count = assembly.program("mass_matrix", "forcing").operation_count
+        counts[name] = sum(count["run"].values())
+    return counts
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Ours against heyoka, CasADi and JAX on frozen models: ``make bench-peers``."""
+"""Ours against heyoka, CasADi, JAX and Pinocchio on frozen models: ``make bench-peers``."""
 
 from __future__ import annotations
 
@@ -15,14 +15,17 @@ from harness.report import pairwise, save, seconds, table
 
 MODELS = (
     *("pendulum-1", "pendulum-5", "pendulum-10", "pendulum-20", "rods-3", "bicycle"),
-    *("springs-100-absolute", "rider-bicycle"),
+    *("springs-100-absolute", "rider-bicycle", "pendulum-50", "rods-10"),
 )
 PEERS = {
     "heyoka": ("heyoka_.py",),
     "casadi": ("casadi_.py",),
     "casadi-c": ("casadi_.py", "c"),
     "jax": ("jax_.py",),
+    "pinocchio": ("pinocchio_.py",),
 }
+# Too much for what compiles: minutes and gigabytes.
+ONLY = {"pendulum-50": ("pinocchio",), "rods-10": ()}
 KINDS = ("build", "scalar", "batched")
 # A build that took longer than this is not repeated.
 PATIENCE = 20.0
@@ -53,7 +56,11 @@ def main() -> None:
                 )
 
             workers = [start("ours", options.python, "ours.py")]
-            workers += [start(name, options.peer_python, *PEERS[name]) for name in options.peers]
+            workers += [
+                start(name, options.peer_python, *PEERS[name])
+                for name in options.peers
+                if name in ONLY.get(model, options.peers)
+            ]
             lines += _measure(model, workers, rounds)
         save("peers", lines)  # after each model, so that a run can be broken off
     for kind in KINDS:

@@ -3,7 +3,7 @@ Forty thousand double pendulums
 ===============================
 
 A double pendulum is let go at rest from every pair of angles.  How often has its lower link gone
-over the top in the end?  Beside each other lie starts that end alike, and starts that share nothing.
+over the top in the end?  Side by side lie starts that end alike, and starts that share nothing.
 
 Where 2 cos θ₁ + cos θ₂ > 1 there is not enough energy to bring either link upright: none of those
 may ever flip.  And a mirror image must move like a mirror image.

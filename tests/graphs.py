@@ -7,6 +7,7 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
+from pydy._graph.passes import Passes
 from pydy._programs import Assembly
 
 __all__ = [
@@ -41,10 +42,10 @@ def on_tape(graph, nodes, sizes=SIZES, **options):
     return lower(graph, sizes, [("values", (len(nodes),), nodes)], **options)
 
 
-def program_of(expressions, simplified=True):
+def program_of(expressions, passes=None):
     """The Program of expressions in X, P and T, on the way that a system's equations take."""
     graph, nodes = nodes_of(expressions)
-    assembly = Assembly(graph, SIZES, [], [], list(nodes), simplified=simplified)
+    assembly = Assembly(graph, SIZES, [], [], list(nodes), passes=passes or Passes())
     return assembly.program("outputs")
 
 

@@ -107,7 +107,14 @@ def test_the_demo_saves_its_plot_and_says_where(demo):
     path = output / "bicycle.png"
     assert str(path) in text
     assert path.read_bytes().startswith(b"\x89PNG")
-    assert [p.name for p in output.iterdir()] == ["bicycle.png"]
+
+
+def test_the_demo_saves_its_animation_and_says_where(demo):
+    _, text, output, ride = demo
+    path = output / "bicycle.html"
+    assert str(path) in text
+    assert path.read_text(encoding="utf-8") == ride.scene.html()
+    assert {p.name for p in output.iterdir()} == {"bicycle.png", "bicycle.html"}
 
 
 def test_the_output_is_ascii_for_any_terminal(demo):
@@ -126,13 +133,19 @@ def test_without_matplotlib_the_demo_goes_on_and_says_what_to_install(
     monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
     assert main(["demo", "--output", str(tmp_path)]) == 0
     assert "pip install matplotlib" in capsys.readouterr().out
-    assert not list(tmp_path.iterdir())
+    assert [p.name for p in tmp_path.iterdir()] == ["bicycle.html"]
 
 
 def test_a_plot_that_cannot_be_saved_is_reported(same_ride, tmp_path, capsys):
     (tmp_path / "bicycle.png").mkdir()
     assert main(["demo", "--output", str(tmp_path)]) == 1
     assert "cannot save the plot: " in capsys.readouterr().err
+
+
+def test_an_animation_that_cannot_be_saved_is_reported(same_ride, tmp_path, capsys):
+    (tmp_path / "bicycle.html").mkdir()
+    assert main(["demo", "--output", str(tmp_path)]) == 1
+    assert "cannot save the animation: " in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -36,6 +36,7 @@ FLOORS = {
     "plot": 2,
     "_graph": 1,  # below _eom, which classifies constraints numerically
     "inputs": 1,
+    "errors": 1,
     "trajectory": 1,
     "_cache_folder": 0,
     "_dataset": 0,
@@ -78,6 +79,10 @@ LATE = {
     "tqdm",
     "Cython",
     "setuptools",
+    "IPython",
+    "mpl_toolkits",
+    "PIL",
+    "playwright",
 }
 
 KANE_MODULE = "pydy._eom.kane"

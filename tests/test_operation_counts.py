@@ -19,14 +19,14 @@ from harness.program import assembly_of
 # is what sympy.cse leaves of M and F.
 LIMITS = {
     "pendulum-1": (9, 21, 16),
-    "pendulum-5": (167, 333, 416),
-    "pendulum-10": (612, 1368, 2161),
-    "pendulum-20": (2327, 6538, 12457),
-    "rods-3": (1654, 1960, 2291),
-    "bicycle": (1031, 1481, 1498),
-    "rider-bicycle": (8868, 10186, 12216),
-    "springs-100-absolute": (896, 996, 1299),
-    "springs-100-stretch": (599, 897, 1100),
+    "pendulum-5": (143, 304, 416),
+    "pendulum-10": (398, 670, 2161),
+    "pendulum-20": (1208, 1390, 12457),
+    "rods-3": (1511, 1825, 2291),
+    "bicycle": (1004, 1454, 1498),
+    "rider-bicycle": (8529, 9841, 12216),
+    "springs-100-absolute": (797, 897, 1299),
+    "springs-100-stretch": (599, 798, 1100),
 }
 
 

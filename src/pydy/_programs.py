@@ -7,8 +7,10 @@ for nothing else.
 
 from __future__ import annotations
 
+import hashlib
+import marshal
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import astuple, dataclass, field, replace
 from itertools import pairwise
 from typing import Any
 
@@ -20,8 +22,10 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
+from pydy._graph.passes import Passes
 from pydy._graph.program import Program
-from pydy._graph.simplify import again, rebuild, simplify
+from pydy._graph.rewrite import again, rebuild
+from pydy._graph.simplify import simplify
 from pydy._graph.structure import difference_basis
 
 __all__ = [
@@ -50,6 +54,12 @@ class Group:
     expressions: tuple[Any, ...]
 
 
+_BLOCKS = (
+    "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",
+    "forcing",
+)  # fmt: skip
+
+
 @dataclass
 class Assembly:
     """A system as nodes of one graph.
@@ -69,8 +79,8 @@ class Assembly:
         Constraint residuals.
     mass_matrix, forcing : list of nodes
         The linear system for the accelerations; empty where the form has none.
-    simplified : bool
-        Whether Programs are rewritten to fewer operations.
+    passes : Passes
+        The rewriting that Programs go through.
     atoms : mapping of symbols, functions of time and derivatives to nodes
         What further expressions may hold; see `expression_program`.
     speeds : list of nodes
@@ -92,7 +102,7 @@ class Assembly:
     nonholonomic: list[int] = field(default_factory=list)
     mass_matrix: list[int] = field(default_factory=list)
     forcing: list[int] = field(default_factory=list)
-    simplified: bool = True
+    passes: Passes = field(default_factory=Passes)
     atoms: Mapping[Any, int] = field(default_factory=dict)
     speeds: list[int] = field(default_factory=list)
     mechanism: Mechanism | None = None
@@ -131,6 +141,10 @@ class Assembly:
             return []
         return self._reader("the kinetic energy").all([self.mechanism.kinetic_energy])
 
+    def fork(self) -> Assembly:
+        """Return the same with a graph of its own: what is read into it leaves this one alone."""
+        return replace(self, graph=self.graph.copy())
+
     def read(self, expressions: Iterable[Any], what: str) -> list[int]:
         """Return further expressions in the states and symbols as nodes; `what` is for messages."""
         return substitute(self.graph, self._reader(what).all(expressions), self.given)
@@ -146,13 +160,13 @@ class Assembly:
         names : {'rates', 'ordinary', 'outputs', 'holonomic', 'velocity', 'constraints', ...}
             Attributes of this class.
         """
-        blocks = []
+        own, blocks = self.fork(), []
         for name in names:
-            nodes: list[int] = getattr(self, name)
+            nodes: list[int] = getattr(own, name)
             n = len(self.speeds)
             square = name == "kinetic_hessian" and nodes
             blocks.append((name, (n, n) if square else (len(nodes),), nodes))
-        return self.lowered(blocks)
+        return own.lowered(blocks, own.graph)
 
     def expression_program(self, name: str, shape: tuple[int, ...], expressions: Any) -> Program:
         """Return the Program of one block of further expressions in the states and symbols.
@@ -172,20 +186,21 @@ class Assembly:
         """
         n, s, c = self.sizes
         sizes = (n, s - len(self.speeds), c) if self.external else self.sizes
-        return self.lowered([(name, shape, self.read(expressions, name))], sizes)
+        own = self.fork()
+        return own.lowered([(name, shape, own.read(expressions, name))], own.graph, sizes)
 
     def jacobian_program(self, name: str, group: str) -> Program:
         """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
         nodes: list[int] = getattr(self, name)
         width = dict(zip("xrp", self.sizes, strict=True))[group]
-        rows = jacobian(self.graph, nodes, [self.graph.input(group, k) for k in range(width)])
-        cells = [row.get(k, self.graph.zero) for row in rows for k in range(width)]
-        return self.lowered([("jacobian", (len(nodes), width), cells)])
+        graph = self.graph.copy()
+        rows = jacobian(graph, nodes, [graph.input(group, k) for k in range(width)])
+        cells = [row.get(k, graph.zero) for row in rows for k in range(width)]
+        return self.lowered([("jacobian", (len(nodes), width), cells)], graph)
 
     def substituted(self, mapping: Mapping[int, int]) -> Assembly:
         """Return the Assembly with other nodes in place of some inputs, in every block."""
-        names = ("rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic")
-        blocks = {n: getattr(self, n) for n in (*names, "mass_matrix", "forcing")}
+        blocks = {name: getattr(self, name) for name in _BLOCKS}
         with collector_paused():
             nodes = iter(
                 substitute(self.graph, [n for part in blocks.values() for n in part], mapping)
@@ -196,19 +211,31 @@ class Assembly:
     def lowered(
         self,
         blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+        graph: Graph | None = None,
         sizes: tuple[int, int, int] | None = None,
     ) -> Program:
-        """Simplify and lower blocks of nodes; `sizes` are those of the assembly by default."""
+        """Simplify and lower blocks of nodes, of this graph and of its sizes by default.
+
+        Each Program starts from the equations as they are: it does not depend on which others were
+        made before.
+        """
         with collector_paused():
+            graph = self.graph.copy() if graph is None else graph
             nodes = [n for _, _, part in blocks for n in part]
-            if self.simplified:
-                nodes = simplify(self.graph, nodes)
+            nodes = simplify(graph, nodes, self.passes)
             new = []
             start = 0
             for name, shape, part in blocks:
                 new.append((name, shape, nodes[start : start + len(part)]))
                 start += len(part)
-            return lower(self.graph, sizes or self.sizes, new)
+            return lower(graph, sizes or self.sizes, new, passes=self.passes)
+
+    def fingerprint(self) -> bytes:
+        """Return a digest of all that Programs are made from."""
+        blocks = [getattr(self, name) for name in ("sizes", *_BLOCKS)]
+        content = (self.graph.ops, self.graph.args, blocks, astuple(self.passes))
+        # Version 2 of the format writes every object in full: equal content gives equal bytes.
+        return hashlib.sha256(marshal.dumps(content, 2)).digest()
 
 
 def _inputs(
@@ -330,7 +357,7 @@ def assemble_system(
         nonholonomic,
         matrix,
         forcing,
-        simplified,
+        Passes() if simplified else Passes.none(),
         known,
         [atoms[s] for s in u],
         equations.mechanism,
@@ -521,5 +548,5 @@ def assemble_form(
     values = read.all(outputs)
     return Assembly(
         graph, sizes, rates, values, values, mass_matrix=matrix, forcing=forcing,
-        simplified=simplified,
+        passes=Passes() if simplified else Passes.none(),
     )  # fmt: skip

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["main"]
 
 PLOT = "bicycle.png"
+ANIMATION = "bicycle.html"
 # What the demo promises; it fails when a number is worse.
 DRIFT_LIMIT = 1e-6
 EIGENVALUE_LIMIT = 1e-9  # 1/s
@@ -81,9 +82,9 @@ def _parser() -> argparse.ArgumentParser:
         type=Path,
         default=Path("build"),
         metavar="DIR",
-        help=f"directory for the plot {PLOT}, made when missing (default: %(default)s)",
+        help=f"directory for {PLOT} and {ANIMATION}, made when missing (default: %(default)s)",
     )
-    demo.add_argument("--no-plot", action="store_true", help="save no plot")
+    demo.add_argument("--no-plot", action="store_true", help="save no plot and no animation")
     demo.set_defaults(command=_demo, refuse=demo.error)
 
     run = commands.add_parser(
@@ -203,6 +204,14 @@ def _demo(options: argparse.Namespace) -> int:
             return 1
         else:
             print(f"  {path}")
+        _title("Animation (open it in a browser)")
+        path = options.output / ANIMATION
+        try:
+            bicycle_ride.animate(ride, path)
+        except OSError as error:
+            print(f"python -m pydy demo: cannot save the animation: {error}", file=sys.stderr)
+            return 1
+        print(f"  {path}")
     return _verdict(ride)
 
 

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
-from typing import Any
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
 from warnings import warn
 
 import numpy as np
@@ -41,6 +42,9 @@ from pydy.codegen.ode_function_generators import make_system_function
 from pydy.codegen.right_hand_side import RightHandSide
 from pydy.solvers.solver import SOLVERS, Solver
 from pydy.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pydy.viz.scene import Scene
 
 __all__ = ["System"]
 
@@ -997,9 +1001,7 @@ class System:
         if len(states) == len(times):  # what is NaN to the end comes after a terminal event
             reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
             times, states = times[:reached], states[:reached]
-        plan = self._plan(self._specifieds)
-        implementation = driven(self._current(), self._definition, plan)
-        model = Snapshot(implementation, plan, self._p(), self._energies)
+        model = self._model_now()
         equations, forces = self._equations, self.noncontributing_forces
         known = {*self._residuals, *forces}
         symbols = {
@@ -1157,3 +1159,82 @@ class System:
         if resume:
             raise ValueError("`resume=True` needs `store`, the Zarr store to go on with.")
         return ensemble.run() if chunks is None else ensemble.lazy()
+
+    def _model_now(self) -> Snapshot:
+        """Return the compiled model with the numbers as they are now."""
+        plan = self._plan(self._specifieds)
+        implementation = driven(self._current(), self._definition, plan)
+        return Snapshot(implementation, plan, self._p(), self._energies)
+
+    # -- animation --------------------------------------------------------------------------------
+
+    def scene(
+        self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
+    ) -> Scene:
+        """Return a scene that shows the system, to be set in motion and to be written as HTML.
+
+        Parameters
+        ----------
+        *visuals : pydy.viz.Visual, RigidBody or Particle
+            By default all bodies of the method: a box with the body's inertia for each RigidBody, a
+            ball for each Particle, and lines between the points that were located from each other.
+        reference_frame : ReferenceFrame, optional
+            By default the inertial frame.
+        origin : Point, optional
+            By default a point at rest in that frame with which the bodies are connected.
+        **options
+            Of `pydy.viz.Scene`: `up` (by default against gravity), `ground`, `follow`, `view`,
+            `series` and `title`.
+
+        Returns
+        -------
+        pydy.viz.Scene
+
+        Raises
+        ------
+        ValueError
+            There are no bodies to show, or no point that could be the origin.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> sys = n_link_pendulum_on_cart(2)
+        >>> sys.initial_conditions = {sys.coordinates[1]: 0.5}
+        >>> sys.times = np.linspace(0.0, 1.0, num=61)
+        >>> scene = sys.scene().animate(sys.simulate())
+        >>> scene.poses.shape
+        (61, 6, 4, 4)
+
+        ``scene.to_html('pendulum.html')`` writes the page, ``scene.show()`` opens it.
+        """
+        from pydy._system.scene import make_scene
+
+        return make_scene(
+            self._equations,
+            visuals,
+            reference_frame,
+            origin,
+            dict(zip(self._definition.constants, self._p().tolist(), strict=True)),
+            lambda: self._times,
+            self._named,
+            self._definition.states,
+            options,
+        )
+
+    def _named(self, times: Any, states: Any) -> Any:
+        """Return states at some times with the names and numbers that a scene reads."""
+        times, states = np.asarray(times, dtype=float), np.asarray(states, dtype=float)
+        definition, p = self._definition, self._p()
+        fits = states.shape == (
+            len(times),
+            len(definition.states),
+        )  # or the scene says what is wrong
+        return SimpleNamespace(
+            times=times,
+            states=states,
+            state_symbols=definition.states,
+            specifieds=self._model_now().specifieds(times, states) if fits else (),
+            specifieds_symbols=definition.specifieds,
+            constants=dict(zip(definition.constants, p.tolist(), strict=True)),
+        )

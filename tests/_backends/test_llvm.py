@@ -11,7 +11,9 @@ import pytest
 import sympy as sm
 
 from graphs import P, T, X, on_tape, program_of, solve_program
-from pydy._backends.llvm import LLVMBackend
+from pydy._backends import cache as cache_of_code
+from pydy._backends import ir
+from pydy._backends.llvm import LLVMBackend, kernel_text
 from pydy._graph.interpret import run
 from pydy._graph.node import BINARY, COMPARISONS, UNARY, Graph
 from pydy._graph.program import ELEMENTARY, Program, Tape
@@ -467,3 +469,19 @@ def test_a_program_without_outputs_compiles():
 def test_a_number_of_lanes_that_is_not_a_power_of_two_is_refused(lanes):
     with pytest.raises(ValueError, match=r"`lanes` is .*, but it must be 1, 2, 4 or 8"):
         LLVMBackend(lanes=lanes)
+
+
+@every_width
+def test_slots_beyond_what_a_small_stack_holds_come_from_the_heap(monkeypatch, lanes):
+    program = solve_program(6, "lu")
+    x = np.random.default_rng(3).uniform(0.5, 1.5, (5, program.num_states))
+    nothing = np.zeros((1, program.num_specifieds)), np.zeros(program.num_constants)
+    wanted, _ = LLVMBackend(lanes=lanes).compile(program).evaluate(np.zeros(5), x, *nothing)
+    monkeypatch.setattr(ir, "STACK_BYTES", 0)
+    monkeypatch.setenv("PYDY_CACHE_DIR", "off")
+    cache_of_code.memory.clear()
+    text = kernel_text(program, lanes)
+    assert "call ptr @malloc(" in text
+    assert text.count("call void @free(") == 2  # one for each way out
+    found, _ = LLVMBackend(lanes=lanes).compile(program).evaluate(np.zeros(5), x, *nothing)
+    np.testing.assert_array_equal(found, wanted)

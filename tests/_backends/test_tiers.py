@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
+import gc
 import threading
+import weakref
 
 import numpy as np
 import pytest
@@ -71,3 +74,18 @@ def test_an_unknown_symbol_does_not_reach_the_cache(nothing_cached):
     with pytest.raises(RuntimeError):
         jit.load(source)
     assert jit.find(source) is None
+
+
+def test_code_keeps_alive_what_it_calls(nothing_cached):
+    # The caches may hold a kernel longer than any system does that brought its routines along.
+    twice = "define double @twice(double %x) {\n%y = fadd double %x, %x\nret double %y\n}"
+    more = "%y = call double @twice(double %x)\n%z = fadd double %y, 1.0\nret double %z"
+    more = f"declare double @twice(double)\ndefine double @more(double %x) {{\n{more}\n}}"
+    routines = jit.load(jit.Source("twice", lambda brief: twice, ("twice",)))
+    caller = jit.load(jit.Source("more", lambda brief: more, ("more",)), routines)
+    alive = weakref.ref(routines)
+    cache.memory.clear()
+    del routines
+    gc.collect()
+    assert alive() is not None
+    assert ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)(caller.addresses["more"])(3.0) == 7.0

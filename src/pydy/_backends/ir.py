@@ -11,7 +11,33 @@ import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-__all__ = ["Function", "hex_double", "literal", "vector_type"]
+__all__ = [
+    "HEAP_DECLARATIONS",
+    "MALLOC",
+    "STACK_BYTES",
+    "Function",
+    "hex_double",
+    "literal",
+    "vector_type",
+]
+
+
+# Beyond this a function's slots come from the heap: threads have small stacks.
+STACK_BYTES = 256 * 2**10
+MALLOC = "@malloc"
+_FRAME = "%frame"
+
+HEAP_DECLARATIONS = f"declare ptr {MALLOC}(i64)\ndeclare void @free(ptr)\n"
+
+
+def _align(kind: str) -> int:
+    return 64 if kind.startswith("<") else 8
+
+
+def _bytes(kind: str, count: int) -> int:
+    """Return the room of `count` elements, rounded up to whole cache lines."""
+    lanes = int(kind[1:].split()[0]) if kind.startswith("<") else 1
+    return -(-8 * lanes * count // 64) * 64
 
 
 def hex_double(value: float) -> str:
@@ -48,13 +74,21 @@ class Function:
         before, _, after = attributes.partition("|")
         self._head = f"define {before} {returns} @{name}({parameters}) {after} {{"
         self._slots: list[str] = []
+        self._frames: list[tuple[str, str, int]] = []  # name, type, count
         self.lines: list[str] = []
         self._count = 0
         self.current = "entry"  # label of the block being written, for phi nodes
 
     def text(self) -> str:
         """Return the whole function."""
-        return "\n".join([self._head, "entry:", *self._slots, *self.lines, "}", ""])
+        frame, lines = self._frame(), self.lines
+        if frame and MALLOC in frame[0]:
+            lines = []
+            for line in self.lines:
+                if line.startswith("  ret "):
+                    lines.append(f"  call void @free(ptr {_FRAME}.whole)")
+                lines.append(line)
+        return "\n".join([self._head, "entry:", *self._slots, *frame, *lines, "}", ""])
 
     def name(self, prefix: str = "v") -> str:
         """Return a fresh local name."""
@@ -79,9 +113,29 @@ class Function:
     def slot(self, kind: str, count: int = 1) -> str:
         """Reserve stack memory in the entry block and return its pointer."""
         result = self.name("slot")
-        align = 64 if kind.startswith("<") else 8
-        self._slots.append(f"  {result} = alloca {kind}, i64 {count}, align {align}")
+        self._frames.append((result, kind, count))
         return result
+
+    def _frame(self) -> list[str]:
+        """Return what reserves the slots: on the stack, or from the heap when they are many."""
+        sizes = [_bytes(kind, count) for _, kind, count in self._frames]
+        if sum(sizes) <= STACK_BYTES:
+            return [
+                f"  {name} = alloca {kind}, i64 {count}, align {_align(kind)}"
+                for name, kind, count in self._frames
+            ]
+        lines = [
+            f"  {_FRAME}.whole = call ptr {MALLOC}(i64 {sum(sizes) + 64})",
+            f"  {_FRAME}.start = ptrtoint ptr {_FRAME}.whole to i64",
+            f"  {_FRAME}.past = add i64 {_FRAME}.start, 63",
+            f"  {_FRAME}.even = and i64 {_FRAME}.past, -64",
+            f"  {_FRAME} = inttoptr i64 {_FRAME}.even to ptr",
+        ]
+        offset = 0
+        for (name, _, _), size in zip(self._frames, sizes, strict=True):
+            lines.append(f"  {name} = getelementptr i8, ptr {_FRAME}, i64 {offset}")
+            offset += size
+        return lines
 
     def at(self, pointer: str, index: str, kind: str = "double") -> str:
         """Return the address of element `index`."""
@@ -100,8 +154,9 @@ class Function:
         self.do(f"store {kind} {value}, ptr {place}, align {1 if kind == 'i8' else 8}")
 
     def variable(self, kind: str, value: str) -> str:
-        """Return a slot that holds `value`."""
-        slot = self.slot(kind)
+        """Return a slot that holds `value`; LLVM keeps it in a register if it can."""
+        slot = self.name("slot")
+        self._slots.append(f"  {slot} = alloca {kind}, align {_align(kind)}")
         self.do(f"store {kind} {value}, ptr {slot}")
         return slot
 

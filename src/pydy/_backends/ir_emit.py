@@ -7,14 +7,13 @@ how many states are taken at once.
 
 from __future__ import annotations
 
-from collections import Counter
-
 from pydy._backends.ir import Function, literal, vector_type
 from pydy._backends.ir_math import sincos, sincos_call
+from pydy._backends.ir_plan import BLOCK, TRUTHS, Names, Place, fusion, needed_later
 from pydy._backends.ir_solve import mask, solver_names
 from pydy._graph.program import Program, operands
 
-__all__ = ["BRANCH_WEIGHTS", "INTRINSICS", "LIBM", "TRUTHS", "Emitter"]
+__all__ = ["BRANCH_WEIGHTS", "INTRINSICS", "LIBM", "Emitter"]
 
 INTRINSICS = {"sqrt": "sqrt", "abs": "fabs", "floor": "floor", "ceil": "ceil"}
 INTRINSICS |= {"min": "minimum", "max": "maximum"}
@@ -31,106 +30,9 @@ BRANCH_WEIGHTS = (
 _COMPARISONS = {"lt": "olt", "le": "ole", "eq": "oeq", "ne": "une"}
 
 
-TRUTHS = frozenset({*_COMPARISONS, "and", "or", "not"})
-
-
-# Operations in one basic block. LLVM's time grows faster than a block's length; values that are
-# needed in a later block wait in memory, so that no register has to be kept for them meanwhile.
-BLOCK = 200
-
-_Place = str | tuple[str, int]
-
-
-class _Names:
-    """What values are called in the block that is being written, and where in memory they wait."""
-
-    def __init__(self, f: Function, v: str) -> None:
-        self._f = f
-        self._v = v
-        self._known: dict[int, tuple[str, int]] = {}  # name, and the block it was made in
-        self._homes: dict[int, tuple[str, int]] = {}
-        self._needed_later: set[int] = set()
-        self._block = 0
-
-    def keep(self, nodes: set[int]) -> None:
-        """Say which values are needed in a later block than the one they are made in."""
-        self._needed_later = nodes
-
-    def new_block(self) -> None:
-        """Forget the names of all values that wait in memory."""
-        self._block += 1
-
-    def at(self, node: int, place: _Place) -> None:
-        """Name a value, or say where in memory it lies."""
-        if isinstance(place, tuple):
-            self._homes[node] = place
-        else:
-            self[node] = place
-
-    def __contains__(self, node: int) -> bool:
-        return node in self._known or node in self._homes
-
-    def __setitem__(self, node: int, name: str) -> None:
-        self._known[node] = (name, self._block)
-        if node in self._needed_later and node not in self._homes:
-            slot = self._f.slot(self._v)
-            self._f.store(self._v, name, slot)
-            self._homes[node] = (slot, 0)
-
-    def __getitem__(self, node: int) -> str:
-        name, block = self._known.get(node, ("", -1))
-        home = self._homes.get(node)
-        if home is not None and block != self._block:
-            name = self._f.load(self._v, home[0], str(home[1]))
-            self._known[node] = (name, self._block)
-        return name
-
-
-def _needed_later(program: Program, swallowed: set[int], setup: bool) -> set[int]:
-    """Return the numbers of a stage that are used in a later block than their own."""
-    block = {}
-    count = 0
-    later: set[int] = set()
-    for k, op in enumerate(program.ops):
-        if program.setup[k] != setup or op in ("const", "bool", "input") or k in swallowed:
-            continue
-        block[k] = count // BLOCK
-        count += 1
-        stack = list(operands(op, program.args[k]))
-        while stack:
-            other = stack.pop()
-            if other in swallowed:
-                stack.extend(program.args[other])
-            elif other in block and block[other] != block[k]:
-                later.add(other)
-    if not setup:
-        later.update(k for k in program.outputs if k in block and block[k] != count // BLOCK)
-    kinds = TRUTHS | {"factor", "solve", "guard"}
-    return {k for k in later if program.ops[k] not in kinds}
-
-
-def _fusion(program: Program) -> tuple[set[int], set[int]]:
-    """Return the sums that take a product along, and the products that vanish in them.
-
-    Decided here and not by LLVM, so that the last bit is the same for any number of lanes and at
-    any level of its effort.
-    """
-    uses = Counter(
-        k for op, a in zip(program.ops, program.args, strict=True) for k in operands(op, a)
-    )
-    uses.update(program.outputs)
-    uses.update(program.carried)
-    fused: set[int] = set()
-    swallowed: set[int] = set()
-    for node, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
-        if op in ("add", "sub"):
-            for k in reversed(args):
-                same_stage = program.setup[k] == program.setup[node]
-                if program.ops[k] == "mul" and uses[k] == 1 and same_stage:
-                    fused.add(node)
-                    swallowed.add(k)
-                    break
-    return fused, swallowed
+# A matrix with more entries for each one that is computed at every call is kept without the others.
+_SPARSE = 4
+_STACK_BYTES = 2**16
 
 
 def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
@@ -151,7 +53,7 @@ class Emitter:
         self.v = vector_type("double", lanes)
         self.b = vector_type("i1", lanes)
         self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
-        self.names = _Names(f, self.v)
+        self.names = Names(f, self.v)
         self.written = 0
         self.pointer = "null"
         self.factors: dict[int, dict[str, str]] = {}
@@ -160,8 +62,10 @@ class Emitter:
         self.places: dict[int, list[tuple[str, int]]] = {}
         self.status = ""
         self.routines = solver_names(lanes)
-        self.angles: dict[int, tuple[_Place, _Place]] = {}
-        self.fused, self.swallowed = _fusion(program)
+        self.angles: dict[int, tuple[Place, Place]] = {}
+        self.fused, self.swallowed = fusion(program)
+        self.put_off = {k for nodes in program.fallback.values() for k in nodes}
+        self.carried: dict[int, int] = {}
 
     def constants(self) -> None:
         """Name the numbers, which need no instruction."""
@@ -186,6 +90,12 @@ class Emitter:
         for k, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
             if op == "guard":
                 stored = _stored(*args[:2])
+                moving = self._moving(stored)
+                if len(stored) > _SPARSE * len(moving):
+                    self.kept[k] = self.f.slot(self.v, len(moving))
+                    for place, node in enumerate(moving):
+                        self.places.setdefault(node, []).append((self.kept[k], place))
+                    continue
                 self.kept[k] = self.f.slot(self.v, len(stored))
                 for place, node in enumerate(stored):
                     if node in self.names:  # a number
@@ -193,21 +103,57 @@ class Emitter:
                     else:
                         self.places.setdefault(node, []).append((self.kept[k], place))
 
+    def _moving(self, stored: list[int]) -> list[int]:
+        """Return the entries of a matrix that are neither numbers nor values of the setup stage."""
+        return list(dict.fromkeys(k for k in stored if not self.program.setup[k]))
+
+    def load_carried(self, node: int) -> None:
+        """Read a value of the setup stage, unless it is known or none."""
+        if node not in self.carried or node in self.names:
+            return
+        if self.program.ops[node] in TRUTHS:
+            number = self.f.load(self.v, "%c", str(self.carried[node]))
+            zero = literal(0.0, self.lanes)
+            self.names[node] = self.f.let(f"fcmp une {self.v} {number}, {zero}")
+        else:
+            self.load(node, "%c", self.carried[node])
+
     def _keep(self, node: int) -> None:
         for pointer, place in self.places.get(node, ()):
             self.f.store(self.v, self.names[node], pointer, str(place))
 
     def node(self, node: int) -> None:
-        """Write one operation."""
+        """Write one operation; what only a fallback needs is written there."""
+        if node in self.put_off:
+            return
         if self.written and self.written % BLOCK == 0:
             self._next_block()
         self.written += node not in self.swallowed
+        self._write_and_keep(node)
+
+    def _write_and_keep(self, node: int) -> None:
+        for other in operands(self.program.ops[node], self.program.args[node]):
+            if other not in self.put_off:
+                self.load_carried(other)
         self._write(node)
         self._keep(node)
 
+    def _write_fallback(self, guard: int) -> None:
+        """Write, in blocks, what only the fallback of a guard needs."""
+        nodes = self.program.fallback[guard]
+        if not nodes:
+            return
+        written = self.written
+        self.names.new_block()
+        for count, node in enumerate(nodes):
+            if count and count % BLOCK == 0:
+                self._next_block()
+            self._write_and_keep(node)
+        self.written = written
+
     def blocks(self, setup: bool, pointer: str) -> None:
         """Write in blocks of limited length; `pointer` is a parameter that is never null."""
-        self.names.keep(_needed_later(self.program, self.swallowed, setup))
+        self.names.keep(needed_later(self.program, self.swallowed, setup))
         self.pointer = pointer
 
     def _next_block(self) -> None:
@@ -439,10 +385,16 @@ class Emitter:
         before = f.current
         f.do(f"br i1 {weak}, label {slow}, label {join}, !prof !0")
         f.label(slow)
-        matrix = self.kept[node]
-        b = self._buffer(column)
-        if len(_stored(n, entries)) < n * n:
+        self._write_fallback(node)
+        stored = _stored(n, entries)
+        symmetric = len(stored) < n * n
+        matrix, scratch, room = self.kept[node], "", ""
+        if len(stored) > _SPARSE * len(self._moving(stored)):
+            matrix, scratch, room = self._filled(node, n, stored)
+        elif symmetric:
             scratch = f.slot(v, n * n + 3 * n)
+        b = self._buffer(column)
+        if symmetric:
             bad = f.let(
                 f"call i32 @{self.routines[3]}(ptr {matrix}, ptr {b}, ptr {scratch}, "
                 f"i64 {n}, i32 {need})"
@@ -454,6 +406,8 @@ class Emitter:
                 f"ptr {b}, i64 {n}, i32 {need})"
             )
         self._report(bad)
+        if room:
+            f.do(f"call void @free(ptr {room})")
         chosen = self._choose(need, b, quick)
         end = f.current
         f.do(f"br label {join}")
@@ -463,3 +417,25 @@ class Emitter:
             f.let(f"phi {v} [ {x}, %{before} ], [ {y}, %{end} ]")
             for x, y in zip(quick, chosen, strict=True)
         ]
+
+    def _filled(self, guard: int, n: int, stored: list[int]) -> tuple[str, str, str]:
+        """Write out a sparse matrix; gives it, scratch memory behind it, and what is to be freed.
+
+        Only a fallback needs that much memory: more than a little is taken from the heap.
+        """
+        f, v = self.f, self.v
+        count = len(stored) + n * n + 3 * n
+        size = 8 * self.lanes * count
+        heap = size > _STACK_BYTES
+        matrix = f.let(f"call ptr @malloc(i64 {size})") if heap else f.slot(v, count)
+        with f.loop("0", str(len(stored))) as item:
+            f.store(v, literal(0.0, self.lanes), matrix, item)
+        self.names.new_block()
+        moving = {node: k for k, node in enumerate(self._moving(stored))}
+        for place, node in enumerate(stored):
+            if node in moving:
+                f.store(v, f.load(v, self.kept[guard], str(moving[node])), matrix, str(place))
+            elif self.program.ops[node] != "const" or self.program.args[node][0] != 0.0:
+                self.load_carried(node)
+                f.store(v, self.names[node], matrix, str(place))
+        return matrix, f.at(matrix, str(len(stored)), v), matrix if heap else ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import threading
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache as once
 from pathlib import Path
@@ -22,15 +22,16 @@ _LOCK = threading.RLock()
 
 
 class Code:
-    """Machine code in memory; it lives as long as this object.
+    """Machine code in memory; it lives as long as this object, and so does what it calls.
 
     Attributes
     ----------
     addresses : dict of str to int
     """
 
-    def __init__(self, engine: Any, names: Sequence[str]) -> None:
+    def __init__(self, engine: Any, names: Sequence[str], calls: Code | None) -> None:
         self._engine = engine
+        self._calls = calls
         self.addresses: dict[str, int] = {n: engine.get_function_address(n) for n in names}
 
 
@@ -91,14 +92,14 @@ def _object_code(text: str, loops: bool, quick: bool) -> bytes:
     return code
 
 
-def _linked(code: bytes, names: Sequence[str], symbols: Mapping[str, int]) -> Code:
+def _linked(code: bytes, names: Sequence[str], calls: Code | None) -> Code:
     with _LOCK:
-        for name, address in symbols.items():
+        for name, address in calls.addresses.items() if calls else ():
             binding.add_symbol(name, address)
         engine = binding.create_mcjit_compiler(binding.parse_assembly(""), _target_machine())
         engine.add_object_file(binding.ObjectFileRef.from_data(code))
         engine.finalize_object()
-        return Code(engine, names)
+        return Code(engine, names, calls)
 
 
 @dataclass(frozen=True)
@@ -112,7 +113,7 @@ class Source:
     text : callable
         Returns the IR, a module; ``text(True)`` the same in brief, for code that must be ready
         quickly. It knows the functions of libm, of Python's C interface, and
-        those that are passed as `symbols`.
+        those of the code that is passed as `calls`.
     names : tuple of str
         The functions whose addresses are wanted.
     loops : bool
@@ -130,7 +131,7 @@ class Source:
         return hashlib.sha256(_circumstances() + self.what.encode()).hexdigest()
 
 
-def find(source: Source, symbols: Mapping[str, int] | None = None) -> Code | None:
+def find(source: Source, calls: Code | None = None) -> Code | None:
     """Return compiled code from memory or disk, or None."""
     key = source.key
     known: Code | None = cache.memory.get(key)
@@ -138,29 +139,29 @@ def find(source: Source, symbols: Mapping[str, int] | None = None) -> Code | Non
         stored = cache.read(key)
         if stored is not None:
             try:
-                known = _linked(stored, source.names, symbols or {})
+                known = _linked(stored, source.names, calls)
             except RuntimeError:  # a sound file that is no object code for this machine
                 return None
             cache.memory.put(key, known)
     return known
 
 
-def load(source: Source, symbols: Mapping[str, int] | None = None) -> Code:
+def load(source: Source, calls: Code | None = None) -> Code:
     """Return compiled code from memory, from disk, or from LLVM at its best."""
-    known = find(source, symbols)
+    known = find(source, calls)
     if known is None:
         stored = _object_code(source.text(False), source.loops, quick=False)
         cache.write(source.key, stored)
-        known = _linked(stored, source.names, symbols or {})
+        known = _linked(stored, source.names, calls)
         cache.memory.put(source.key, known)
     return known
 
 
-def load_quickly(source: Source, symbols: Mapping[str, int] | None = None) -> Code:
+def load_quickly(source: Source, calls: Code | None = None) -> Code:
     """Return code that LLVM compiles in a tenth of the time and that runs half as fast.
 
     It computes the same bits: what is fused and in which order is written in the IR.
     """
     background.in_use()
     stored = _object_code(source.text(True), source.loops, quick=True)
-    return _linked(stored, source.names, symbols or {})
+    return _linked(stored, source.names, calls)

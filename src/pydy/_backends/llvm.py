@@ -6,17 +6,19 @@ order of operations are kept, and fused multiply-adds are those that the IR spel
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Iterable
 from typing import Any
 
 from pydy._backends import background, jit
-from pydy._backends.ir import Function, literal, vector_type
-from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, TRUTHS, Emitter
+from pydy._backends.ir import HEAP_DECLARATIONS, MALLOC, Function, vector_type
+from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, Emitter
 from pydy._backends.ir_math import sincos_declarations, sincos_functions, sincos_names
+from pydy._backends.ir_plan import TRUTHS
 from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
-from pydy._graph.program import Program, operands
+from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
 __all__ = ["LLVMBackend", "kernel_text"]
@@ -56,12 +58,11 @@ class LLVMBackend:
         )
         calls = bool((_SOLVES | _ANGLES) & set(program.ops))
         routines = _routines(lanes, at_best=lanes > 1) if calls else None
-        symbols = routines.addresses if routines else None
-        code = jit.load(source, symbols) if lanes > 1 else jit.find(source, symbols)
+        code = jit.load(source, routines) if lanes > 1 else jit.find(source, routines)
         quick = code is None
         if code is None:
-            code = jit.load_quickly(source, symbols)
-        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), (code, routines))
+            code = jit.load_quickly(source, routines)
+        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), code)
         if quick:
             entry.better = background.Task(lambda: _improve(entry, source, calls))
             background.submit(entry.better)
@@ -71,11 +72,12 @@ class LLVMBackend:
 def _improve(entry: Entry, source: jit.Source, calls: bool) -> None:
     """Compile at LLVM's best and put the result in the entry's place."""
     routines = _routines(1, at_best=True) if calls else None
-    code = jit.load(source, routines.addresses if routines else None)
-    entry.replace((code.addresses["kernel"], code.addresses["prepare"]), (code, routines))
+    code = jit.load(source, routines)
+    entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
 
 
 _ROUTINES: dict[tuple[int, bool], jit.Code] = {}
+_ROUTINES_LOCK = threading.Lock()
 
 
 def _routines(lanes: int, at_best: bool) -> jit.Code:
@@ -85,10 +87,14 @@ def _routines(lanes: int, at_best: bool) -> jit.Code:
         return best
     names = solver_names(lanes) + sincos_names(lanes)
     source = jit.Source(f"routines {lanes}", lambda brief: _routines_text(lanes), names, loops=True)
-    code = jit.load(source) if at_best else jit.find(source)
+    code: jit.Code | None
+    if at_best:
+        with _ROUTINES_LOCK:  # whoever comes second finds what the first one compiled
+            code = jit.load(source)
+    else:
+        code = jit.find(source)
     if code is not None:
-        _ROUTINES[lanes, True] = code
-        return code
+        return _ROUTINES.setdefault((lanes, True), code)
     quick = _ROUTINES.get((lanes, False))
     if quick is None:
         quick = _ROUTINES[lanes, False] = jit.load_quickly(source)
@@ -110,6 +116,8 @@ def kernel_text(program: Program, lanes: int, brief: bool = False) -> str:
     """
     body = _prepare(program, lanes, brief) + _kernel(program, lanes, brief)
     parts = [_declarations(program, lanes)]
+    if f"{MALLOC}(" in body:
+        parts.append(HEAP_DECLARATIONS)
     # Sines and cosines are taken several at a time, in as many widths as they come.
     parts += [
         sincos_declarations(width, kind)
@@ -149,6 +157,7 @@ def _declarations(program: Program, lanes: int) -> str:
     ]
     if _SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
+        lines.append("declare ptr @malloc(i64)\ndeclare void @free(ptr)")
     packs = (1, 2, 4, 8) if lanes == 1 and _ANGLES & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
     for name in sorted({INTRINSICS[op] for op in INTRINSICS if op in program.ops} - {"fabs"}):
@@ -211,14 +220,9 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
     e.blocks(False, "%t")
     e.reserve()
     e.status = f.variable("i32", "0")
-    places = {node: index for index, node in enumerate(program.carried)}
+    e.carried = {node: index for index, node in enumerate(program.carried)}
     for k, op in enumerate(program.ops):
-        if program.setup[k]:
-            continue
-        for other in operands(op, program.args[k]):
-            if other in places and other not in e.names:
-                _load_carried(e, other, places[other])
-        if op in ("const", "bool"):
+        if program.setup[k] or op in ("const", "bool"):
             continue
         if op == "input":
             group, index = program.args[k]
@@ -226,18 +230,9 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
         else:
             e.node(k)
     for index, k in enumerate(program.outputs):
-        if k in places and k not in e.names:
-            _load_carried(e, k, places[k])
+        e.load_carried(k)
         f.store(e.v, e.names[k], "%out", str(index))
     f.do(f"ret i32 {f.get('i32', e.status)}")
     f.label("%bail")
     f.do("ret i32 0")
     return "\n".join([f.text(), *BRANCH_WEIGHTS, ""])
-
-
-def _load_carried(e: Emitter, node: int, index: int) -> None:
-    if e.program.ops[node] in TRUTHS:
-        number = e.f.load(e.v, "%c", str(index))
-        e.names[node] = e.f.let(f"fcmp une {e.v} {number}, {literal(0.0, e.lanes)}")
-    else:
-        e.load(node, "%c", index)

@@ -232,18 +232,19 @@ class SymPyReader:
             key = id(expr)
             if key in seen:
                 continue
+            if ready:
+                handler = HANDLERS.get(expr.func) or HANDLERS[type(expr)]
+                seen[key] = handler(self.graph, expr, [seen[id(a)] for a in expr.args])
+                continue
             alive.append(expr)
             leaf = self._leaf(expr)
             if leaf is not None:
                 seen[key] = leaf
-            elif ready:
-                handler = HANDLERS.get(expr.func) or HANDLERS[type(expr)]
-                seen[key] = handler(self.graph, expr, [seen[id(a)] for a in expr.args])
-            else:
-                if expr.func not in HANDLERS:
-                    raise UnsupportedFunctionError(self._unsupported(expr))
-                stack.append((expr, True))
-                stack.extend((a, False) for a in reversed(expr.args) if id(a) not in seen)
+                continue
+            if expr.func not in HANDLERS:
+                raise UnsupportedFunctionError(self._unsupported(expr))
+            stack.append((expr, True))
+            stack += [(a, False) for a in reversed(expr.args) if id(a) not in seen]
         return seen[id(root)]
 
     def all(self, expressions: Iterable[Any]) -> list[int]:

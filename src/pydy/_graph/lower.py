@@ -15,7 +15,9 @@ import numpy as np
 from pydy._graph.interpret import run
 from pydy._graph.linsolve import LoopFactor, UnrolledLDL, UnrolledLU, symmetric
 from pydy._graph.node import BOOLEAN, Graph
+from pydy._graph.passes import Passes
 from pydy._graph.program import Program, Tape
+from pydy._graph.semiseparable import Part, SemiseparableLDL, separate
 from pydy._graph.share import is_pair, share_pairs
 from pydy._graph.structure import elimination_order, pivot_order
 
@@ -25,7 +27,10 @@ __all__ = ["UNROLL_LIMIT", "lower"]
 # elimination of constants costs only code, since it runs once per binding.
 UNROLL_LIMIT = 3500
 
-Factor = LoopFactor | UnrolledLDL | UnrolledLU
+# Below this many multiply-adds an elimination needs no structure beside its zeros.
+_SEPARATE_FROM = 200
+
+Factor = LoopFactor | UnrolledLDL | UnrolledLU | SemiseparableLDL
 
 
 def lower(
@@ -34,6 +39,7 @@ def lower(
     blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
     *,
     unroll_limit: int = UNROLL_LIMIT,
+    passes: Passes | None = None,
 ) -> Program:
     """Return the Program that computes `blocks`.
 
@@ -47,16 +53,22 @@ def lower(
         Row-major.
     unroll_limit : int
         The most multiply-adds of an LDLᵀ and one solve that are written out.
+    passes : Passes, optional
+        All by default.
     """
-    return Program.from_tape(*_Lowering(graph, sizes, unroll_limit).run(blocks))
+    lowering = _Lowering(graph, sizes, unroll_limit, passes or Passes())
+    return Program.from_tape(*lowering.run(blocks))
 
 
 class _Lowering:
-    def __init__(self, graph: Graph, sizes: tuple[int, int, int], unroll_limit: int) -> None:
+    def __init__(
+        self, graph: Graph, sizes: tuple[int, int, int], unroll_limit: int, passes: Passes
+    ) -> None:
         self.graph = graph
         self.sizes = sizes
         self.tape = Tape()
         self.unroll_limit = unroll_limit
+        self.passes = passes
         self.new: dict[int, int] = {}
         self.factors: dict[int, Factor] = {}
         self.divided: Counter[int] = Counter()
@@ -74,7 +86,6 @@ class _Lowering:
         for node in order:
             if self.graph.ops[node] == "prod":
                 self.divided.update(n for n, e in self.graph.args[node] if e < 0)
-        self._constant = constant_nodes(self.graph, order)
         self._plan_products(order)
         self._plan_sums(order)
         for node in order:
@@ -105,8 +116,7 @@ class _Lowering:
             return tape.make(op, *args)
         if op == "factor":
             kind, n, entries = args
-            cells = [new[e] for e in entries]
-            self.factors[node] = self._factorise(kind, n, cells)
+            self.factors[node] = self._factorise(kind, n, entries)
             return -1
         if op == "solve":
             return self.factors[args[0]].solve([new[b] for b in args[1]])
@@ -114,16 +124,20 @@ class _Lowering:
             return tape.make("item", new[args[0]], args[1])
         return tape.make(op, *(new[a] for a in args))
 
-    def _factorise(
-        self, kind: str, n: int, cells: list[int]
-    ) -> UnrolledLDL | UnrolledLU | LoopFactor:
+    def _factorise(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
         """Unroll an elimination unless its operations, zeros left out, are too many."""
         tape = self.tape
+        cells = [self.new[e] for e in entries]
         if kind == "ldl":
             zero = tape.const(0.0)
             filled = np.array(symmetric(n, cells)).reshape(n, n) != zero
             order, cost = elimination_order(filled)
             constant = all(tape.setup[c] for c in cells)
+            found = None
+            if self.passes.separate and not constant and cost > _SEPARATE_FROM:
+                found = separate(self.graph, n, entries)
+            if found is not None and found.cost < cost:
+                return SemiseparableLDL(tape, n, cells, found, self._parts)
             if cost <= self.unroll_limit * (4 if constant else 1):
                 return UnrolledLDL(tape, n, cells, order)
         elif n:
@@ -131,6 +145,17 @@ class _Lowering:
             if pivots is not None and pivots[2] <= self.unroll_limit:
                 return UnrolledLU(tape, n, cells, *pivots[:2])
         return LoopFactor(tape, kind, n, cells)
+
+    def _parts(self, parts: dict[Part, float]) -> int:
+        """Return the value of a generator of a semiseparable matrix."""
+        tape = self.tape
+        result = tape.const(0.0)
+        for part, coefficient in parts.items():
+            values = [self._power(n, e) for n, e in part]
+            factors = self._chain([tape.const(coefficient), *values])
+            assert factors is not None
+            result = tape.add(result, factors)
+        return result
 
     def _pivots(self, n: int, cells: list[int]) -> tuple[list[int], list[int], int] | None:
         """Look at a matrix at generic states and choose its pivots."""
@@ -154,19 +179,27 @@ class _Lowering:
 
     def _plan_sums(self, order: list[int]) -> None:
         """Decide in which order the terms of each sum are added."""
-        graph, constant = self.graph, self._constant
+        graph, constant = self.graph, self.graph.constant
         sums = [node for node in order if graph.ops[node] == "sum"]
+        users = Counter((n, abs(c)) for node in sums for n, c in graph.args[node][1])
+
+        def rank(term: tuple[tuple[int, float], bool]) -> tuple[Any, ...]:
+            # Constants first: their partial sum is then a value of the setup stage. Of the rest
+            # what most sums have, so that a run of terms they share stands together.
+            operand = term[0]
+            return (not constant[operand[0]], -users[operand], operand[0])
+
         rows = []
         for node in sums:
-            # Constants first: their partial sum is then a value of the setup stage.
-            pairs = graph.args[node][1]
-            rows.append(sorted(pairs, key=lambda pair: (not constant[pair[0]], pair[0])))
-        self.sums = dict(zip(sums, share_pairs(rows), strict=True))
+            terms = [((n, abs(c)), c > 0.0) for n, c in graph.args[node][1]]
+            rows.append(sorted(terms, key=rank))
+        shared = share_pairs(rows) if self.passes.share_sums else rows
+        self.sums = dict(zip(sums, shared, strict=True))
 
     def _sum(self, node: int) -> int:
         tape = self.tape
         c0 = self.graph.args[node][0]
-        terms = [self._term(tree) for tree in self.sums[node]]
+        terms = [self._term(*term) for term in self.sums[node]]
         terms.sort(key=lambda item: not tape.setup[item[0]])
         if c0:
             terms.insert(0, (tape.const(abs(c0)), c0 > 0))
@@ -175,15 +208,16 @@ class _Lowering:
             value, positive = self._joined((value, positive), (other, sign))
         return value if positive else tape.neg(value)
 
-    def _term(self, tree: Any) -> tuple[int, bool]:
+    def _term(self, tree: Any, positive: bool) -> tuple[int, bool]:
         """Return a term as a value to add (True) or to subtract (False)."""
-        if not is_pair(tree):
-            return self._scaled(*tree)
-        known = self.partial_sums.get(id(tree))
-        if known is None:
-            known = self._joined(self._term(tree[0]), self._term(tree[1]))
-            self.partial_sums[id(tree)] = known
-        return known
+        if is_pair(tree):
+            known = self.partial_sums.get(id(tree))
+            if known is None:
+                known = self._joined(self._term(*tree[0]), self._term(*tree[1]))
+                self.partial_sums[id(tree)] = known
+        else:
+            known = self._scaled(*tree)
+        return known[0], known[1] is positive
 
     def _joined(self, a: tuple[int, bool], b: tuple[int, bool]) -> tuple[int, bool]:
         tape = self.tape
@@ -191,20 +225,18 @@ class _Lowering:
             return tape.add(a[0], b[0]), a[1]
         return (tape.sub(a[0], b[0]), True) if a[1] else (tape.sub(b[0], a[0]), True)
 
-    def _scaled(self, node: int, coefficient: float) -> tuple[int, bool]:
-        """Return a term of a sum as a value to add (True) or to subtract (False)."""
+    def _scaled(self, node: int, size: float) -> tuple[int, bool]:
+        """Return ``size · node`` as a value to add (True) or to subtract (False)."""
         tape = self.tape
-        size = abs(coefficient)
         if size == 1.0:
             value = self.new[node]
         elif (node, size) in self.products:
             value = self._product(node, size)
         else:
             value = tape.mul(tape.const(size), self.new[node])
-        positive = coefficient > 0.0
         if tape.ops[value] == "neg":
-            return tape.args[value][0], not positive
-        return value, positive
+            return tape.args[value][0], False
+        return value, True
 
     # -- products ---------------------------------------------------------------------------------
 
@@ -215,7 +247,7 @@ class _Lowering:
         in which the product stands: all that is a matter of the setup stage.
         """
         graph = self.graph
-        constant = self._constant
+        constant = graph.constant
         wanted: dict[tuple[int, float], None] = {}
         for node in order:
             if graph.ops[node] == "prod":
@@ -235,8 +267,10 @@ class _Lowering:
             if fixed or size != 1.0:
                 above.insert(0, ("fixed", fixed, size))
             factors.append(above)
-        for key, shared in zip(wanted, share_pairs(factors), strict=True):
-            self.products[key] = shared
+        if self.passes.share_products:
+            shared = share_pairs([[(factor, True) for factor in row] for row in factors])
+            factors = [[tree for tree, _ in row] for row in shared]
+        self.products = dict(zip(wanted, factors, strict=True))
 
     def _multiplies(self, node: int, exponent: int) -> bool:
         # A denominator that occurs more than once becomes a reciprocal.
@@ -256,7 +290,7 @@ class _Lowering:
         if is_pair(tree):
             known = self.pairs.get(id(tree))
             if known is None:
-                known = tape.mul(self._factor(tree[0]), self._factor(tree[1]))
+                known = tape.mul(self._factor(tree[0][0]), self._factor(tree[1][0]))
                 self.pairs[id(tree)] = known
             return known
         if tree[0] == "power":
@@ -282,17 +316,3 @@ class _Lowering:
         for node in ordered:
             result = node if result is None else tape.mul(result, node)
         return result
-
-
-def constant_nodes(graph: Graph, order: Sequence[int]) -> dict[int, bool]:
-    """Tell for the nodes in `order` which depend on constants (inputs 'p') and numbers alone."""
-    flags: dict[int, bool] = {}
-    for node in order:
-        op = graph.ops[node]
-        if op == "input":
-            flags[node] = graph.args[node][0] == "p"
-        elif op in ("factor", "solve", "item"):
-            flags[node] = False
-        else:
-            flags[node] = all(flags[n] for n in graph.operands(node))
-    return flags

@@ -66,6 +66,9 @@ BOOLEAN = frozenset(COMPARISONS) | {"and", "or", "not", "bool"}
 _ODD = frozenset({"sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "sign"})
 _EVEN = frozenset({"cos", "cosh", "abs"})
 
+# Factors of a product that are not just counted.
+_SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
+
 
 class Graph:
     """The arena that holds every node.
@@ -78,17 +81,28 @@ class Graph:
         Operands of each node: other nodes, except for the kinds ``const`` (value,), ``bool``
         (value,), ``input`` (group, index), ``sum``, ``prod`` (see the module), ``factor``
         (kind, n, entries), ``solve`` (factor, right-hand sides) and ``item`` (solve, index).
+    constant : list of bool
+        Whether each node depends on constants (inputs 'p') and numbers alone.
     """
 
     def __init__(self) -> None:
         self.ops: list[str] = []
         self.args: list[tuple[Any, ...]] = []
+        self.constant: list[bool] = []
         self._known: dict[tuple[Any, ...], int] = {}
         self.zero = self.const(0.0)
         self.one = self.const(1.0)
 
     def __len__(self) -> int:
         return len(self.ops)
+
+    def copy(self) -> Graph:
+        """Return a graph with the same nodes, which grows on its own."""
+        other = Graph.__new__(Graph)
+        other.ops, other.args = self.ops.copy(), self.args.copy()
+        other.constant, other._known = self.constant.copy(), self._known.copy()
+        other.zero, other.one = self.zero, self.one
+        return other
 
     def make(self, op: str, args: tuple[Any, ...]) -> int:
         """Return the node for `op` on `args` as they are, without any rewriting."""
@@ -99,7 +113,21 @@ class Graph:
             self._known[key] = node
             self.ops.append(op)
             self.args.append(args)
+            self.constant.append(self._is_constant(op, args))
         return node
+
+    def _is_constant(self, op: str, args: tuple[Any, ...]) -> bool:
+        constant = self.constant
+        if op == "sum":
+            return all(constant[n] for n, _ in args[1])
+        if op == "prod":
+            return all(constant[n] for n, _ in args)
+        if op in ("const", "bool"):
+            return True
+        if op == "input":
+            return bool(args[0] == "p")
+        # Solves report failures, which only calls can do.
+        return op not in ("factor", "solve", "item") and all(constant[n] for n in args)
 
     # -- leaves ---------------------------------------------------------------------------------
 
@@ -148,7 +176,7 @@ class Graph:
                     node, factor = inner_terms[0]
                     coefficient *= factor
             collected[node] = collected.get(node, 0.0) + coefficient
-        pairs = tuple((n, collected[n]) for n in sorted(collected) if collected[n] != 0.0)
+        pairs = tuple([(n, collected[n]) for n in sorted(collected) if collected[n] != 0.0])
         if not pairs:
             return self.const(c0)
         if c0 == 0.0:
@@ -164,16 +192,19 @@ class Graph:
     def product(self, factors: Iterable[tuple[int, int]], coefficient: float = 1.0) -> int:
         """Return ``coefficient · Π node ** exponent``; nested products are flattened."""
         powers: dict[int, int] = {}
+        ops = self.ops
         stack = list(factors)[::-1]
         while stack:
             node, exponent = stack.pop()
-            op = self.ops[node]
-            if exponent == 0:
+            op = ops[node]
+            if op not in _SPECIAL_FACTORS:
+                powers[node] = powers.get(node, 0) + exponent
+            elif exponent == 0:
                 continue
-            if op == "const":
+            elif op == "const":
                 coefficient *= _powi(self.args[node][0], exponent)
             elif op == "prod":
-                stack.extend((n, e * exponent) for n, e in reversed(self.args[node]))
+                stack += [(n, e * exponent) for n, e in self.args[node][::-1]]
             elif op == "sum":
                 c0, terms = self.args[node]
                 if c0 == 0.0 and len(terms) == 1:
@@ -196,13 +227,13 @@ class Graph:
                 stack.append((self.args[node][0], sign * half))
             else:
                 powers[node] = powers.get(node, 0) + exponent
-        pairs = tuple((n, powers[n]) for n in sorted(powers) if powers[n] != 0)
+        pairs = tuple([(n, powers[n]) for n in sorted(powers) if powers[n] != 0])
         if coefficient == 0.0 or not pairs:
             return self.const(coefficient)
         core = pairs[0][0] if pairs[0][1] == 1 and len(pairs) == 1 else self.make("prod", pairs)
         if coefficient == 1.0:
             return core
-        return self.sum([(core, coefficient)])
+        return self.make("sum", (0.0, ((core, coefficient),)))
 
     def add(self, *nodes: int) -> int:
         """Return the sum of `nodes`."""
@@ -326,13 +357,13 @@ class Graph:
 
     def reachable(self, roots: Iterable[int]) -> list[int]:
         """Return every node the roots need, in topological (ascending) order."""
+        operands = self.operands
         seen = set(roots)
         stack = list(seen)
         while stack:
-            for other in self.operands(stack.pop()):
-                if other not in seen:
-                    seen.add(other)
-                    stack.append(other)
+            new = [n for n in operands(stack.pop()) if n not in seen]
+            seen.update(new)
+            stack += new
         return sorted(seen)
 
 

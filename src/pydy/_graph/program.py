@@ -19,10 +19,11 @@ Operations and their arguments::
 from __future__ import annotations
 
 import hashlib
+import marshal
 import struct
 from collections import Counter
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass, fields
 from functools import cached_property
 from math import prod
 from typing import Any
@@ -32,6 +33,8 @@ from pydy._graph.node import BINARY, COMPARISONS, UNARY
 __all__ = ["Block", "Program", "Tape"]
 
 FREE = frozenset({"const", "bool", "input", "item", "factor", "solve", "guard"})
+# What back ends read or compute in groups.
+_NEVER_PUT_OFF = FREE | {"sin", "cos"}
 
 
 def operands(op: str, args: tuple[Any, ...]) -> tuple[int, ...]:
@@ -233,6 +236,18 @@ class Program:
             start += len(nodes)
         return cls(*sizes, ops, args, setup, carried, outputs, tuple(table))
 
+    def to_bytes(self) -> bytes:
+        """Return the Program as bytes, for this version of Python."""
+        blocks = tuple(astuple(block) for block in self.blocks)
+        values = [blocks if f.name == "blocks" else getattr(self, f.name) for f in fields(self)]
+        return marshal.dumps(values)
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> Program:
+        """Return the Program that `to_bytes` wrote."""
+        *values, blocks = marshal.loads(data)
+        return cls(*(*values, tuple(Block(*block) for block in blocks)))
+
     def block(self, name: str) -> Block:
         """Return the output block of that name."""
         return next(b for b in self.blocks if b.name == name)
@@ -251,6 +266,29 @@ class Program:
         return sha.hexdigest()
 
     @cached_property
+    def fallback(self) -> dict[int, list[int]]:
+        """For each guard the nodes that only its fallback needs; back ends may put them off."""
+        hot = -1
+        user: dict[int, int] = dict.fromkeys(self.outputs, hot)
+        found: dict[int, list[int]] = {k: [] for k, op in enumerate(self.ops) if op == "guard"}
+        for node in reversed(range(len(self.ops))):
+            if self.setup[node] or node not in user:
+                continue
+            op, args = self.ops[node], self.args[node]
+            if user[node] != hot and op in _NEVER_PUT_OFF:
+                user[node] = hot
+            if user[node] != hot:
+                found[user[node]].append(node)
+            if op == "guard":
+                needs = [(k, hot) for k in (*args[2], args[3], *args[4])]
+                needs += [(k, node) for k in args[1]]
+            else:
+                needs = [(k, user[node]) for k in operands(op, args)]
+            for other, who in needs:
+                user[other] = who if user.get(other, who) == who else hot
+        return {guard: nodes[::-1] for guard, nodes in found.items()}
+
+    @cached_property
     def operation_count(self) -> dict[str, Counter[str]]:
         """Operations by kind, for the stages 'setup' and 'run'.
 
@@ -258,7 +296,10 @@ class Program:
         as 'add', 'mul' and 'div'; the fallback behind a guard is not counted.
         """
         counts: dict[str, Counter[str]] = {"setup": Counter(), "run": Counter()}
-        for op, args, setup in zip(self.ops, self.args, self.setup, strict=True):
+        put_off = {k for nodes in self.fallback.values() for k in nodes}
+        for k, (op, args, setup) in enumerate(zip(self.ops, self.args, self.setup, strict=True)):
+            if k in put_off:
+                continue
             counter = counts["setup" if setup else "run"]
             if op == "factor":
                 n = args[1]
@@ -274,6 +315,7 @@ class Program:
     def __getstate__(self) -> dict[str, object]:
         state = dict(self.__dict__)
         state.pop("operation_count", None)
+        state.pop("fallback", None)
         return state
 
 

@@ -16,13 +16,15 @@ __all__ = ["Tree", "is_pair", "share_pairs"]
 
 # An operand, or the combination of two trees.
 Tree = Hashable
+# A tree, and whether it counts positive; factors of a product always do.
+Signed = tuple[Tree, bool]
 
 # In longer rows only neighbours are tried: all pairs would cost the square of the length, and what
 # long sums share is mostly a run of terms (the loads on everything below a joint).
 _LONG = 20
 
 
-class _Pair(tuple[Tree, Tree]):
+class _Pair(tuple[Signed, Signed]):
     """Two trees joined; a type of its own, so that operands may be tuples too."""
 
     __slots__ = ()
@@ -33,35 +35,29 @@ def is_pair(tree: Tree) -> bool:
     return isinstance(tree, _Pair)
 
 
-def _candidates(row: list[int]) -> set[tuple[int, int]]:
-    if len(row) > _LONG:
-        return {(min(a, b), max(a, b)) for a, b in pairwise(row)}
-    ordered = sorted(row)
-    return {(a, b) for i, a in enumerate(ordered) for b in ordered[i + 1 :]}
-
-
-def share_pairs(rows: Sequence[Sequence[Tree]]) -> list[list[Tree]]:
+def share_pairs(rows: Sequence[Sequence[Signed]]) -> list[list[Signed]]:
     """Return the rows with common pairs joined.
 
     Parameters
     ----------
-    rows : sequence of sequences of distinct operands
-        Of products or of sums: the order of operands does not matter.
+    rows : sequence of sequences of (operand, positive)
+        The operands, each once, of products or of sums; a − b and b − a are the same pair.
 
     Returns
     -------
-    list of list
-        For each row what is left to combine: operands, and pairs of trees (see `is_pair`), which
-        are the same object in every row that has them.
+    list of list of (tree, positive)
+        For each row what is left to combine: operands, and pairs of signed trees (see `is_pair`),
+        which are the same object in every row that has them.
     """
+    # An entry of a row is twice its tree's number, plus one where it is negative.
     trees: list[Tree] = []
     numbers: dict[Tree, int] = {}
     for row in rows:
-        for operand in row:
+        for operand, _ in row:
             if operand not in numbers:
                 numbers[operand] = len(trees)
                 trees.append(operand)
-    table = [[numbers[operand] for operand in row] for row in rows]
+    table = [[2 * numbers[tree] + (not positive) for tree, positive in row] for row in rows]
     where: dict[tuple[int, int], set[int]] = {}
     for k, numbered in enumerate(table):
         for pair in _candidates(numbered):
@@ -76,7 +72,7 @@ def share_pairs(rows: Sequence[Sequence[Tree]]) -> list[list[Tree]]:
                 heapq.heappush(heap, (-len(users), pair))
             continue
         new = len(trees)
-        trees.append(_Pair((trees[pair[0]], trees[pair[1]])))
+        trees.append(_Pair((_signed(trees, pair[0]), _signed(trees, pair[1]))))
         touched: set[tuple[int, int]] = set()
         for k in sorted(users):
             before = _candidates(table[k])
@@ -91,18 +87,34 @@ def share_pairs(rows: Sequence[Sequence[Tree]]) -> list[list[Tree]]:
         for key in sorted(touched):
             if len(where[key]) > 1:
                 heapq.heappush(heap, (-len(where[key]), key))
-    return [[trees[n] for n in row] for row in table]
+    return [[_signed(trees, entry) for entry in row] for row in table]
+
+
+def _signed(trees: list[Tree], entry: int) -> Signed:
+    return trees[entry >> 1], not entry & 1
+
+
+def _candidates(row: list[int]) -> set[tuple[int, int]]:
+    """Return the pairs of a row; the first of each is made positive."""
+    if len(row) > _LONG:
+        couples = [(min(a, b), max(a, b)) for a, b in pairwise(row)]
+    else:
+        ordered = sorted(row)
+        couples = [(a, b) for i, a in enumerate(ordered) for b in ordered[i + 1 :]]
+    return {(a ^ (a & 1), b ^ (a & 1)) for a, b in couples}
 
 
 def _joined(row: list[int], pair: tuple[int, int], new: int) -> list[int]:
     """Return a row with the pair's first member replaced and the second left out."""
+    first = pair[0] >> 1
+    second = pair[1] >> 1
+    sign = next(entry for entry in row if entry >> 1 == first) & 1
     result = []
     done = False
-    for n in row:
-        if n in pair:
-            if not done:
-                result.append(new)
-                done = True
-        else:
-            result.append(n)
+    for entry in row:
+        if entry >> 1 not in (first, second):
+            result.append(entry)
+        elif not done:
+            result.append(2 * new + sign)
+            done = True
     return result

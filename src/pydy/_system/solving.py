@@ -59,10 +59,13 @@ def prepare(
         raise ValueError(
             f"`constraints` must be None, 'project' or 'baumgarte', got {constraints!r}."
         )
-    if constraints is not None and not definition.equations.velocity:
+    equations = definition.equations
+    if constraints == "project" and not (equations.holonomic or equations.velocity):
+        raise ValueError("`constraints='project'` holds constraints, but the system has none.")
+    if constraints == "baumgarte" and not equations.velocity:
         raise ValueError(
-            f"`constraints={constraints!r}` holds constraints, but the system has none with their "
-            "velocity equations. Give KanesMethod `velocity_constraints`, or leave this out."
+            "`constraints='baumgarte'` works on velocity constraints, but the system has none. "
+            "Give KanesMethod `velocity_constraints`, or use constraints='project'."
         )
     if (gain is None) == (constraints == "baumgarte"):
         raise ValueError(
@@ -129,7 +132,7 @@ def compile_events(
     """Compile events, their rates and their resets."""
     expressions = tuple(event.expression for event in events)
     states = definition.states
-    assembly = implementation.assembly
+    assembly = implementation.assembly.fork()
     graph = assembly.graph
     nodes = assembly.read(expressions, "the events")
 
@@ -138,7 +141,7 @@ def compile_events(
         slopes = [*assembly.rates, graph.one]
         rows = jacobian(graph, nodes, [*along, graph.input("t", 0)])
         totals = [graph.sum([(graph.mul(d, slopes[k]), 1.0) for k, d in r.items()]) for r in rows]
-        return assembly.lowered([("rates", (len(totals),), totals)])
+        return assembly.lowered([("rates", (len(totals),), totals)], graph)
 
     def moves(node: int) -> bool:
         inputs = [graph.args[n] for n in graph.reachable([node]) if graph.ops[n] == "input"]
@@ -171,7 +174,7 @@ def compile_constraints(
     mechanism = equations.mechanism
     weighted = mechanism is not None and bool(mechanism.bodies)
     kernel = implementation.compiled_by(
-        ("projection",), lambda: _projection(implementation.assembly)
+        ("projection",), lambda: _projection(implementation.assembly.fork())
     )
     return CompiledConstraints(
         kernel=kernel,
@@ -180,7 +183,16 @@ def compile_constraints(
         coordinates=len(equations.coordinates),
         speeds=len(equations.speeds),
         weighted=weighted,
+        names=(
+            *(_named("holonomic", k, e) for k, e in enumerate(equations.holonomic)),
+            *(_named("velocity", k, e) for k, e in enumerate(equations.velocity)),
+        ),
     )
+
+
+def _named(kind: str, k: int, expression: Any) -> str:
+    text = str(expression)
+    return f"{kind} constraint {k}: {text if len(text) <= 60 else text[:57] + '...'}"
 
 
 def _projection(assembly: Assembly) -> Program:
@@ -202,4 +214,5 @@ def _projection(assembly: Assembly) -> Program:
         "velocity_gradient": cells(assembly.velocity, speeds),
         "kinetic_hessian": assembly.kinetic_hessian,
     }
-    return assembly.lowered([(name, (len(nodes),), nodes) for name, nodes in parts.items()])
+    blocks = [(name, (len(nodes),), nodes) for name, nodes in parts.items()]
+    return assembly.lowered(blocks, graph)

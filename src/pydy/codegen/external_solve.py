@@ -94,7 +94,8 @@ def with_external_solver(program: Program, system: Kernel, solver: Solver, rest:
         out = np.full((len(t), len(program.outputs)), np.nan)
         failed = np.zeros(len(t), dtype=bool)
         for k, row in enumerate(np.broadcast_to(r, (len(t), r.shape[1]))):
-            failed[k] = call(x[k], float(t[k]), np.ascontiguousarray(row), p, out[k])
+            state, inputs = np.array(x[k], dtype=float), np.array(row, dtype=float)
+            failed[k] = call(state, float(t[k]), inputs, p, out[k])
         return out, failed
 
     return Kernel(program, sweep, call, with_external_solver, (system, solver, rest))

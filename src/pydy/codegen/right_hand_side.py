@@ -25,6 +25,7 @@ from pydy.codegen.arguments import (
 )
 from pydy.codegen.docstring import rhs_docstring
 from pydy.codegen.external_solve import Solver, with_external_solver
+from pydy.codegen.stored import stored_program
 from pydy.inputs import SampledInput
 
 __all__ = ["Layout", "RightHandSide", "raise_singular"]
@@ -135,17 +136,27 @@ class RightHandSide:
         """
         kernel = self._kernels.get(blocks)
         if kernel is None:
-            kernel = self._compiler.compile(self.assembly.program(*blocks))
+            kernel = self._compiler.compile(self._program(*blocks))
             if self._solver is not None:
                 matrices = self._system_kernel()
                 kernel = with_external_solver(kernel.program, matrices, self._solver, kernel)
             self._kernels[blocks] = kernel
         return kernel
 
+    def _program(self, *blocks: str) -> Program:
+        assembly = self.assembly
+        if any(name.startswith("kinetic") for name in blocks):
+            return assembly.program(*blocks)  # made from the bodies, which have no fingerprint
+        return stored_program(assembly, ", ".join(blocks), lambda: assembly.program(*blocks))
+
     def compiled_jacobian(self, block: str, group: str) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
+        assembly = self.assembly
         return self.compiled_by(
-            (block, "by", group), lambda: self.assembly.jacobian_program(block, group)
+            (block, "by", group),
+            lambda: stored_program(
+                assembly, f"{block} by {group}", lambda: assembly.jacobian_program(block, group)
+            ),
         )
 
     def compiled_expressions(
@@ -173,7 +184,7 @@ class RightHandSide:
             whole = assembly.sizes
             assembly.sizes = (whole[0], whole[1] - n, whole[2])
             try:
-                self._kernels[key] = self._compiler.compile(assembly.program(*key))
+                self._kernels[key] = self._compiler.compile(self._program(*key))
             finally:
                 assembly.sizes = whole
         return self._kernels[key]

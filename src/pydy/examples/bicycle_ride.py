@@ -1,6 +1,7 @@
 """The demo: a bicycle without a rider's help is pushed sideways, and everything is checked.
 
-`ride` does the work and returns numbers, `draw` makes the figure; nothing is printed here.  Read
+`ride` does the work and returns numbers, `draw` makes the figure, `animate` the page; nothing is
+printed here.  Read
 `ride` from top to bottom to see each part of `pydy.system.System` at work: constants, consistent
 initial conditions, a force that is a Python function, outputs, constraint residuals, contact
 forces, and the exact linear model.
@@ -24,11 +25,13 @@ from time import perf_counter
 import numpy as np
 import sympy as sm
 
-from pydy.examples import whipple_bicycle
+from pydy.examples import bicycle_scene, whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
 from pydy.system import System
+from pydy.trajectory import Trajectory
+from pydy.viz import Scene
 
-__all__ = ["Ride", "draw", "push", "ride"]
+__all__ = ["Ride", "animate", "draw", "push", "ride"]
 
 SPEED = 5.0  # m/s; the riderless bicycle is stable between 4.29 and 6.02 m/s
 ROLL = STEER = 0.05  # rad at the start
@@ -37,6 +40,7 @@ PUSH, PUSH_START, PUSH_END = 300.0, 1.0, 1.2  # N, s, s
 TIMES = np.linspace(0.0, 5.0, num=501)
 # odeint may step across a push that it has not felt yet, hence the longest step.
 SOLVER = {"rtol": 1e-10, "atol": 1e-10, "hmax": 0.02}
+TITLE = f"Carvallo–Whipple bicycle at {SPEED:g} m/s, hands off: it recovers from a push"
 MODES = ("weave", "weave", "capsize", "castering")  # in the order they were published
 
 
@@ -71,6 +75,10 @@ class Ride:
         Those of position, heading, wheel angles, speed and auxiliary states: zero.
     seconds : Mapping of str to float
         How long each stage took.
+    trajectory : pydy.trajectory.Trajectory
+        The ride with the push.
+    scene : pydy.viz.Scene
+        The same, ready to be shown.
     """
 
     states: Mapping[str, int]
@@ -92,6 +100,8 @@ class Ride:
     published: np.ndarray
     other_eigenvalues: np.ndarray
     seconds: Mapping[str, float]
+    trajectory: Trajectory
+    scene: Scene
 
     @property
     def eigenvalue_error(self) -> float:
@@ -177,17 +187,14 @@ def ride() -> Ride:
     with clock.stage("simulate"):
         free = system.integrate(**SOLVER)
         system.specifieds = {bicycle.push: lambda x, t: push(t)}
-        pushed = system.integrate(**SOLVER)
+        pushed = system.simulate(**SOLVER)
     with clock.stage("evaluate"):
         energy = system.evaluate_outputs(x=free)[:, 0]
         off_ground = np.abs(system.evaluate_holonomic_constraints(x=free)).max()
-        holonomic = np.abs(system.evaluate_holonomic_constraints(x=pushed)).max(axis=1)
-        velocity = np.abs(system.evaluate_velocity_constraints(x=pushed)).max(axis=1)
-        contact = system.evaluate_outputs(x=pushed)[:, -2:]
-
-    def history(name: str) -> np.ndarray:
-        column: np.ndarray = pushed[:, system.states.index(bicycle[name])]
-        return column
+        holonomic = np.abs(system.evaluate_holonomic_constraints(x=pushed.states)).max(axis=1)
+        velocity = np.abs(system.evaluate_velocity_constraints(x=pushed.states)).max(axis=1)
+    with clock.stage("animate"):
+        scene = bicycle_scene.scene(system, bicycle, TITLE).animate(pushed)
 
     return Ride(
         states={
@@ -197,11 +204,11 @@ def ride() -> Ride:
         },
         dependent={state.name: system.initial_conditions[state] for state in dependent},
         times=TIMES,
-        force=np.array([push(t) for t in TIMES]),
-        roll=history("phi"),
-        steer=history("delta"),
-        roll_rate=history("u_phi"),
-        contact_forces=contact,
+        force=pushed[bicycle.push],
+        roll=pushed[bicycle["phi"]],
+        steer=pushed[bicycle["delta"]],
+        roll_rate=pushed[bicycle["u_phi"]],
+        contact_forces=pushed.outputs[:, -2:],
         static_forces=static,
         weight=sum(constants[body.mass] for body in bicycle.bodies) * constants[bicycle["g"]],
         holonomic=holonomic,
@@ -213,7 +220,22 @@ def ride() -> Ride:
         published=published,
         other_eigenvalues=np.delete(found, nearest),
         seconds=clock.seconds,
+        trajectory=pushed,
+        scene=scene,
     )
+
+
+def animate(ride: Ride, path: Path) -> None:
+    """Write the page with a ride's animation.
+
+    Parameters
+    ----------
+    ride : Ride
+        What `ride` returned.
+    path : Path
+        Where to, conventionally with the suffix ``.html``.
+    """
+    ride.scene.to_html(path)
 
 
 def draw(ride: Ride, path: Path) -> None:
@@ -236,10 +258,7 @@ def draw(ride: Ride, path: Path) -> None:
 
     figure = Figure(figsize=(8, 8.5), layout="constrained")
     angles, forces, residuals = figure.subplots(3, 1, sharex=True)
-    figure.suptitle(
-        f"Carvallo–Whipple bicycle at {SPEED:g} m/s, hands off: it recovers from a push",
-        fontsize=12,
-    )
+    figure.suptitle(TITLE, fontsize=12)
 
     angles.plot(ride.times, np.degrees(ride.roll), color="tab:blue", label="roll")
     angles.plot(ride.times, np.degrees(ride.steer), color="tab:orange", label="steer")

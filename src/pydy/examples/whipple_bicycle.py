@@ -134,7 +134,7 @@ BENCHMARK: Mapping[str, float] = {
     "I_Fxx": 0.1405,
     "I_Fyy": 0.28,
 }
-"""Value of every constant by its name, [1]_ table 1."""
+"""Value of every constant by its name, from table 1 of the benchmark."""
 
 PUBLISHED_EIGENVALUES: Mapping[float, tuple[complex, ...]] = {
     5.0: (
@@ -144,7 +144,7 @@ PUBLISHED_EIGENVALUES: Mapping[float, tuple[complex, ...]] = {
         complex(-14.0783896927982),  # castering
     ),
 }
-"""Eigenvalues in 1/s of upright straight riding, by forward speed in m/s, [1]_ table 2."""
+"""Eigenvalues in 1/s of upright straight riding, by forward speed in m/s, from its table 2."""
 
 
 @dataclass(frozen=True)

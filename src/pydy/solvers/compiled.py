@@ -14,6 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import llvmlite.binding as llvm
 import numba
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
 
@@ -59,6 +60,22 @@ class _Locator(_CacheLocator):
 
 class _Implementation(CompileResultCacheImpl):
     _locator_classes: Any = (_Locator,)
+
+    def reduce(self, data: Any) -> Any:
+        """Leave out the code that other functions could inline: reading it is most of a load.
+
+        numba reads from it which functions there are: those stay, without bodies.
+        """
+        state, *rest = super().reduce(data)  # type: ignore[no-untyped-call]
+        name, kind, (machine_code, bitcode) = state
+        functions = llvm.parse_bitcode(bitcode).functions
+        stubs = [
+            f'define void @"{function.name}"() {{ ret void }}'
+            for function in functions
+            if not function.is_declaration
+        ]
+        bitcode = llvm.parse_assembly("\n".join(stubs)).as_bitcode()
+        return ((name, kind, (machine_code, bitcode)), *rest)
 
 
 class _Cache(FunctionCache):

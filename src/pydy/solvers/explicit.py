@@ -32,6 +32,7 @@ from pydy.solvers.layout import (
     PAUSED,
     REJECTED,
     SAFETY,
+    SHORTEST,
     SHRINK,
     SINGULAR,
     SIZE,
@@ -82,7 +83,10 @@ def _first_size(method, problem, memory, run, t):
     h1 = max(1e-6, h0 * 1e-3)
     if steepest > 1e-15:
         h1 = (0.01 / steepest) ** method.control[EXPONENT]
-    return min(100.0 * h0, h1, run.state[LARGEST])
+    h = min(100.0 * h0, h1)
+    if h < SHORTEST * abs(t):
+        h = SHORTEST * abs(t)
+    return min(h, run.state[LARGEST])
 
 
 @compiled
@@ -107,6 +111,8 @@ def advance(method, problem, memory, run, constraints, watch):
             return FINISHED
         if h == 0.0:
             h = _first_size(method, problem, memory, run, t)
+            if not 0.0 < h < math.inf:
+                count[FAILURE] = NOT_FINITE
     while True:
         if count[BUDGET] == 0:
             state[SIZE] = h
@@ -124,7 +130,7 @@ def advance(method, problem, memory, run, constraints, watch):
         after = t + size
         if after > goal - 1e-3 * size:
             size, after = goal - t, goal
-        if not t + 0.0625 * size > t:
+        if not (t + 0.0625 * size > t or after == goal):
             state[SIZE] = size
             return UNDERFLOW
         code = take_step(method, problem, memory, run, t, size)
@@ -137,6 +143,9 @@ def advance(method, problem, memory, run, constraints, watch):
         if code == 0:
             if adaptive:
                 error = error_of_step(method, problem, memory)
+            else:
+                for i in range(length):
+                    error += 0.0 * memory.new[i]  # NaN where the state is not finite
             if error < 1.0 and (held or method.shape[END_IN_ESTIMATE] == 0):
                 if held and project(problem, run, constraints, after, memory.new) != 0:
                     state[SIZE] = size

@@ -12,10 +12,9 @@ from pydy.solvers.layout import (
     STARTED,
     STATES,
     TIME,
-    UNPROJECTED,
 )
 from pydy.solvers.projecting import project
-from pydy.solvers.runge_kutta import interpolate
+from pydy.solvers.runge_kutta import copy_vector, interpolate
 from pydy.solvers.watching import scan_events
 
 __all__ = ["finish_step", "write_start"]
@@ -62,17 +61,15 @@ def finish_step(method, problem, memory, run, constraints, watch, t, h):
         theta, status = scan_events(method, problem, memory, run, watch, t, h)
     end = run.state[TIME] if theta == 1.0 else t + theta * h
     code = _write_outputs(method, problem, memory, run, constraints, t, h, end)
+    if code == 0 and status != 0 and theta < 1.0:
+        interpolate(method, problem, memory, theta, address_of(memory.trial, 0))
+        copy_vector(memory.trial, memory.new)
+        if constraints.words[ACTIVE] == 1:
+            code = project(problem, run, constraints, end, memory.new)
     if code != 0:
+        run.state[TIME], run.state[SIZE] = t, h
         return code
     if status != 0:
-        if theta < 1.0:
-            interpolate(method, problem, memory, theta, address_of(memory.trial, 0))
-            for i in range(memory.new.size):
-                memory.new[i] = memory.trial[i]
-            held = constraints.words[ACTIVE] == 1
-            if held and project(problem, run, constraints, end, memory.new) != 0:
-                return UNPROJECTED
-        for i in range(memory.x.size):
-            memory.x[i] = memory.new[i]
+        copy_vector(memory.new, memory.x)
         run.state[TIME], run.state[SIZE], run.counts[STARTED] = end, 0.0, 0
     return status

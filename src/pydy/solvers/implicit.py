@@ -33,6 +33,7 @@ from pydy.solvers.layout import (
     NOT_FINITE,
     PAUSED,
     REJECTED,
+    SHORTEST,
     SINGULAR,
     SIZE,
     STARTED,
@@ -199,6 +200,8 @@ def _first_size(problem, memory, run, t):
     d0 = norm(memory.x[:n], memory.x, memory.x, memory.rtol, memory.atol)
     d1 = norm(memory.stages[:n], memory.x, memory.x, memory.rtol, memory.atol)
     h = 1e-6 if d0 < 1e-5 or d1 < 1e-5 else 0.01 * d0 / d1
+    if h < SHORTEST * abs(t):
+        h = SHORTEST * abs(t)
     return min(h, run.state[LARGEST])
 
 
@@ -230,6 +233,8 @@ def advance_implicit(method, problem, memory, run, constraints, watch, newton):
             return FINISHED
         if h == 0.0:
             h = _first_size(problem, memory, run, t)
+            if not 0.0 < h < math.inf:
+                count[FAILURE] = NOT_FINITE
     while True:
         if count[BUDGET] == 0:
             state[SIZE] = h
@@ -242,7 +247,7 @@ def advance_implicit(method, problem, memory, run, constraints, watch, newton):
         after = t + size
         if after > last - 1e-3 * size:
             size, after = last - t, last
-        if not t + 0.0625 * size > t:
+        if not (t + 0.0625 * size > t or after == last):
             state[SIZE] = size
             return UNDERFLOW
         if words[WANTED] == 1:

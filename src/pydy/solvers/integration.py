@@ -11,6 +11,7 @@ from functools import partial
 from time import perf_counter
 from typing import Any
 from warnings import warn
+from weakref import WeakSet
 
 import numpy as np
 
@@ -22,7 +23,10 @@ from pydy._errors import (
 )
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
+from pydy.solvers.complaints import complaint
+from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, EventRecord
+from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.layout import Constraints, Memory, Problem, Run, Watch
 from pydy.solvers.methods import IMPLICIT, method_arrays, tableau_of
 from pydy.solvers.options import Options
@@ -36,6 +40,8 @@ from pydy.solvers.problem import (
 )
 
 __all__ = ["integrate"]
+
+_TOLD: WeakSet[Kernel] = WeakSet()  # whose dependent constraints have been told of
 
 _SLICE = 0.02  # seconds in compiled code, about
 _LOG = 256  # events between two visits in Python
@@ -72,6 +78,13 @@ _NO_CONSTRAINTS = Constraints(np.zeros(7, dtype=np.int64), np.zeros(1), np.zeros
 _NO_EVENTS = _watch(0, np.zeros(1), (), (), 1, 0)
 
 
+def _first_budget(method: str, calls_python: bool) -> int:
+    """Return how many steps take a few milliseconds at most; further ones are measured."""
+    if calls_python:
+        return 1
+    return 4 if method == IMPLICIT else 100
+
+
 def integrate(
     method: str,
     f: Callable[..., Any],
@@ -98,6 +111,7 @@ class _Integration:
     ) -> None:
         self.name = method
         self.options = options
+        self.interrupts = Interrupts()
         self.callbacks: list[Callback] = []
         self.records: list[EventRecord] = []
         self.status = "finished"
@@ -120,7 +134,7 @@ class _Integration:
     # -- arrays for compiled code -----------------------------------------------------------------
 
     def _callback(self, function: Callable[..., Any], outputs: int) -> Callback:
-        callback = Callback(function, self.n, outputs)
+        callback = Callback(function, self.n, outputs, self.interrupts)
         self.callbacks.append(callback)
         return callback
 
@@ -134,7 +148,7 @@ class _Integration:
                 )
             return kernel_problem(call, n)
         callback = self._callback(lambda x, t: f(x, t, *args), n)
-        return callback_problem(callback, n)
+        return callback_problem(callback, n, call)
 
     def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
         """Return the address and constants of a further Kernel of the system."""
@@ -204,14 +218,11 @@ class _Integration:
     def run(self) -> np.ndarray:
         """Run to the end and return the states."""
         self._check_tolerances()
-        if self.options.constraints is not None:
-            self._check_start()
-        if self.options.events is not None:
-            self._check_events(self.options.events)
-            self._take_sides(())
         bar = self._bar()
         try:
-            self._run(bar)
+            with self.interrupts:
+                self._start()
+                self._run(bar)
         except KeyboardInterrupt:
             self._empty_log()
             self._stop(
@@ -230,8 +241,9 @@ class _Integration:
     def _run(self, bar: Any) -> None:
         advance = self._stepper()
         state, count = self.progress.state, self.progress.counts
-        budget = 1000
+        budget = _first_budget(self.name, bool(self.callbacks))
         while True:
+            self.interrupts.check()
             count[at.BUDGET] = budget
             start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
             code = advance()
@@ -244,8 +256,10 @@ class _Integration:
             if code == at.EVENT:
                 if self._act():
                     return
+                state[at.SIZE] = self.options.step or 0.0
             elif code == at.LOG_FULL:
                 self._empty_log()
+                state[at.SIZE] = self.options.step or 0.0
             elif code != at.PAUSED:
                 self._fail(code)
             taken = count[at.STEPS] + count[at.REJECTED] - taken
@@ -314,7 +328,33 @@ class _Integration:
                 "more.",
             )
 
-    def _check_start(self) -> None:
+    def _start(self) -> None:
+        """See to the initial state."""
+        if self.options.constraints is not None:
+            self._tell_dependent(self.options.constraints)
+            self._project_start()
+        if self.options.events is not None:
+            self._check_events(self.options.events)
+            self._take_sides(())
+
+    def _tell_dependent(self, wanted: CompiledConstraints) -> None:
+        """Warn, once for each system, of constraints that others imply."""
+        call = self.call
+        assert call is not None
+        if wanted.kernel in _TOLD:
+            return
+        _TOLD.add(wanted.kernel)
+        t = float(self.progress.state[at.TIME])
+        names = wanted.dependent(call.evaluate(wanted.kernel, self.memory.x[: self.n].copy(), t))
+        if names:
+            warn(
+                f"These constraints follow from others at t = {t!r}, and are held without being "
+                f"counted: {'; '.join(names)}. Leave them out if that is so in every state.",
+                PyDyUserWarning,
+                stacklevel=6,
+            )
+
+    def _project_start(self) -> None:
         """Move the initial state onto the constraints, unless it is far from them."""
         from pydy.solvers.explicit import project_state
 
@@ -326,11 +366,13 @@ class _Integration:
         moved = np.abs(x - before)
         if code != 0 or (moved > 1e-3 * (1.0 + np.abs(before))).any():
             k = int(np.argmax(moved / (1.0 + np.abs(before))))
+            after = float(x[k])
             self.memory.x[:] = before
-            raise ValueError(
-                "`initial_conditions` must satisfy the constraints, up to what a projection mends: "
-                f"{self._state_name(k)} = {before[k]:.6g} would have to be {x[k]:.6g}. Call "
-                "`system.set_dependent_initial_conditions()` first."
+            mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {after:.6g}"
+            self._stop(
+                "found initial conditions that do not satisfy the constraints (the projection "
+                f"{'did not converge' if code else mended})",
+                "Call `system.set_dependent_initial_conditions()` first.",
             )
 
     def _check_events(self, events: CompiledEvents) -> None:
@@ -380,20 +422,22 @@ class _Integration:
             self.status = f"terminated by `{last}`"
             return True
         self._take_sides(fired)
-        if self._accumulates(fired[0], t):
-            self.status = f"events `{wanted.names[fired[0]]}` accumulate"
-            warn(
-                f"`{self.name}` stopped at t = {t!r}: the events `{wanted.names[fired[0]]}` follow "
-                "each other ever faster and accumulate there. Make the reset end the motion it "
-                "ends in reality, or the event terminal.",
-                PyDyUserWarning,
-                stacklevel=5,
-            )
-            return True
-        return False
+        crowded = next((wanted.names[k] for k in fired if self._accumulates(k, t)), None)
+        if crowded is None:
+            return False
+        self.status = f"events `{crowded}` accumulate"
+        warn(
+            f"`{self.name}` stopped at t = {t!r}: the events `{crowded}` follow each other ever "
+            "faster and accumulate there. Make the reset end the motion it ends in reality, or the "
+            "event terminal.",
+            PyDyUserWarning,
+            stacklevel=6,
+        )
+        return True
 
     def _accumulates(self, event: int, t: float) -> bool:
-        same = [r.time for r in self.records[-_CROWD:] if r.index == event]
+        number = len(self.watch.fired)
+        same = [r.time for r in self.records[-_CROWD * number :] if r.index == event][-_CROWD:]
         if len(same) >= 2 and t - same[-2] <= 16.0 * _EPS * max(abs(t), self.span):
             return True
         return len(same) == _CROWD and t - same[0] < _CROWDED * self.span
@@ -444,44 +488,9 @@ class _Integration:
 
     def _fail(self, code: int) -> None:
         """Raise the error of a code with which compiled code gave up."""
-        state, count = self.progress.state, self.progress.counts
-        size = state[at.SIZE]
-        if code == at.TOO_MANY:
-            self._stop(
-                f"took {self.options.max_steps} steps, `max_steps`",
-                "Raise `max_steps`, loosen `rtol` and `atol`, or try 'radau' if the system is "
-                "stiff.",
-            )
-        if code == at.UNPROJECTED:
-            self._stop(
-                f"could not bring the state back onto the constraints after a step of {size:.3g}",
-                "Check that the constraints can be met together there, or limit `max_step`.",
-            )
-        what, remedy = {
-            at.SINGULAR: (
-                "met a singular mass matrix",
-                "Check that no mass or inertia is zero, that no constraint is redundant there, and "
-                "that the configuration is not a singular one.",
-            ),
-            at.NOT_FINITE: (
-                "met derivatives that are not finite",
-                "Check the loads, specifieds and constants there for a division by zero or a "
-                "function outside its domain.",
-            ),
-            at.NO_CONVERGENCE: (
-                "could not solve for its stages",
-                "Check that loads are continuous there; an Event can carry the state over a jump.",
-            ),
-        }.get(
-            int(count[at.FAILURE]),
-            (
-                "needs ever smaller steps",
-                "The motion is not smooth there or runs away. Look for a jump in the loads, which "
-                "an Event can carry the state over, loosen `rtol` and `atol`, or try 'radau' if "
-                "the system is stiff.",
-            ),
-        )
-        self._stop(f"{what} with a step size of {size:.3g}", remedy)
+        failure = int(self.progress.counts[at.FAILURE])
+        size = float(self.progress.state[at.SIZE])
+        self._stop(*complaint(code, failure, size, self.options.max_steps))
 
     def _stop(
         self,

@@ -29,6 +29,9 @@ PAUSED, FINISHED, EVENT, LOG_FULL, TOO_MANY, UNDERFLOW, CALLBACK, UNPROJECTED = 
 # Run.counts[FAILURE]: what the last rejected step met.
 INACCURATE, SINGULAR, NOT_FINITE, NO_CONVERGENCE = range(4)
 
+# The first step, in units of the time: far enough above rounding to be shortened if need be.
+SHORTEST = 2.0**-44
+
 
 class Method(NamedTuple):
     """A tableau as arrays.

@@ -66,7 +66,8 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
     ValueError
         A value that makes no sense.
     """
-    names = _NAMES - ({"step"} if adaptive else {"rtol", "atol"})
+    foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
+    names = _NAMES - foreign
     unknown = [name for name in given if name not in names]
     if unknown:
         raise TypeError(

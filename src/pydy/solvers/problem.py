@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.layout import Problem
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
@@ -51,17 +52,21 @@ def _prepare(place: int) -> Callable[[int, int], None]:
 def kernel_problem(call: KernelCall, n: int) -> Problem:
     """Return the arrays for a Kernel."""
     kernel, c = bind_constants(call.kernel, call.p)
-    r = np.array(call.r, dtype=float)
     tables, knots, cubics = tables_of(call.sampled)
     return Problem(
         words=np.array([kernel, n, blocks(n)]),
         clock=np.zeros(1),
-        r=r if r.size else np.zeros(1),
+        r=_inputs(call),
         c=c,
         tables=tables,
         knots=knots,
         cubics=cubics,
     )
+
+
+def _inputs(call: KernelCall) -> np.ndarray:
+    r = np.array(call.r, dtype=float)
+    return r if r.size else np.zeros(1)
 
 
 def tables_of(
@@ -92,8 +97,10 @@ class Callback:
         ``function(x, t)`` returns the derivative.
     n : int
         Number of states.
-    outputs : int, optional
-        Number of values the function returns, n if it is not given.
+    outputs : int
+        Number of values the function returns.
+    interrupts : Interrupts
+        Looked at before each call.
 
     Attributes
     ----------
@@ -102,12 +109,17 @@ class Callback:
     """
 
     def __init__(
-        self, function: Callable[[np.ndarray, float], Any], n: int, outputs: int | None = None
+        self,
+        function: Callable[[np.ndarray, float], Any],
+        n: int,
+        outputs: int,
+        interrupts: Interrupts,
     ) -> None:
         self.error: BaseException | None = None
         self._function = function
         self._n = n
-        self._outputs = n if outputs is None else outputs
+        self._outputs = outputs
+        self._interrupts = interrupts
         self._views: dict[int, np.ndarray] = {}
         self._native = _FUNCTION(self._call)
         self.address = ctypes.cast(self._native, ctypes.c_void_p).value or 0
@@ -122,7 +134,11 @@ class Callback:
 
     def _call(self, t: Any, x: int, r: int, c: int, out: int) -> int:
         try:
-            state = self._view(x, self._n).copy()
+            self._interrupts.check()
+            # Not a copy of the view, whose data type is another object than float64 and makes
+            # generated functions convert it.
+            state = np.empty(self._n)
+            state[:] = self._view(x, self._n)
             self._view(out, self._outputs)[:] = self._function(state, t[0])
         except BaseException as error:  # noqa: BLE001 - it is raised again outside native code
             self.error = error
@@ -130,9 +146,10 @@ class Callback:
         return 0
 
 
-def callback_problem(callback: Callback, n: int) -> Problem:
-    """Return the arrays for a Python function."""
-    tables, knots, cubics = tables_of(())
-    nothing = np.zeros(1)
+def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Problem:
+    """Return the arrays for a Python function, and the inputs for other Kernels of its `call`."""
+    r, tables = np.zeros(1), tables_of(())
+    if call is not None and call.inputs is None:
+        r, tables = _inputs(call), tables_of(call.sampled)
     words = np.array([callback.address, n, blocks(n)])
-    return Problem(words, np.zeros(1), nothing, nothing, tables, knots, cubics)
+    return Problem(words, np.zeros(1), r, np.zeros(1), *tables)

@@ -43,9 +43,9 @@ def _factor(matrix):
         for k in range(j):
             pivot -= matrix[j, k] * matrix[j, k]
         if not pivot > 4.0 * n * _EPS * matrix[j, j]:
-            matrix[:] = 0.0
             for i in range(n):
-                matrix[i, i] = 1.0
+                for k in range(n):
+                    matrix[i, k] = 1.0 if i == k else 0.0
             return
         matrix[j, j] = math.sqrt(pivot)
         for i in range(j + 1, n):
@@ -87,9 +87,10 @@ def _minimum_norm(rows, right):
     """
     m, n = rows.shape
     y = np.zeros(n)
-    scale = np.ones(m)
-    left = np.ones(m, dtype=np.bool_)
+    scale = np.empty(m)
+    left = np.empty(m, dtype=np.bool_)
     for i in range(m):
+        scale[i], left[i] = 1.0, True
         norm = 0.0
         for k in range(n):
             norm += rows[i, k] * rows[i, k]
@@ -130,6 +131,23 @@ def _minimum_norm(rows, right):
 
 
 @inlined(allocates=True)
+def _table(values, start, m, n):
+    table = np.empty((m, n))
+    for i in range(m):
+        for k in range(n):
+            table[i, k] = values[start + i * n + k]
+    return table
+
+
+@inlined(allocates=True)
+def _negative(values, start, m):
+    vector = np.empty(m)
+    for i in range(m):
+        vector[i] = -values[start + i]
+    return vector
+
+
+@inlined(allocates=True)
 def project(problem, run, constraints, t, x):
     """Move the state `x`, an array, onto the constraints; 0, or UNPROJECTED."""
     words, values = constraints.words, constraints.values
@@ -140,7 +158,9 @@ def project(problem, run, constraints, t, x):
     at_mass = at_velocity + v * u
     set_inputs(problem, t)
     run.counts[PROJECTIONS] += 1
-    factor = np.eye(u)
+    factor = np.zeros((u, u))
+    for i in range(u):
+        factor[i, i] = 1.0
     before = np.inf
     for iteration in range(_ITERATIONS):
         code = call_kernel(
@@ -153,35 +173,41 @@ def project(problem, run, constraints, t, x):
         )
         if code < 0:
             return UNPROJECTED
-        worst = 0.0  # in units of rounding errors
-        gradient = values[at_gradient:at_kinematics].reshape((h, q))
+        # In units of rounding errors: of angles and lengths as they are, and of 1 at least, for
+        # expressions in which larger terms cancel.
+        worst = rough = 0.0
+        gradient = _table(values, at_gradient, h, q)
         for i in range(h):
-            scale = 0.0
+            scale = wide = 0.0
             for j in range(q):
                 scale += abs(gradient[i, j]) * max(abs(x[j]), 1e-3)
+                wide += abs(gradient[i, j]) * max(abs(x[j]), 1.0)
             if values[i] != 0.0:
                 worst = max(worst, abs(values[i]) / (_EPS * scale))
+                rough = max(rough, abs(values[i]) / (_EPS * wide))
             if values[i] != values[i]:
                 return UNPROJECTED
-        if worst <= 4.0 or (worst >= 0.5 * before and worst <= 256.0):
+        if worst <= 4.0 or (worst >= 0.5 * before and rough <= 256.0):
             break
         if iteration == _ITERATIONS - 1:
             return UNPROJECTED
         before = worst
         if words[WEIGHTED] == 1:
-            for i in range(u):
-                for k in range(u):
-                    factor[i, k] = values[at_mass + i * u + k]
+            factor = _table(values, at_mass, u, u)
             _factor(factor)
-        kinematics = values[at_kinematics:at_velocity].reshape((q, u))
+        kinematics = _table(values, at_kinematics, q, u)
         rows = np.zeros((h, u))
         for i in range(h):
-            for j in range(q):
-                if gradient[i, j] != 0.0:
-                    for k in range(u):
-                        rows[i, k] += gradient[i, j] * kinematics[j, k]
+            for k in range(u):
+                size = 0.0
+                for j in range(q):
+                    term = gradient[i, j] * kinematics[j, k]
+                    rows[i, k] += term
+                    size += abs(term)
+                if abs(rows[i, k]) <= 4.0 * q * _EPS * size:
+                    rows[i, k] = 0.0  # nothing but rounding, as in the norm of a quaternion
         _divide_rows(rows, factor)
-        right = -values[:h]
+        right = _negative(values, 0, h)
         step = _minimum_norm(rows, right)
         _divide_transposed(factor, step)
         for j in range(q):
@@ -191,18 +217,16 @@ def project(problem, run, constraints, t, x):
         for i in range(h):
             rest = max(rest, abs(right[i]))
         if rest > 0.0:  # rows that no speed reaches, or that others imply
-            step = _minimum_norm(gradient.copy(), right)
+            step = _minimum_norm(gradient, right)
             for j in range(q):
                 x[j] += step[j]
     if v > 0:
         if words[WEIGHTED] == 1:
-            for i in range(u):
-                for k in range(u):
-                    factor[i, k] = values[at_mass + i * u + k]
+            factor = _table(values, at_mass, u, u)
             _factor(factor)
-        rows = values[at_velocity:at_mass].copy().reshape((v, u))
+        rows = _table(values, at_velocity, v, u)
         _divide_rows(rows, factor)
-        step = _minimum_norm(rows, -values[h : h + v])
+        step = _minimum_norm(rows, _negative(values, h, v))
         _divide_transposed(factor, step)
         for k in range(u):
             x[q + k] += step[k]

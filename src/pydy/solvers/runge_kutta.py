@@ -17,7 +17,21 @@ from pydy.solvers.layout import (
 )
 from pydy.solvers.rates import rates
 
-__all__ = ["combine_row", "error_of_step", "interpolate", "prepare_interpolant", "take_step"]
+__all__ = [
+    "combine_row",
+    "copy_vector",
+    "error_of_step",
+    "interpolate",
+    "prepare_interpolant",
+    "take_step",
+]
+
+
+@inlined
+def copy_vector(source, target):
+    """Copy an array, without what numba's own assignment brings along to tell of wrong shapes."""
+    for i in range(target.size):
+        target[i] = source[i]
 
 
 @inlined(always=True)
@@ -41,7 +55,8 @@ def take_step(method, problem, memory, run, t, h):
     """Compute ``memory.new`` from ``memory.x``. Not zero: what the right-hand side complained."""
     length = memory.x.size
     x, trial = address_of(memory.x, 0), address_of(memory.trial, 0)
-    memory.step[:] = h
+    for i in range(memory.step.size):
+        memory.step[i] = h
     stages = method.shape[STAGES]
     for stage in range(1, stages):
         combine_row(method, problem, memory, stage, trial, x)

@@ -85,8 +85,10 @@ def scan_events(method, problem, memory, run, watch, t, h):
         while True:
             first = 2.0
             for event in range(number):
+                watch.fired[event] = 0
                 if _crossed(sides[event], values[event], watch.directions[event]):
                     theta = _locate(method, problem, memory, watch, t, h, left, right, event)
+                    watch.fired[event] = 1 if theta <= left else 0
                     first = min(first, theta)
             if first > 1.0:
                 break
@@ -96,8 +98,8 @@ def scan_events(method, problem, memory, run, watch, t, h):
                 now = values[number + event]
                 here = _crossed(sides[event], now, watch.directions[event])
                 if not here and _crossed(sides[event], values[event], watch.directions[event]):
-                    # Exactly zero at its own root.
-                    here = now == 0.0 or first <= left
+                    # Exactly zero at its own root, or handled at `left` and left again.
+                    here = now == 0.0 or watch.fired[event] == 1
                 watch.fired[event] = 1 if here else 0
                 acting = acting or (here and watch.acting[event] == 1)
             if acting:

@@ -1,0 +1,126 @@
+"""Multiply short sums out where factors then meet.
+
+In ``Σ k[j]·(a·c[j] − b·s[j])`` nothing is common to two terms. Multiplied out it is
+``a·Σ k[j]·c[j] − b·Σ k[j]·s[j]``: the same number of operations, but the inner sums hold neither a
+nor b, and other rows have parts of them too.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import Any
+
+from pydy._graph.factor import Term, factored, terms_of
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import again, rebuild
+
+__all__ = ["expand_sums"]
+
+# The most terms of a sum that is multiplied out, by how often it is used: what is used twice is
+# computed once as it stands.
+_LONGEST = {1: 4, 2: 2}
+# A sum that is used twice must bring a factor that at least so many terms then have.
+_POPULAR = 3
+
+
+def expand_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
+    """Multiply short sums out inside sums, and take common factors out again.
+
+    Left alone are sums of constants, and sums of two exact values or more, such as x − y of two
+    inputs: ``k·(x − y)`` loses nothing where x and y nearly agree, ``k·x − k·y`` does.
+    """
+    return _Expansion(graph, roots).run(roots)
+
+
+class _Expansion:
+    def __init__(self, graph: Graph, roots: Sequence[int]) -> None:
+        self.graph = graph
+        self.short: dict[int, set[int] | None] = {}
+        self.uses: Counter[int] = Counter(roots)
+        for node in graph.reachable(roots):
+            self.uses.update(graph.operands(node))
+
+    def run(self, roots: Sequence[int]) -> list[int]:
+        return rebuild(self.graph, roots, self._rule)
+
+    def _rule(self, node: int, op: str, args: tuple[Any, ...]) -> int:
+        graph = self.graph
+        same = args == graph.args[node]
+        if op == "sum" and len(args[1]) > 1:
+            new = self._expanded(node, args, same)
+        else:
+            new = node if same else again(graph, op, args)
+        if new != node:
+            self.uses[new] = max(self.uses[new], self.uses[node])
+        return new
+
+    def _expanded(self, node: int, args: tuple[Any, ...], same: bool) -> int:
+        """Return a sum multiplied out and factored again, if there is anything to do."""
+        graph = self.graph
+        c0, pairs = args
+        terms = terms_of(graph, pairs)
+        popular = self._popular(terms)
+        powers = [power for factors, _ in terms for power in factors.items()]
+        if not any(self._wanted(*power, popular) for power in powers):
+            return node if same else factored(graph, terms, c0)
+        waiting = terms[::-1]
+        done: list[Term] = []
+        limit = 4 * len(terms) + 16
+        while waiting:
+            factors, coefficient = waiting.pop()
+            inner = next((n for n, e in factors.items() if self._wanted(n, e, popular)), None)
+            if inner is None or len(waiting) + len(done) > limit:
+                done.append((factors, coefficient))
+                continue
+            others = [(n, e) for n, e in factors.items() if n != inner]
+            inner_c0, inner_terms = graph.args[inner]
+            products = [(graph.product([*others, (n, 1)]), c) for n, c in inner_terms]
+            if inner_c0:
+                products.append((graph.product(others), inner_c0))
+            for product, c in products:
+                value = graph.value(product)
+                if value is None:
+                    waiting += terms_of(graph, [(product, coefficient * c)])
+                else:
+                    c0 += coefficient * c * value
+        return factored(graph, done, c0)
+
+    def _popular(self, terms: list[Term]) -> set[int]:
+        """Return the factors that many terms have, or would have with sums multiplied out."""
+        counts: Counter[int] = Counter()
+        for factors, _ in terms:
+            found = {n for n in factors if not self.graph.constant[n]}
+            for node, exponent in factors.items():
+                if exponent == 1:
+                    found |= self._factors_in(node) or set()
+            counts.update(found)
+        return {n for n, count in counts.items() if count >= _POPULAR}
+
+    def _wanted(self, node: int, exponent: int, popular: set[int]) -> bool:
+        """Tell whether a factor is to be multiplied out."""
+        inside = self._factors_in(node) if exponent == 1 else None
+        if inside is None:
+            return False
+        return self.uses[node] == 1 or not popular.isdisjoint(inside)
+
+    def _factors_in(self, node: int) -> set[int] | None:
+        """Return the factors of the terms of a short sum, None for any other node."""
+        if node not in self.short:
+            self.short[node] = self._find_factors(node)
+        return self.short[node]
+
+    def _find_factors(self, node: int) -> set[int] | None:
+        graph = self.graph
+        if graph.ops[node] != "sum" or graph.constant[node]:
+            return None
+        c0, terms = graph.args[node]
+        if len(terms) + bool(c0) > _LONGEST.get(self.uses[node], 0):
+            return None
+        exact = sum(abs(c) == 1.0 and graph.ops[n] == "input" for n, c in terms)
+        if exact + bool(c0) > 1:
+            return None
+        found: set[int] = set()
+        for n, _ in terms:
+            found.update([m for m, _ in graph.args[n]] if graph.ops[n] == "prod" else [n])
+        return found

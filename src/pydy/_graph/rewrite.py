@@ -1,0 +1,59 @@
+"""Rebuilding a graph from its leaves with some nodes made differently."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from pydy._graph.node import Graph
+
+__all__ = ["again", "rebuild"]
+
+
+def rebuild(
+    graph: Graph,
+    roots: Sequence[int],
+    rule: Callable[[int, str, tuple[Any, ...]], int],
+) -> list[int]:
+    """Return the roots with every node replaced by what `rule` makes of it.
+
+    Parameters
+    ----------
+    graph : Graph
+    roots : sequence of nodes
+    rule : callable
+        ``rule(node, op, args)`` with the operands in `args` already replaced returns a node.
+    """
+    new: dict[int, int] = {}
+    for node in graph.reachable(roots):
+        new[node] = rule(node, graph.ops[node], replaced(graph, node, new))
+    return [new[r] for r in roots]
+
+
+def replaced(graph: Graph, node: int, new: dict[int, int]) -> tuple[Any, ...]:
+    """Return the arguments of `node` with its operands looked up in `new`."""
+    op, args = graph.ops[node], graph.args[node]
+    if op == "sum":
+        return (args[0], tuple((new[n], c) for n, c in args[1]))
+    if op == "prod":
+        return tuple((new[n], e) for n, e in args)
+    if op in ("const", "input", "bool"):
+        return args
+    if op == "factor":
+        return (args[0], args[1], tuple(new[n] for n in args[2]))
+    if op == "solve":
+        return (new[args[0]], tuple(new[n] for n in args[1]))
+    if op == "item":
+        return (new[args[0]], args[1])
+    return tuple(new[n] for n in args)
+
+
+def again(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
+    """Make `op` on `args` with the graph's own rules (folding, collecting, ordering)."""
+    if op == "sum":
+        return graph.sum(args[1], args[0])
+    if op == "prod":
+        return graph.product(args)
+    if op in ("const", "input", "bool", "factor", "solve", "item"):
+        return graph.make(op, args)
+    return graph.call(op, *args)

@@ -1,0 +1,76 @@
+"""From a System's equations and numbers to a `pydy.viz.Scene`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from pydy._eom.equations import Equations
+from pydy.viz.defaults import find_origin, guess_up, skeleton
+from pydy.viz.motion import Model
+from pydy.viz.scene import Scene
+from pydy.viz.shapes import Line
+from pydy.viz.visuals import Visual
+
+__all__ = ["make_scene"]
+
+_LINES = "#7d8796"  # grey, to be seen on white and on nearly black
+
+
+def make_scene(
+    equations: Equations,
+    visuals: Sequence[Any],
+    reference_frame: Any,
+    origin: Any,
+    constants: Mapping[Any, float],
+    times: Callable[[], Any],
+    trajectory: Callable[[Any, Any], Any],
+    states: tuple[Any, ...],
+    options: dict[str, Any],
+) -> Scene:
+    """Return a scene, with what was not said taken from the bodies and loads.
+
+    Parameters
+    ----------
+    equations : Equations
+    visuals : sequence of Visual, RigidBody or Particle
+        By default all bodies.
+    reference_frame, origin : ReferenceFrame, Point, or None
+    constants : mapping of symbols to numbers
+        To tell which way gravity pulls.
+    times, trajectory, states
+        See `pydy.viz.motion.Model`.
+    options : dict
+        Of the Scene.
+    """
+    mechanism = equations.mechanism
+    bodies = mechanism.bodies if mechanism is not None else ()
+    if not visuals and not bodies:
+        raise ValueError(
+            "`scene` needs visuals, such as Visual(Sphere(0.1), point): the System's `eom_method` "
+            "was given no bodies that could be shown."
+        )
+    if reference_frame is None:
+        if mechanism is None:
+            raise ValueError("`reference_frame` must be given: the System knows of no frame.")
+        reference_frame = mechanism.frame
+    if origin is None:
+        origin = find_origin(reference_frame, [body.masscenter for body in bodies])
+        if origin is None:
+            raise ValueError(
+                "`origin` must be given, the point where the scene's zero is: no point at rest in "
+                f"`{reference_frame}` is connected with the bodies. Pass `origin=O`, or say "
+                f"`O.set_vel({reference_frame}, 0)` when you derive the equations."
+            )
+    if "up" not in options and mechanism is not None:
+        up = guess_up(reference_frame, mechanism.loads, constants)
+        options = options if up is None else {**options, "up": up}
+    rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)
+    definitions = {**dict(rates), **dict.fromkeys(equations.zeros, 0)}
+    model = Model(states, definitions, times, trajectory)
+    if not visuals:
+        # Bodies, and lines that show how they hang together.
+        pairs = skeleton(origin, [body.masscenter for body in bodies])
+        lines = [Visual(Line(pair, colour=_LINES), name="lines") for pair in pairs]
+        visuals = [*bodies, *lines]
+    return Scene(reference_frame, origin, *visuals, model=model, **options)

@@ -1,0 +1,53 @@
+"""Programs on disk, beside the machine code: a second process simplifies nothing again."""
+
+from __future__ import annotations
+
+import hashlib
+import sys
+from collections.abc import Callable
+from functools import cache as once
+from pathlib import Path
+
+import pydy._graph
+from pydy._backends import cache
+from pydy._graph.program import Program
+from pydy._programs import Assembly
+
+__all__ = ["stored_program"]
+
+# Small systems are simplified sooner than a file is read.
+_WORTH_STORING = 300
+
+
+@once
+def _circumstances() -> bytes:
+    """Everything but the equations that decides what the Program is."""
+    sha = hashlib.sha256(sys.version.encode())
+    folder = Path(pydy._graph.__file__).parent
+    for source in (folder.with_name("_programs.py"), *sorted(folder.glob("*.py"))):
+        sha.update(source.read_bytes())
+    return sha.digest()
+
+
+def stored_program(assembly: Assembly, what: str, make: Callable[[], Program]) -> Program:
+    """Return a Program from the cache, or make it and put it there.
+
+    Parameters
+    ----------
+    assembly : Assembly
+        Where it comes from.
+    what : str
+        Which of the assembly's Programs it is.
+    make : callable
+        Returns the Program.
+    """
+    if len(assembly.graph) < _WORTH_STORING:
+        return make()
+    parts = (_circumstances(), assembly.fingerprint(), what.encode())
+    key = hashlib.sha256(b"".join(parts)).hexdigest()
+    data = cache.read(key)
+    if data is not None:
+        return Program.from_bytes(data)
+    program = make()
+    cache.write(key, program.to_bytes())
+    return program

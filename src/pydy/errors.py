@@ -1,0 +1,26 @@
+"""The package's exceptions and warnings, to catch by name.
+
+Each one subclasses the built-in that a caller would catch.
+"""
+
+from __future__ import annotations
+
+from pydy._errors import (
+    GeneratorError,
+    IntegrationError,
+    IntegrationInterrupted,
+    MissingDependencyError,
+    PyDyUserWarning,
+    SingularMatrixError,
+    UnsupportedFunctionError,
+)
+
+__all__ = [
+    "GeneratorError",
+    "IntegrationError",
+    "IntegrationInterrupted",
+    "MissingDependencyError",
+    "PyDyUserWarning",
+    "SingularMatrixError",
+    "UnsupportedFunctionError",
+]

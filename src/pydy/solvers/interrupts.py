@@ -1,0 +1,45 @@
+"""Ctrl-C during an integration: noted when it comes, raised where nothing is lost."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from types import FrameType
+from typing import Any
+
+__all__ = ["Interrupts"]
+
+
+class Interrupts:
+    """A context in which the first Ctrl-C waits until `check` is called.
+
+    A `KeyboardInterrupt` that Python raises on its way from compiled code into a callback would be
+    lost: ctypes prints it and goes on with what lay in the result. A second Ctrl-C is raised at
+    once, for a function of the user that hangs. Handlers other than Python's own are left alone,
+    and so are threads other than the main one, which get no signals.
+    """
+
+    def __init__(self) -> None:
+        self._pending = False
+        self._before: Any = None
+
+    def __enter__(self) -> Interrupts:
+        here = threading.current_thread() is threading.main_thread()
+        if here and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+            self._before = signal.signal(signal.SIGINT, self._note)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._before is not None:
+            signal.signal(signal.SIGINT, self._before)
+            self._before = None
+
+    def _note(self, _signal: int, _frame: FrameType | None) -> None:
+        if self._pending:
+            raise KeyboardInterrupt
+        self._pending = True
+
+    def check(self) -> None:
+        """Raise the `KeyboardInterrupt` that waits, if one does."""
+        if self._pending:
+            raise KeyboardInterrupt

@@ -1,0 +1,244 @@
+"""A scene in motion: poses at the instants shown, shapes with numbers, and what the camera sees."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import sympy as sm
+from scipy.spatial.transform import Rotation, Slerp
+
+from pydy.viz.colours import CYCLE
+from pydy.viz.defaults import default_shape
+from pydy.viz.motion import Motion
+from pydy.viz.poses import Geometry, Placement, place
+from pydy.viz.shapes import Arrow, Line, Plane, Shape, Trace
+from pydy.viz.surfaces import arrow, rod, surface
+from pydy.viz.visuals import Visual
+
+__all__ = ["Animation", "Item", "animate"]
+
+_SEEN = 150  # instants at which the extent of the scene is measured
+
+
+@dataclass(frozen=True, eq=False)
+class Item:
+    """A visual with its numbers at m instants.
+
+    Attributes
+    ----------
+    visual : Visual
+    shape : Shape
+        With numbers for lengths, and a colour.
+    rotations : ndarray, shape (m, 3, 3)
+    positions : ndarray, shape (m, 3)
+    vectors : ndarray, shape (m, 3), or None
+        Of an Arrow, scaled.
+    points : ndarray, shape (m, k, 3), or None
+        Of a Line.
+    """
+
+    visual: Visual
+    shape: Shape
+    rotations: np.ndarray
+    positions: np.ndarray
+    vectors: np.ndarray | None = None
+    points: np.ndarray | None = None
+
+    def surface(self, k: int = 0) -> tuple[np.ndarray, np.ndarray] | None:
+        """Return the triangles at instant k in the scene's frame, or None for thin lines."""
+        if self.vectors is not None:
+            assert isinstance(self.shape, Arrow)
+            return arrow(self.positions[k], self.vectors[k], self.shape.radius)
+        if self.points is not None:
+            assert isinstance(self.shape, Line)
+            if self.shape.radius is None:
+                return None
+            ends = zip(self.points[k, :-1], self.points[k, 1:], strict=True)
+            rods = [rod(a, b, self.shape.radius) for a, b in ends]
+            count = len(rods[0][0])
+            return (
+                np.concatenate([vertices for vertices, _ in rods]),
+                np.concatenate([faces + i * count for i, (_, faces) in enumerate(rods)]),
+            )
+        if isinstance(self.shape, Trace):
+            return None
+        vertices, faces = surface(self.shape)
+        return vertices @ self.rotations[k].T + self.positions[k], faces
+
+    def reach(self, rows: np.ndarray) -> np.ndarray:
+        """Return the lowest and highest coordinates at some instants, shape (len(rows), 2, 3)."""
+        if self.points is not None:
+            cloud = self.points[rows]
+        elif self.vectors is not None:
+            cloud = np.stack([self.positions[rows], (self.positions + self.vectors)[rows]], 1)
+        elif isinstance(self.shape, Trace):
+            cloud = self.positions[rows][:, None]
+        else:
+            vertices = surface(self.shape)[0]
+            if len(vertices) > 600:  # a mesh: its corners will do
+                ends = np.stack([vertices.min(0), vertices.max(0)])
+                vertices = np.array(np.meshgrid(*ends.T)).reshape(3, -1).T
+            cloud = np.einsum("mij,nj->mni", self.rotations[rows], vertices)
+            cloud += self.positions[rows][:, None]
+        return np.stack([cloud.min(1), cloud.max(1)], 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Animation:
+    """A scene's motion, ready to be drawn.
+
+    Attributes
+    ----------
+    times : ndarray, shape (m,)
+    items : tuple of Item
+    series : dict of str to ndarray, shape (m,)
+    bounds : ndarray, shape (m', 2, 3)
+        The box around everything but planes at some of the instants.
+    """
+
+    times: np.ndarray
+    items: tuple[Item, ...]
+    series: dict[str, np.ndarray]
+    bounds: np.ndarray
+
+    @property
+    def poses(self) -> np.ndarray:
+        """Poses of all visuals, shape (m, v, 4, 4)."""
+        result = np.zeros((len(self.times), len(self.items), 4, 4))
+        for k, item in enumerate(self.items):
+            result[:, k, :3, :3] = item.rotations
+            result[:, k, :3, 3] = item.positions
+        result[..., 3, 3] = 1.0
+        return result
+
+    @property
+    def box(self) -> tuple[np.ndarray, np.ndarray]:
+        """The lowest and the highest coordinates ever."""
+        return self.bounds[:, 0].min(0), self.bounds[:, 1].max(0)
+
+    @property
+    def travels(self) -> bool:
+        """Whether the scene leaves where it was: the camera had better come along."""
+        own = np.linalg.norm(self.bounds[:, 1] - self.bounds[:, 0], axis=1).max()
+        low, high = self.box
+        return bool(np.linalg.norm(high - low) > 3 * own)
+
+    def at(self, t: float) -> Animation:
+        """Return the animation of one instant, between the ones shown if need be."""
+        times = self.times
+        t = float(np.clip(t, times[0], times[-1]))
+        k = int(np.clip(np.searchsorted(times, t, side="right") - 1, 0, max(len(times) - 2, 0)))
+        if len(times) == 1 or times[k] == t or times[k + 1] == times[k]:
+            return self._only(lambda a: a[k : k + 1], lambda r: r[k : k + 1], t)
+        part = (t - times[k]) / (times[k + 1] - times[k])
+
+        def turned(r: np.ndarray) -> np.ndarray:
+            return np.asarray(Slerp([0, 1], Rotation.from_matrix(r[k : k + 2]))([part]).as_matrix())
+
+        return self._only(lambda a: ((1 - part) * a[k] + part * a[k + 1])[None], turned, t)
+
+    def _only(self, blend: Any, turned: Any, t: float) -> Animation:
+        items = tuple(
+            replace(
+                item,
+                rotations=turned(item.rotations),
+                positions=blend(item.positions),
+                vectors=None if item.vectors is None else blend(item.vectors),
+                points=None if item.points is None else blend(item.points),
+            )
+            for item in self.items
+        )
+        series = {label: blend(values) for label, values in self.series.items()}
+        return Animation(np.array([t]), items, series, self.bounds)
+
+
+def animate(
+    reference: Any,
+    origin: Any,
+    visuals: Sequence[Visual],
+    series: Sequence[tuple[str, Any]],
+    motion: Motion,
+) -> Animation:
+    """Compute an Animation.
+
+    Parameters
+    ----------
+    reference, origin : ReferenceFrame, Point
+    visuals : sequence of Visual
+    series : sequence of (label, expression)
+    motion : Motion
+        At the instants to show.
+    """
+    frames = dict.fromkeys(v.frame for v in visuals if v.frame is not None)
+    points = dict.fromkeys(v.point for v in visuals)
+    for visual in visuals:
+        if isinstance(visual.shape, Line):
+            points.update(dict.fromkeys(visual.shape.points))
+    arrows = [v for v in visuals if isinstance(v.shape, Arrow)]
+    vectors = tuple(v.shape.vector for v in arrows if isinstance(v.shape, Arrow))
+    geometry = Geometry(reference, origin, tuple(frames), tuple(points), vectors, tuple(series))
+    placed = place(geometry, motion.names)(
+        motion.times, motion.states, motion.specifieds, motion.constants
+    )
+    _check(placed, geometry, motion.times)
+    return _assemble(visuals, placed, motion)
+
+
+def _check(placed: Placement, geometry: Geometry, times: np.ndarray) -> None:
+    """Refuse numbers that are none, naming what has them."""
+    named = [(f"The orientation of `{f}`", a) for f, a in placed.rotations.items()]
+    named += [(f"The position of `{p}`", a) for p, a in placed.positions.items()]
+    for k, vector in enumerate(geometry.vectors):
+        named.append((f"The arrow `{vector}`", placed.vectors[:, k]))
+    for what, array in named:
+        bad = np.flatnonzero(~np.isfinite(array.reshape(len(times), -1)).all(axis=1))
+        if bad.size:
+            raise ValueError(
+                f"{what} is not finite at t = {times[bad[0]]:g}: its expression has no value for "
+                "this state and these constants. Does a constant lack its value?"
+            )
+
+
+def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> Animation:
+    m = len(motion.times)
+    identity = np.broadcast_to(np.eye(3), (m, 3, 3))
+    size = _size(placed)
+    # A default shape may need numbers for the state too; everything else depends on constants.
+    constants = motion.values
+    first = {motion.names.time: float(motion.times[0]), **constants}
+    first.update(zip(motion.names.states, motion.states[0].tolist(), strict=True))
+    first.update(zip(motion.names.specifieds, motion.specifieds[0].tolist(), strict=True))
+    colours: dict[str, str] = {}
+    items, arrows = [], 0
+    for visual in visuals:
+        shape = visual.shape or default_shape(visual.body, first, size)
+        shape = shape.measured(constants)
+        if shape.colour is None:
+            colour = colours.setdefault(visual.name, CYCLE[len(colours) % len(CYCLE)])
+            shape = replace(shape, colour=colour)
+        vector = line = None
+        if isinstance(shape, Arrow):
+            vector = placed.vectors[:, arrows] * float(sm.Float(shape.scale))
+            arrows += 1
+            if shape.radius is None:
+                shape = replace(shape, radius=0.01 * size)
+        if isinstance(shape, Line):
+            line = np.stack([placed.positions[p] for p in shape.points], 1)
+        rotations = identity if visual.frame is None else placed.rotations[visual.frame]
+        items.append(Item(visual, shape, rotations, placed.positions[visual.point], vector, line))
+    rows = np.unique(np.linspace(0, m - 1, min(m, _SEEN)).astype(int))
+    shown = [i for i in items if not isinstance(i.shape, Plane)] or items
+    reach = np.stack([item.reach(rows) for item in shown])
+    bounds = np.stack([reach[:, :, 0].min(0), reach[:, :, 1].max(0)], 1)
+    return Animation(motion.times, tuple(items), placed.series, bounds)
+
+
+def _size(placed: Placement) -> float:
+    """Return how large the scene is, as far as its points tell."""
+    cloud = np.stack(list(placed.positions.values()))
+    spread = float(np.linalg.norm(np.ptp(cloud, axis=0), axis=-1).max())
+    travel = float(np.linalg.norm(np.ptp(cloud, axis=(0, 1))))
+    return spread or travel or 1.0

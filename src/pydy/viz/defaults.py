@@ -1,0 +1,139 @@
+"""What a scene shows when nobody said: shapes of bodies, the origin, which way is up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sm
+from sympy.physics.mechanics import RigidBody
+from sympy.physics.vector import Vector
+
+from pydy.viz.shapes import Box, Shape, Sphere
+
+__all__ = ["default_shape", "find_origin", "guess_up", "skeleton", "unit_vector"]
+
+# A plate is drawn no thinner than this part of its greatest edge.
+_THINNEST = 0.03
+
+
+def default_shape(body: Any, values: Mapping[Any, float], size: float) -> Shape:
+    """Return the box that has a body's inertia, or a ball for what has none.
+
+    Parameters
+    ----------
+    body : RigidBody or Particle
+    values : mapping of symbols to numbers
+        All of them, at the first instant: an inertia may be written in a frame in which the body
+        turns.
+    size : float
+        Of the scene.
+    """
+    ball = Sphere(0.04 * size)
+    if not isinstance(body, RigidBody):
+        return ball
+    numbers = {k: sm.Float(v) for k, v in values.items()}
+    inertia = body.central_inertia.to_matrix(body.frame)
+    try:
+        moments = [float(sm.sympify(inertia[k, k]).xreplace(numbers)) for k in range(3)]
+        mass = float(sm.sympify(body.mass).xreplace(numbers))
+    except TypeError:  # a symbol without a value: the body's mass need not be in the equations
+        return ball
+    # I_x = m (y² + z²) / 12 and so on, solved for the edges.
+    ix, iy, iz = moments
+    squares = [iy + iz - ix, iz + ix - iy, ix + iy - iz]
+    if not mass > 0 or not max(squares) > 0 or not np.isfinite(squares).all():
+        return ball
+    edges = [float(np.sqrt(max(6 * s / mass, 0.0))) for s in squares]
+    return Box(*(max(edge, _THINNEST * max(edges)) for edge in edges))
+
+
+def find_origin(frame: Any, points: Iterable[Any]) -> Any:
+    """Return a point that was said to rest in `frame`, connected with the given ones, or None."""
+    waiting = list(points)
+    seen = set(waiting)
+    while waiting:
+        point = waiting.pop(0)
+        # SymPy's `vel` would make up a velocity where none was set.
+        if point._vel_dict.get(frame) == Vector(0):
+            return point
+        near = [p for p in point._pos_dict if p not in seen]
+        seen.update(near)
+        waiting += near
+    return None
+
+
+def skeleton(origin: Any, points: Iterable[Any]) -> list[tuple[Any, Any]]:
+    """Return the pairs of points that lead from the origin to the given ones.
+
+    Two points make a pair where the position of one was given relative to the other.
+    """
+    before = {origin: origin}
+    waiting = [origin]
+    while waiting:
+        point = waiting.pop(0)
+        near = [p for p in point._pos_dict if p not in before]
+        before.update(dict.fromkeys(near, point))
+        waiting += near
+    pairs: dict[tuple[Any, Any], None] = {}
+    for point in points:
+        while before.get(point, point) is not point:
+            pairs[before[point], point] = None
+            point = before[point]
+    return list(pairs)
+
+
+def guess_up(
+    frame: Any, loads: Sequence[tuple[Any, Any]], values: Mapping[Any, float]
+) -> str | None:
+    """Return the axis of `frame` against which the forces with a symbol `g` pull, or None."""
+    pull = np.zeros(3)
+    for _, vector in loads:
+        try:
+            components = vector.to_matrix(frame)
+        except ValueError:
+            continue
+        for k in range(3):
+            expression = sm.sympify(components[k])
+            gravities = [s for s in expression.free_symbols if str(s) in ("g", "G", "gravity")]
+            if len(gravities) == 1:
+                slope = expression.diff(gravities[0])
+                number = slope.xreplace({s: sm.Float(values.get(s, 1.0)) for s in slope.atoms()
+                                         if s.is_Symbol})  # fmt: skip
+                pull[k] += float(number) if number.is_number else 0.0
+    k = int(np.abs(pull).argmax())
+    if not np.abs(pull[k]) > 10 * np.abs(np.delete(pull, k)).max():
+        return None
+    return ("-" if pull[k] > 0 else "") + "xyz"[k]
+
+
+def unit_vector(value: Any, frame: Any, argument: str) -> np.ndarray:
+    """Return a direction as a unit array in `frame`.
+
+    Parameters
+    ----------
+    value : str or Vector or sequence of 3 numbers
+        ``'x'``, ``'-z'`` and the like, or a constant vector.
+    frame : ReferenceFrame
+    argument : str
+        For the message.
+    """
+    direction = np.zeros(3)
+    if isinstance(value, str):
+        if value.lstrip("+-") in ("x", "y", "z") and len(value) <= 2:
+            direction["xyz".index(value[-1])] = -1.0 if value[0] == "-" else 1.0
+    else:
+        try:
+            numbers = value.to_matrix(frame) if isinstance(value, Vector) else value
+            direction = np.array([float(v) for v in numbers])
+        except (TypeError, ValueError):
+            pass
+    length = float(np.linalg.norm(direction)) if direction.shape == (3,) else 0.0
+    if not 0 < length < np.inf:
+        raise ValueError(
+            f"`{argument}` must be an axis of the scene's frame such as 'z' or '-y', a constant "
+            f"vector, or three numbers that are not all zero, got {value!r}."
+        )
+    unit: np.ndarray = direction / length
+    return unit

@@ -1,0 +1,180 @@
+"""The page: one HTML file with everything in it, the numbers as base64 of 32-bit floats.
+
+Visuals that are rigidly connected share one *track*, the motion of the first of them, and keep a
+constant offset from it: a body of a dozen parts costs no more than one part. What never moves is
+stored once.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from base64 import b64encode
+from functools import cache
+from html import escape
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from pydy._version import __version__
+from pydy.viz.animation import Animation, Item
+from pydy.viz.colours import CYCLE
+from pydy.viz.framing import Look, frame
+from pydy.viz.shapes import Arrow, Line, Mesh, Trace
+
+__all__ = ["Look", "page", "page_data"]
+
+# The scripts of the page, in the order in which they build on each other.
+SCRIPTS = ("data.js", "shapes.js", "stage.js", "trails.js", "strip.js", "player.js", "controls.js")
+
+
+def page(animation: Animation, look: Look, speed: float, theme: str) -> str:
+    """Return the HTML of an animation."""
+    title = look.title or "Animation"
+    # A "<" could end the script element that holds the data.
+    data = json.dumps(page_data(animation, look, speed), allow_nan=False, separators=(",", ":"))
+    parts = {
+        "TITLE": escape(title),
+        "THEME": theme,
+        "STYLE": _resource("style.css"),
+        "DATA": data.replace("<", "\\u003c"),
+        "LICENCE": _resource("three.LICENSE").replace("*/", ""),
+        "THREE": _resource("three.min.js"),
+        "APP": "\n".join(_resource(name) for name in SCRIPTS),
+    }
+    # In one pass: what is put in may itself look like a place to put something.
+    return re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts[m[1]], _resource("page.html"))
+
+
+@cache
+def _resource(name: str) -> str:
+    return (files("pydy.viz") / "page" / name).read_text(encoding="utf-8")
+
+
+def page_data(animation: Animation, look: Look, speed: float) -> dict[str, Any]:
+    """Return what the page's scripts read, as JSON types."""
+    seen = frame(animation, look)
+    tracks = _Tracks(animation)
+    visuals = [_visual(item, tracks) for item in animation.items]
+    return {
+        "version": __version__,
+        "title": look.title,
+        "times": _packed(animation.times, np.float64),
+        "speed": speed,
+        "tracks": tracks.entries,
+        "visuals": visuals,
+        "series": [
+            {
+                "label": label,
+                "colour": CYCLE[(k + 1) % len(CYCLE)],
+                "values": _packed(values),
+            }
+            for k, (label, values) in enumerate(animation.series.items())
+        ],
+        "view": {
+            "up": seen.up.tolist(),
+            "right": seen.right.tolist(),
+            "direction": seen.direction.tolist(),
+            "target": seen.target.tolist(),
+            "radius": seen.radius,
+            "extent": seen.extent.tolist(),
+            "ground": seen.ground,
+            "cell": seen.cell,
+            "path": None if seen.path is None else _column(seen.path),
+        },
+    }
+
+
+def _packed(array: np.ndarray, dtype: Any = np.float32) -> str:
+    little = np.ascontiguousarray(array, dtype=np.dtype(dtype).newbyteorder("<"))
+    return b64encode(little.tobytes()).decode("ascii")
+
+
+def _column(array: np.ndarray) -> dict[str, Any]:
+    """Return an array of shape (m, …) for the page; what is constant, once."""
+    rows = array.reshape(len(array), -1)
+    scale = float(np.abs(rows).max(initial=0.0))
+    if np.ptp(rows, axis=0).max(initial=0.0) <= 1e-9 * scale:
+        return {"width": rows.shape[1], "fixed": rows[0].tolist()}
+    return {"width": rows.shape[1], "rows": _packed(rows)}
+
+
+class _Tracks:
+    """Motions that visuals share."""
+
+    def __init__(self, animation: Animation) -> None:
+        low, high = animation.box
+        self.entries: list[dict[str, Any]] = []
+        self._bases: list[tuple[Any, np.ndarray, np.ndarray]] = []
+        self._frames = {item.visual.frame: item.rotations for item in animation.items}
+        self._frames.setdefault(None, np.broadcast_to(np.eye(3), (len(animation.times), 3, 3)))
+        # Below what a 32-bit float can tell apart at that distance.
+        self._tolerance = 1e-8 * float(np.abs([low, high]).max(initial=0.0))
+
+    def find(self, frame: Any, positions: np.ndarray) -> tuple[int, list[float]]:
+        """Return the number of the track that moves with a frame, and a point's offset from it."""
+        for k, (other, rotations, base) in enumerate(self._bases):
+            offset = self._seen_from(rotations, positions - base)
+            if other is frame and self._constant(offset):
+                return k, offset[0].tolist()
+        rotations = self._frames[frame]
+        self._bases.append((frame, rotations, positions))
+        quaternions = Rotation.from_matrix(rotations).as_quat()
+        # Neighbours on the same side of the sphere, so that interpolation takes the short way.
+        flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
+        quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
+        self.entries.append({"p": _column(positions), "q": _column(quaternions)})
+        return len(self._bases) - 1, [0.0, 0.0, 0.0]
+
+    def carrier(self, points: np.ndarray) -> tuple[Any, np.ndarray] | None:
+        """Return a frame in which points, shape (m, k, 3), rest, and their offsets from the first.
+
+        None where they move relative to each other.
+        """
+        away = points - points[:, :1]
+        for carrier, rotations in self._frames.items():
+            offset = self._seen_from(rotations, away)
+            if self._constant(offset):
+                return carrier, offset[0]
+        return None
+
+    @staticmethod
+    def _seen_from(rotations: np.ndarray, vectors: np.ndarray) -> np.ndarray:
+        result: np.ndarray = np.einsum("mji,m...j->m...i", rotations, vectors)
+        return result
+
+    def _constant(self, values: np.ndarray) -> bool:
+        return bool(np.ptp(values, axis=0).max() <= self._tolerance)
+
+
+def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
+    shape = item.shape
+    entry: dict[str, Any] = {
+        "name": item.visual.name,
+        "kind": type(shape).__name__,
+        "colour": shape.colour,
+        "opacity": float(shape.opacity),
+        "trail": bool(item.visual.trail or isinstance(shape, Trace)),
+    }
+    if item.points is not None:
+        assert isinstance(shape, Line)
+        entry["radius"] = shape.radius
+        carried = tracks.carrier(item.points)
+        if carried is None:
+            entry["points"] = _column(item.points)
+        else:
+            # A rod of a rigid body.
+            entry["points"] = _column(carried[1][None])
+            entry["track"], entry["offset"] = tracks.find(carried[0], item.points[:, 0])
+        return entry
+    entry["track"], entry["offset"] = tracks.find(item.visual.frame, item.positions)
+    if item.vectors is not None:
+        assert isinstance(shape, Arrow)
+        return {**entry, "radius": shape.radius, "vectors": _column(item.vectors)}
+    if isinstance(shape, Mesh):
+        entry["vertices"] = _packed(shape.vertices * shape.scale)
+        entry["faces"] = _packed(shape.faces, np.uint32)
+        return entry
+    return {**entry, "size": dict(shape.dimensions())}

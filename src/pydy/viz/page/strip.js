@@ -1,0 +1,141 @@
+// The plot strip: all series over time, drawn once, and a cursor that moves over them.
+const series = data.series.map((entry) => ({ ...entry, values: unpacked(entry.values, Float32Array) }));
+const strip = document.getElementById("strip");
+const curves = document.getElementById("strip-curves"), cursor = document.getElementById("strip-cursor");
+const MARGIN = { left: 46, right: 8, top: 6, bottom: 20 };
+strip.hidden = series.length === 0;
+
+for (const one of series) {
+  let low = Infinity, high = -Infinity;
+  for (const v of one.values) if (Number.isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v); }
+  one.low = low;
+  one.high = high;
+  const item = document.createElement("li"), key = document.createElement("i"), value = document.createElement("b");
+  key.style.background = one.colour;
+  item.append(key, one.label, value);
+  document.getElementById("strip-labels").append(item);
+  one.output = value;
+}
+
+// One scale for all where all can be read on it, otherwise each curve fills the strip.
+const spans = series.map((s) => s.high - s.low).filter((span) => span > 0);
+const shared = spans.length > 0 && Math.max(...spans) <= 12 * Math.min(...spans);
+if (shared) {
+  const low = Math.min(...series.map((s) => s.low)), high = Math.max(...series.map((s) => s.high));
+  for (const one of series) Object.assign(one, { low, high });
+}
+for (const one of series) if (!(one.high > one.low)) {
+  const middle = Number.isFinite(one.low) ? one.low : 0;
+  Object.assign(one, { low: middle - 1, high: middle + 1 });
+}
+
+/** About `count` round numbers from `low` to `high`. */
+function ticks(low, high, count) {
+  const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * [1, 2, 5, 10].find((m) => m * power >= rough);
+  const found = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) found.push(i * step);
+  return found;
+}
+
+function written(value) {
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  return size >= 1e5 || size < 1e-3 ? value.toExponential(1) : String(Number(value.toPrecision(4)));
+}
+
+const duration = end - start || 1;
+const plot = { width: 0, height: 0 };
+const atTime = (t) => MARGIN.left + (plot.width - MARGIN.left - MARGIN.right) * (t - start) / duration;
+const atValue = (s, v) => plot.height - MARGIN.bottom
+  - (plot.height - MARGIN.top - MARGIN.bottom) * (v - s.low) / (s.high - s.low);
+
+function prepared(element) {
+  const ratio = Math.min(devicePixelRatio, 2);
+  element.width = Math.round(plot.width * ratio);
+  element.height = Math.round(plot.height * ratio);
+  const g = element.getContext("2d");
+  g.scale(ratio, ratio);
+  return g;
+}
+
+let over = null;
+
+function drawStrip() {
+  if (strip.hidden) return;
+  plot.width = curves.clientWidth;
+  plot.height = curves.clientHeight;
+  if (!plot.width || !plot.height) return;
+  over = prepared(cursor);
+  const g = prepared(curves), quiet = cssColour("--quiet"), rule = cssColour("--rule");
+  g.font = "11px system-ui, sans-serif";
+  g.fillStyle = quiet;
+  g.strokeStyle = rule;
+  g.lineWidth = 1;
+  const line = (x1, y1, x2, y2) => { g.beginPath(); g.moveTo(x1, y1); g.lineTo(x2, y2); g.stroke(); };
+  g.textAlign = "center";
+  g.textBaseline = "top";
+  for (const t of ticks(start, end, Math.max(2, plot.width / 110))) {
+    const x = Math.round(atTime(t)) + 0.5;
+    line(x, MARGIN.top, x, plot.height - MARGIN.bottom);
+    g.fillText(written(t) + " s", Math.min(x, plot.width - 16), plot.height - MARGIN.bottom + 4);
+  }
+  if (shared || series.length === 1) {
+    g.textAlign = "right";
+    g.textBaseline = "middle";
+    for (const v of ticks(series[0].low, series[0].high, 4)) {
+      const y = Math.round(atValue(series[0], v)) + 0.5;
+      line(MARGIN.left, y, plot.width - MARGIN.right, y);
+      g.fillText(written(v), MARGIN.left - 6, y);
+    }
+  }
+  g.lineWidth = 1.7;
+  g.lineJoin = "round";
+  for (const one of series) {
+    g.strokeStyle = one.colour;
+    g.beginPath();
+    let pen = false;
+    // More points than pixels are drawn as they are: a peak must not be lost.
+    one.values.forEach((v, k) => {
+      if (!Number.isFinite(v)) { pen = false; return; }
+      if (pen) g.lineTo(atTime(times[k]), atValue(one, v)); else g.moveTo(atTime(times[k]), atValue(one, v));
+      pen = true;
+    });
+    g.stroke();
+  }
+  drawCursor();
+}
+
+function drawCursor() {
+  if (strip.hidden || !over) return;
+  over.clearRect(0, 0, plot.width, plot.height);
+  const x = atTime(now.time);
+  over.strokeStyle = over.fillStyle = theme.accent;
+  over.lineWidth = 1.5;
+  over.beginPath();
+  over.moveTo(x, MARGIN.top - 4);
+  over.lineTo(x, plot.height - MARGIN.bottom + 2);
+  over.stroke();
+  for (const one of series) {
+    const a = one.values[now.k], b = one.values[Math.min(now.k + 1, times.length - 1)];
+    const value = now.part ? a + now.part * (b - a) : a;
+    const text = Number.isFinite(value) ? value.toPrecision(4) : "–";
+    if (one.output.textContent !== text) one.output.textContent = text;
+    if (!Number.isFinite(value)) continue;
+    over.fillStyle = one.colour;
+    over.beginPath();
+    over.arc(x, atValue(one, value), 3.5, 0, 2 * Math.PI);
+    over.fill();
+  }
+}
+
+function scrub(event) {
+  const share = (event.offsetX - MARGIN.left) / (plot.width - MARGIN.left - MARGIN.right);
+  seek(start + Math.min(Math.max(share, 0), 1) * duration);
+}
+cursor.addEventListener("pointerdown", (event) => {
+  pause();
+  cursor.setPointerCapture(event.pointerId);
+  scrub(event);
+});
+cursor.addEventListener("pointermove", (event) => { if (event.buttons & 1) scrub(event); });

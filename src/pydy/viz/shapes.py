@@ -1,0 +1,391 @@
+"""Shapes: what a visual looks like. Frozen data, checked when it is made.
+
+Lengths are numbers, or SymPy expressions of constants whose values the trajectory supplies. A
+shape's own axes are those of the frame it is attached to, its own origin is the point; round shapes
+say along which of the three axes they lie.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any, ClassVar, Self
+
+import numpy as np
+import sympy as sm
+from sympy.physics.vector import Point, Vector
+
+from pydy.viz.colours import hex_colour
+from pydy.viz.meshes import read_mesh
+
+__all__ = [
+    "Arrow",
+    "Box",
+    "Capsule",
+    "Cone",
+    "Cylinder",
+    "Line",
+    "Mesh",
+    "Plane",
+    "Shape",
+    "Sphere",
+    "Torus",
+    "Trace",
+]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Shape:
+    """What all shapes have in common.
+
+    Attributes
+    ----------
+    colour : str or sequence of 3 numbers, optional
+        A CSS name, ``"#rrggbb"``, or red, green, blue from 0 to 1; by default the next of a cycle.
+    opacity : float
+        From 0, not to be seen, to 1.
+    name : str, optional
+        For the legend, where visuals of one name share a row.
+    """
+
+    colour: Any = None
+    opacity: float = 1.0
+    name: str | None = None
+
+    lengths: ClassVar[tuple[str, ...]] = ()
+
+    def __post_init__(self) -> None:
+        kind = type(self).__name__
+        optional = {entry.name for entry in fields(self) if entry.default is None}
+        for attribute in self.lengths:
+            value = getattr(self, attribute)
+            if value is not None or attribute not in optional:
+                self._set(attribute, _length(value, f"`{attribute}` of {kind}"))
+        if self.colour is not None:
+            self._set("colour", hex_colour(self.colour, f"`colour` of {kind}"))
+        opacity = _number(self.opacity)
+        if opacity is None or not 0 <= opacity <= 1:
+            raise ValueError(f"`opacity` of {kind} must be from 0 to 1, got {self.opacity!r}.")
+        if self.name is not None and not isinstance(self.name, str):
+            raise TypeError(f"`name` of {kind} must be a string, got {self.name!r}.")
+
+    def _set(self, attribute: str, value: Any) -> None:
+        object.__setattr__(self, attribute, value)  # the shape is still in the making
+
+    def measured(self, values: Mapping[Any, Any]) -> Self:
+        """Return this shape with numbers for lengths.
+
+        Parameters
+        ----------
+        values : mapping of symbols to numbers
+
+        Raises
+        ------
+        ValueError
+            A symbol has no value, or the length comes out as no positive number.
+        """
+        numbers: dict[str, Any] = {}
+        kind = type(self).__name__
+        for attribute in self.lengths:
+            expression = getattr(self, attribute)
+            if not isinstance(expression, sm.Basic):
+                continue
+            # By name too: a trajectory from a file has names in the place of symbols.
+            known = {s: values.get(s, values.get(s.name)) for s in expression.free_symbols}
+            missing = sorted(s.name for s, value in known.items() if value is None)
+            if missing:
+                raise ValueError(
+                    f"`{attribute}` of {kind} is `{expression}`, but `{missing[0]}` has no value: "
+                    "shapes may depend on constants only. Give its value in `constants`."
+                )
+            value = _number(expression.xreplace({s: sm.Float(v) for s, v in known.items()}))
+            if value is None or not 0 < value < np.inf:
+                raise ValueError(
+                    f"`{attribute}` of {kind} is `{expression}`, which must be positive, but comes "
+                    f"out as {value} with the constants' values."
+                )
+            numbers[attribute] = value
+        return replace(self, **numbers) if numbers else self
+
+    def dimensions(self) -> Iterator[tuple[str, Any]]:
+        """Yield the shape's own fields: what says how it looks, but for colour and name."""
+        common = {f.name for f in fields(Shape)}
+        for entry in fields(self):
+            if entry.name not in common:
+                yield entry.name, getattr(self, entry.name)
+
+
+def _number(value: Any) -> float | None:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return None
+
+
+def _length(value: Any, what: str) -> Any:
+    """Return a length as a float, or as an expression when it has symbols."""
+    if isinstance(value, sm.Expr) and value.free_symbols:
+        return value
+    number = None if isinstance(value, bool) else _number(value)
+    if number is None or not 0 < number < np.inf:
+        raise ValueError(
+            f"{what} must be a positive number or a SymPy expression of constants, got {value!r}."
+        )
+    return number
+
+
+def _axis(value: Any, kind: str) -> None:
+    if value not in ("x", "y", "z"):
+        raise ValueError(f"`axis` of {kind} must be 'x', 'y' or 'z', got {value!r}.")
+
+
+@dataclass(frozen=True)
+class Sphere(Shape):
+    """A ball about the point.
+
+    Examples
+    --------
+    >>> from pydy.viz import Sphere
+    >>> Sphere(0.1, colour="crimson").colour
+    '#dc143c'
+    """
+
+    radius: Any
+    lengths = ("radius",)
+
+
+@dataclass(frozen=True)
+class Box(Shape):
+    """A box about the point, with edges along x, y and z."""
+
+    x: Any
+    y: Any
+    z: Any
+    lengths = ("x", "y", "z")
+
+
+@dataclass(frozen=True)
+class Cylinder(Shape):
+    """A cylinder about the point, along an axis.
+
+    Examples
+    --------
+    A wheel that turns about its y axis:
+
+    >>> from pydy.viz import Cylinder
+    >>> Cylinder(length=0.05, radius=0.3, axis="y")
+    Cylinder(colour=None, opacity=1.0, name=None, length=0.05, radius=0.3, axis='y')
+    """
+
+    length: Any
+    radius: Any
+    axis: str = "y"
+    lengths = ("length", "radius")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _axis(self.axis, type(self).__name__)
+
+
+@dataclass(frozen=True)
+class Cone(Shape):
+    """A cone whose middle is the point and whose tip is in the direction of an axis."""
+
+    length: Any
+    radius: Any
+    axis: str = "y"
+    lengths = ("length", "radius")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _axis(self.axis, type(self).__name__)
+
+
+@dataclass(frozen=True)
+class Capsule(Shape):
+    """A cylinder with round ends; `length` is that of the cylinder alone."""
+
+    length: Any
+    radius: Any
+    axis: str = "y"
+    lengths = ("length", "radius")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _axis(self.axis, type(self).__name__)
+
+
+@dataclass(frozen=True)
+class Torus(Shape):
+    """A ring about an axis through the point: `radius` to the middle of a tube of `tube`."""
+
+    radius: Any
+    tube: Any
+    axis: str = "z"
+    lengths = ("radius", "tube")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _axis(self.axis, type(self).__name__)
+
+
+@dataclass(frozen=True)
+class Plane(Shape):
+    """A rectangle about the point, normal to an axis.
+
+    Its edges are along the two other axes in the order x, y, z: those of a plane normal to y have
+    the `length` along x and the `width` along z.
+    """
+
+    length: Any
+    width: Any
+    axis: str = "z"
+    lengths = ("length", "width")
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        _axis(self.axis, type(self).__name__)
+
+
+@dataclass(frozen=True)
+class Arrow(Shape):
+    """An arrow from the point along a SymPy vector, which may change in time: a force, a velocity.
+
+    Attributes
+    ----------
+    vector : sympy.physics.vector.Vector
+    scale : float
+        Length of the arrow for a vector of magnitude one.
+    radius : length, optional
+        Of the shaft; by default it suits the size of the scene.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
+    >>> from pydy.viz import Arrow
+    >>> N, F = ReferenceFrame("N"), dynamicsymbols("F")
+    >>> Arrow(F*N.x, scale=0.01).vector
+    F(t)*N.x
+    """
+
+    vector: Any
+    scale: float = 1.0
+    radius: Any = None
+    lengths = ("radius",)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not isinstance(self.vector, Vector):
+            raise TypeError(
+                "`vector` of Arrow must be a vector of sympy.physics.mechanics, such as F*N.x, got "
+                f"{self.vector!r}."
+            )
+        scale = _number(self.scale)
+        if scale is None or not np.isfinite(scale):
+            raise ValueError(f"`scale` of Arrow must be a number, got {self.scale!r}.")
+
+
+@dataclass(frozen=True)
+class Line(Shape):
+    """A line through points that move: a rope, a spring's axis, a rod between two joints.
+
+    Attributes
+    ----------
+    points : sequence of sympy.physics.vector.Point
+        Two or more.
+    radius : length, optional
+        Makes it a round rod instead of a thin line.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point
+    >>> from pydy.viz import Line
+    >>> Line([Point("A"), Point("B")], radius=0.01).points
+    (A, B)
+    """
+
+    points: Any
+    radius: Any = None
+    lengths = ("radius",)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        points = tuple(self.points) if isinstance(self.points, (tuple, list)) else ()
+        if len(points) < 2 or not all(isinstance(p, Point) for p in points):
+            raise ValueError(
+                "`points` of Line must be a sequence of two or more points of "
+                f"sympy.physics.mechanics, got {self.points!r}."
+            )
+        self._set("points", points)
+
+
+@dataclass(frozen=True)
+class Trace(Shape):
+    """The path that the point leaves behind.
+
+    Attributes
+    ----------
+    duration : float, optional
+        How many seconds of it stay; by default all.
+    """
+
+    duration: Any = None
+    lengths = ("duration",)
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh(Shape):
+    """A surface of triangles, from an STL or OBJ file or from arrays.
+
+    Attributes
+    ----------
+    source : path, or (vertices, faces)
+        A file with the suffix ``.stl`` (text or binary) or ``.obj``; or coordinates of shape (n, 3)
+        and, of shape (k, 3), which three of them make each triangle.
+    scale : length
+        What one unit of the file is, in the scene: 0.001 for millimetres in a scene of metres.
+
+    Examples
+    --------
+    >>> from pydy.viz import Mesh
+    >>> corner = Mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), scale=0.5)
+    >>> corner.vertices[1]
+    array([1., 0., 0.])
+    """
+
+    source: Any
+    scale: Any = 1.0
+    vertices: np.ndarray = field(init=False, repr=False)
+    faces: np.ndarray = field(init=False, repr=False)
+    lengths = ("scale",)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if isinstance(self.source, (str, Path)):
+            vertices, faces = read_mesh(Path(self.source))
+            self._set("source", (vertices, faces))  # the file is read once
+        else:
+            vertices, faces = _triangles(self.source)
+        self._set("vertices", vertices)
+        self._set("faces", faces)
+
+
+def _triangles(source: Any) -> tuple[np.ndarray, np.ndarray]:
+    try:
+        given, corners = source
+        vertices, faces = np.asarray(given, dtype=float), np.asarray(corners)
+    except (TypeError, ValueError):
+        vertices, faces = np.empty(0), np.empty(0)
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or not np.isfinite(vertices).all():
+        raise ValueError(
+            "`source` of Mesh must be the path of an STL or OBJ file, or (vertices, faces) with "
+            f"finite vertices of shape (n, 3), got {source!r}."
+        )
+    good = faces.ndim == 2 and faces.shape[1] == 3 and faces.dtype.kind in "iu" and len(faces)
+    if not good or faces.min() < 0 or faces.max() >= len(vertices):
+        raise ValueError(
+            "`faces` of Mesh must be integers of shape (k, 3), each the index of one of the "
+            f"{len(vertices)} vertices, got {corners!r}."
+        )
+    return vertices, faces

@@ -1,0 +1,153 @@
+"""Triangles of shapes: what Matplotlib draws, and what tells how far a shape reaches.
+
+The page builds its own, finer surfaces from the same dimensions; a browser test compares the two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import singledispatch
+
+import numpy as np
+
+from pydy.viz.shapes import Box, Capsule, Cone, Cylinder, Mesh, Plane, Shape, Sphere, Torus
+
+__all__ = ["Surface", "arrow", "rod", "surface"]
+
+Surface = tuple[np.ndarray, np.ndarray]
+"""Vertices, shape (n, 3), and triangles, shape (k, 3), counter-clockwise from outside."""
+
+_AROUND = 24  # corners of a circle
+_HEAD_LENGTH, _HEAD_RADIUS = 6.0, 2.5  # of an arrow, relative to the radius of its shaft
+
+
+@singledispatch
+def surface(shape: Shape) -> Surface:
+    """Return the triangles of a shape with numbers for lengths, in its own axes."""
+    raise NotImplementedError(f"{type(shape).__name__} has no surface of its own.")
+
+
+def _grid(point: Callable[[np.ndarray, np.ndarray], np.ndarray], rows: int, around: int) -> Surface:
+    """Return a surface over (0…rows) × a closed circle, from a function of row and angle."""
+    row, angle = np.meshgrid(
+        np.arange(rows + 1.0), np.arange(around) * (2 * np.pi / around), indexing="ij"
+    )
+    vertices = point(row.ravel(), angle.ravel())
+    i, j = np.meshgrid(np.arange(rows), np.arange(around), indexing="ij")
+    a, b = (i * around + j).ravel(), (i * around + (j + 1) % around).ravel()
+    c, d = a + around, b + around
+    faces = np.concatenate([np.stack([a, c, b], 1), np.stack([b, c, d], 1)])
+    return vertices, faces
+
+
+def _turned(profile: list[tuple[float, float]], axis: str) -> Surface:
+    """Return the surface of revolution of (radius, height) pairs, from the top down."""
+    radius, height = np.array(profile).T
+
+    def point(row: np.ndarray, angle: np.ndarray) -> np.ndarray:
+        k = row.astype(int)
+        return np.stack([radius[k] * np.sin(angle), height[k], radius[k] * np.cos(angle)], 1)
+
+    vertices, faces = _grid(point, len(profile) - 1, _AROUND)
+    return _along(vertices, "y", axis), faces
+
+
+def _along(vertices: np.ndarray, own: str, axis: str) -> np.ndarray:
+    """Return vertices turned so that the axis `own` becomes `axis`: x → y → z → x."""
+    return np.roll(vertices, "xyz".index(axis) - "xyz".index(own), axis=1)
+
+
+def _arc(radius: float, middle: float, start: float, stop: float) -> list[tuple[float, float]]:
+    angles = np.linspace(start, stop, 9)
+    return [(radius * float(np.sin(a)), middle + radius * float(np.cos(a))) for a in angles]
+
+
+@surface.register
+def _(shape: Sphere) -> Surface:
+    upper, lower = (_arc(shape.radius, 0, *ends) for ends in ((0, np.pi / 2), (np.pi / 2, np.pi)))
+    return _turned(upper + lower[1:], "y")
+
+
+@surface.register
+def _(shape: Capsule) -> Surface:
+    h, r = shape.length / 2, shape.radius
+    return _turned(_arc(r, h, 0, np.pi / 2) + _arc(r, -h, np.pi / 2, np.pi), shape.axis)
+
+
+@surface.register
+def _(shape: Cylinder) -> Surface:
+    h, r = shape.length / 2, shape.radius
+    return _turned([(0, h), (r, h), (r, -h), (0, -h)], shape.axis)
+
+
+@surface.register
+def _(shape: Cone) -> Surface:
+    h, r = shape.length / 2, shape.radius
+    return _turned([(0, h), (r, -h), (0, -h)], shape.axis)
+
+
+@surface.register
+def _(shape: Torus) -> Surface:
+    rows = 12
+
+    def point(row: np.ndarray, angle: np.ndarray) -> np.ndarray:
+        turn = row * (2 * np.pi / rows)
+        distance = shape.radius + shape.tube * np.cos(turn)
+        return np.stack(
+            [distance * np.cos(angle), distance * np.sin(angle), -shape.tube * np.sin(turn)], 1
+        )
+
+    vertices, faces = _grid(point, rows, 2 * _AROUND)
+    return _along(vertices, "z", shape.axis), faces
+
+
+@surface.register
+def _(shape: Box) -> Surface:
+    corners = np.array([[i, j, k] for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)])
+    sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    faces = [part for a, b, c, d in sides for part in ((a, b, c), (a, c, d))]
+    return corners * (np.array([shape.x, shape.y, shape.z]) / 2), np.array(faces)
+
+
+@surface.register
+def _(shape: Plane) -> Surface:
+    k = "xyz".index(shape.axis)
+    first, second = (i for i in range(3) if i != k)
+    vertices = np.zeros((4, 3))
+    vertices[:, first] = np.array([-1, 1, 1, -1]) * shape.length / 2
+    vertices[:, second] = np.array([-1, -1, 1, 1]) * shape.width / 2
+    return vertices, np.array([(0, 1, 2), (0, 2, 3)])
+
+
+@surface.register
+def _(shape: Mesh) -> Surface:
+    return shape.vertices * shape.scale, shape.faces
+
+
+def rod(start: np.ndarray, end: np.ndarray, radius: float) -> Surface:
+    """Return a cylinder from one point to another."""
+    length = float(np.linalg.norm(end - start))
+    r = radius
+    vertices, faces = _turned([(0, length), (r, length), (r, 0), (0, 0)], "y")
+    return vertices @ _onto(end - start).T + start, faces
+
+
+def arrow(start: np.ndarray, vector: np.ndarray, radius: float) -> Surface:
+    """Return an arrow from a point along a vector; a short one is all head."""
+    length = float(np.linalg.norm(vector))
+    size = min(1.0, length / (_HEAD_LENGTH * radius)) if radius else 0.0
+    neck, head, r = length - size * _HEAD_LENGTH * radius, size * _HEAD_RADIUS * radius, radius
+    profile = [(0, length), (head, neck), (size * r, neck), (size * r, 0), (0, 0)]
+    vertices, faces = _turned([(float(a), float(b)) for a, b in profile], "y")
+    return vertices @ _onto(vector).T + start, faces
+
+
+def _onto(vector: np.ndarray) -> np.ndarray:
+    """Return a rotation that turns the y axis into the direction of a vector."""
+    length = float(np.linalg.norm(vector))
+    if length == 0:
+        return np.eye(3)
+    y = vector / length
+    x = np.cross(y, np.eye(3)[int(np.abs(y).argmin())])
+    x /= np.linalg.norm(x)
+    return np.stack([x, y, np.cross(x, y)], 1)

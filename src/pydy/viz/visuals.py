@@ -1,0 +1,105 @@
+"""A visual: a shape, the frame that it turns with, and the point where it is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from sympy.physics.mechanics import Particle, RigidBody
+from sympy.physics.vector import Point, ReferenceFrame
+
+from pydy.viz.shapes import Line, Shape
+
+__all__ = ["Visual"]
+
+
+@dataclass(frozen=True, eq=False, init=False)
+class Visual:
+    """A shape that moves with a frame and a point.
+
+    Parameters
+    ----------
+    shape : Shape or None
+        None stands for a default that suits the body: a box with its inertia, a ball for a
+        particle.
+    *where : ReferenceFrame and Point, Point, RigidBody, or Particle
+        Without a frame the shape keeps the orientation of the scene. A `Line` needs nothing, for it
+        has points of its own.
+    name : str, optional
+        For the legend; by default the shape's name, the body's, or the point's.
+    trail : bool, optional
+        Whether the page shows the path of the point from the beginning.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Particle, Point, ReferenceFrame
+    >>> from pydy.viz import Sphere, Visual
+    >>> bob = Particle("bob", Point("P"), 1)
+    >>> Visual(Sphere(0.1), bob)
+    Visual(bob: Sphere at P)
+    >>> Visual(Sphere(0.1), ReferenceFrame("B"), Point("Q"), name="knob")
+    Visual(knob: Sphere at Q, turning with B)
+    """
+
+    shape: Shape | None
+    frame: Any
+    point: Any
+    name: str
+    body: Any
+    trail: bool
+
+    def __init__(
+        self, shape: Shape | None, *where: Any, name: str | None = None, trail: bool = False
+    ) -> None:
+        frame, point, body = _attachment(shape, where)
+        if shape is not None and shape.name is not None and name is None:
+            name = shape.name
+        if name is None:
+            name = str(body or point).removesuffix("_masscenter")
+        if not isinstance(name, str):
+            raise TypeError(f"`name` of Visual must be a string, got {name!r}.")
+        values = (shape, frame, point, name, body, bool(trail))
+        for attribute, value in zip(self.__dataclass_fields__, values, strict=True):
+            object.__setattr__(self, attribute, value)  # it is frozen from here on
+
+    def __repr__(self) -> str:
+        kind = "default shape" if self.shape is None else type(self.shape).__name__
+        turning = f", turning with {self.frame}" if self.frame is not None else ""
+        return f"Visual({self.name}: {kind} at {self.point}{turning})"
+
+
+def _attachment(shape: Any, where: tuple[Any, ...]) -> tuple[Any, Any, Any]:
+    """Return the frame (or None), the point, and the body (or None)."""
+    if shape is not None and not isinstance(shape, Shape):
+        raise TypeError(
+            "`shape` of Visual must be a shape of pydy.viz, such as Sphere(0.1), got "
+            f"{_said(shape)}."
+        )
+    if isinstance(shape, Line) and not where:
+        return None, shape.points[0], None
+    if len(where) == 1:
+        (thing,) = where
+        if isinstance(thing, RigidBody):
+            return thing.frame, thing.masscenter, thing
+        if isinstance(thing, Particle):
+            return None, thing.point, thing
+        if isinstance(thing, Point) and shape is not None:
+            return None, thing, None
+    if len(where) == 2 and shape is not None:
+        frames = [thing for thing in where if isinstance(thing, ReferenceFrame)]
+        points = [thing for thing in where if isinstance(thing, Point)]
+        if len(frames) == len(points) == 1:
+            return frames[0], points[0], None
+    got = ", ".join(map(_said, where)) or "nothing"
+    if shape is None:
+        raise TypeError(
+            f"A Visual without a shape must be attached to a RigidBody or Particle, got {got}."
+        )
+    raise TypeError(
+        "A Visual must be attached to a ReferenceFrame and a Point, to a Point, or to a RigidBody "
+        f"or Particle, got {got}."
+    )
+
+
+def _said(thing: Any) -> str:
+    return f"the {type(thing).__name__} {thing}"

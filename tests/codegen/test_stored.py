@@ -1,0 +1,85 @@
+"""What one process has simplified and compiled, the next one loads."""
+
+import json
+import subprocess
+import sys
+
+import sympy as sm
+
+import zoo
+from graphs import P, X, program_of
+from pydy._graph.program import Program
+from pydy._programs import assemble_form
+
+SCRIPT = """
+import json
+import numpy as np
+from sympy.physics.mechanics.models import n_link_pendulum_on_cart
+from pydy import _programs
+from pydy._backends import background, jit
+from pydy.system import System
+
+background._QUIET_SECONDS = 0.0
+counts = {"simplified": 0, "compiled": 0}
+
+def counted(module, name, kind):
+    function = getattr(module, name)
+    def wrapper(*args, **kwargs):
+        counts[kind] += 1
+        return function(*args, **kwargs)
+    setattr(module, name, wrapper)
+
+counted(_programs, "simplify", "simplified")
+counted(jit, "_object_code", "compiled")
+system = System(n_link_pendulum_on_cart(6, cart_force=False))
+x = np.linspace(-1.0, 1.0, 14)
+rates = system.evaluate_ode(x)
+jacobian = system.evaluate_jacobian(x)
+assert all(kernel.addresses for kernel in system._current()._kernels.values())
+print(json.dumps([counts, rates.tolist(), jacobian.tolist()]))
+"""
+
+
+def run(folder, monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(folder))
+    out = subprocess.run([sys.executable, "-c", SCRIPT], capture_output=True, text=True, check=True)
+    return json.loads(out.stdout)
+
+
+def test_a_second_process_neither_simplifies_nor_compiles(tmp_path, monkeypatch):
+    first, *values = run(tmp_path, monkeypatch)
+    assert first["simplified"] == 2
+    assert first["compiled"] >= 2
+    second, *again = run(tmp_path, monkeypatch)
+    assert second == {"simplified": 0, "compiled": 0}
+    assert again == values
+
+
+def test_a_program_comes_back_from_bytes_as_it_was():
+    x, y, z, _ = X
+    program = program_of([x * sm.sin(y) + P[0] * z, sm.Piecewise((x, x > y), (y, True))])
+    found = Program.from_bytes(program.to_bytes())
+    assert found.digest == program.digest
+    assert found.setup == program.setup
+    assert found.carried == program.carried
+
+
+def assembly():
+    model = zoo.pendulum()
+    q, u = list(model.kane.q), list(model.kane.u)
+    matrix, forcing = model.kane.mass_matrix, model.kane.forcing
+    known = model.kane.kindiffdict()
+    constants = sorted(model.constants, key=sm.default_sort_key)
+    specifieds = sorted(model.specifieds, key=sm.default_sort_key)
+    t = sm.physics.mechanics.dynamicsymbols._t
+    return assemble_form(
+        list(forcing), q, u, constants, specifieds, matrix, [known[c.diff(t)] for c in q], (), t
+    )
+
+
+def test_a_program_does_not_depend_on_which_others_were_made_before():
+    one, two = assembly(), assembly()
+    two.program("forcing")
+    two.jacobian_program("rates", "x")
+    assert one.program("rates").digest == two.program("rates").digest
+    assert one.fingerprint() == two.fingerprint()

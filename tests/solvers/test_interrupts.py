@@ -1,0 +1,232 @@
+"""Long work: the bar, Ctrl-C, and slices that leave no trace."""
+
+import signal
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import solver_problems as problems
+from pydy._errors import IntegrationError, IntegrationInterrupted, MissingDependencyError
+from pydy.solvers import dop853, integration, radau, rk4, tsit5, vern9
+
+ALL = [dop853, tsit5, vern9, rk4, radau]
+HUGE = 1e9  # seconds of simulated time that nobody waits for
+PATIENCE = 3.0  # seconds on a busy machine, where 0.1 are meant
+
+
+def options_of(solver):
+    return {"step": 1e-2} if solver is rk4 else {"rtol": 1e-10, "atol": 1e-10}
+
+
+class Alarm:
+    """Ctrl-C from another thread, after some time."""
+
+    def __init__(self, delay):
+        self.sent = None
+        self._timer = threading.Timer(delay, self._ring)
+
+    def _ring(self):
+        self.sent = time.perf_counter()
+        signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+
+    def __enter__(self):
+        self._timer.start()
+        return self
+
+    def __exit__(self, *_):
+        self._timer.cancel()
+        self._timer.join()
+
+
+@pytest.fixture(autouse=True)
+def pythons_own_handler():
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    signal.signal(signal.SIGINT, before)
+
+
+def interrupted(solver, f, x0, times, args=(), delay=0.3, **options):
+    solver(f, x0, times[:2], args, **options)  # compiled before the clock runs
+    with Alarm(delay) as alarm, pytest.raises(IntegrationInterrupted) as caught:
+        solver(f, x0, times, args, max_steps=10**12, **options)
+    assert time.perf_counter() - alarm.sent < PATIENCE
+    return caught.value
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_ctrl_c_ends_compiled_work_with_what_was_computed(solver):
+    problem = problems.rigid_body()
+    times = np.array([0.0, 5.0, 20.0, HUGE])
+    options = options_of(solver)
+    error = interrupted(solver, problem.f, problem.x0, times, problem.args, **options)
+    assert isinstance(error, KeyboardInterrupt)
+    assert not isinstance(error, Exception)
+    assert not isinstance(error, RuntimeError | IntegrationError)
+    assert f"`{solver.name}` was interrupted at t = {error.time!r}" in str(error)
+    np.testing.assert_array_equal(error.times, times[:3])
+    np.testing.assert_allclose(error.states, problem.f.exact(times[:3]), atol=1e-6)
+    assert 20.0 < error.time < HUGE
+    assert error.info["steps"] > 100
+
+
+def test_ctrl_c_ends_work_in_a_python_function():
+    def f(x, t):
+        return [x[1], -x[0]]
+
+    error = interrupted(dop853, f, [1.0, 0.0], np.array([0.0, 1.0, HUGE]))
+    np.testing.assert_array_equal(error.times, [0.0, 1.0])
+
+
+def test_ctrl_c_is_never_lost_on_the_way_into_a_python_function():
+    # Where Python looks for signals is by chance; without care, one in ten is printed and ignored.
+    for k in range(12):
+        interrupted(
+            tsit5, lambda x, t: -x, [1.0], np.array([0.0, 1.0, HUGE]), delay=0.02 + 0.001 * k
+        )
+
+
+def test_a_slow_python_function_delays_ctrl_c_by_one_call():
+    calls = []
+
+    def f(x, t):
+        calls.append(t)
+        time.sleep(0.05)
+        return -x
+
+    with Alarm(0.2) as alarm, pytest.raises(IntegrationInterrupted):
+        dop853(f, [1.0], [0.0, HUGE])
+    assert time.perf_counter() - alarm.sent < PATIENCE
+    assert len(calls) < 30
+
+
+def test_a_second_ctrl_c_ends_a_function_that_hangs():
+    def f(x, t):
+        time.sleep(100.0)
+
+    with Alarm(0.1), Alarm(0.4), pytest.raises(IntegrationInterrupted):
+        dop853(f, [1.0], [0.0, 1.0])
+
+
+def test_a_handler_of_the_users_own_is_left_alone():
+    heard = []
+    signal.signal(signal.SIGINT, lambda *_: heard.append(1))
+
+    def f(x, t):
+        if not heard:
+            signal.raise_signal(signal.SIGINT)
+        return -x
+
+    try:
+        x = dop853(f, [1.0], [0.0, 1.0])
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    assert heard == [1]
+    np.testing.assert_allclose(x[1], np.exp(-1.0), atol=1e-6)
+
+
+def test_other_threads_integrate_too():
+    problem, found = problems.rigid_body(), []
+
+    def work():
+        found.append(dop853(problem.f, problem.x0, [0.0, problem.end], problem.args)[-1])
+
+    threads = [threading.Thread(target=work) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(found) == 3
+    np.testing.assert_array_equal(found[0], found[2])
+    np.testing.assert_allclose(found[0], problem.final, atol=1e-5)
+
+
+def test_a_keyboard_interrupt_of_the_function_itself_counts_as_one():
+    def f(x, t):
+        if t > 0.5:
+            raise KeyboardInterrupt
+        return -x
+
+    with pytest.raises(IntegrationInterrupted) as caught:
+        dop853(f, [1.0], [0.0, 0.25, 1.0], max_step=0.1)
+    np.testing.assert_array_equal(caught.value.times, [0.0, 0.25])
+
+
+# -- slices ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("budget", [1, 2, 7])
+def test_the_bits_do_not_depend_on_how_the_work_is_sliced(solver, budget, monkeypatch):
+    problem = problems.arenstorf()
+    times = np.linspace(0.0, 5.0, num=33)
+
+    def run():
+        options = options_of(solver)
+        return solver(problem.f, problem.x0, times, problem.args, full_output=True, **options)
+
+    whole, info = run()
+    monkeypatch.setattr(integration, "_first_budget", lambda *_: budget)
+    monkeypatch.setattr(integration, "_SLICE", 1e-12)  # one step at a time after that
+    sliced, other = run()
+    np.testing.assert_array_equal(sliced, whole)
+    assert other == info
+
+
+# -- the bar --------------------------------------------------------------------------------------
+
+
+class Bar:
+    """What tqdm does, seen from a solver."""
+
+    made = None
+
+    def __init__(self, total, desc, bar_format):
+        self.total, self.desc, self.n, self.moves, self.closed = total, desc, 0.0, [], False
+        Bar.made = self
+
+    def update(self, by):
+        assert by >= 0.0
+        self.n += by
+        self.moves.append(by)
+
+    def close(self):
+        self.closed = True
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_the_bar_goes_through_simulated_time(solver, monkeypatch):
+    monkeypatch.setattr("tqdm.auto.tqdm", Bar)
+    monkeypatch.setattr(integration, "_first_budget", lambda *_: 10)
+    problem = problems.rigid_body()
+    solver(problem.f, problem.x0, [3.0, 23.0], problem.args, progress=True, **options_of(solver))
+    assert Bar.made.total == 20.0
+    assert Bar.made.desc == solver.name
+    assert abs(Bar.made.n - 20.0) < 1e-9
+    assert len(Bar.made.moves) >= 2
+    assert Bar.made.closed
+
+
+def test_the_bar_is_closed_after_a_failure(monkeypatch):
+    monkeypatch.setattr("tqdm.auto.tqdm", Bar)
+    with pytest.raises(IntegrationError):
+        dop853(lambda x, t: x**2, [1.0], [0.0, 2.0], progress=True)
+    assert Bar.made.closed
+    assert abs(Bar.made.n - 1.0) < 1e-3
+
+
+def test_tqdm_shows_the_bar(capsys):
+    pytest.importorskip("tqdm")
+    dop853(lambda x, t: -x, [1.0], [0.0, 2.0], progress=True)
+    shown = capsys.readouterr().err
+    assert "dop853: 100%" in shown
+    assert "2/2 s" in shown
+
+
+def test_without_tqdm_the_bar_says_what_to_install(monkeypatch):
+    monkeypatch.setitem(sys.modules, "tqdm.auto", None)
+    with pytest.raises(MissingDependencyError, match="pip install tqdm, or pass progress=False"):
+        dop853(lambda x, t: -x, [1.0], [0.0, 2.0], progress=True)

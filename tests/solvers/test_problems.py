@@ -1,0 +1,59 @@
+"""Published problems with exact answers, over every solver."""
+
+import numpy as np
+import pytest
+
+import solver_problems as problems
+from pydy.solvers import dop853, radau, rk4, tsit5, vern9
+
+NAMES = ["rigid_body", "pleiades", "arenstorf"]
+ADAPTIVE = [dop853, tsit5, vern9, radau]
+# How much larger than the tolerance the error is at the end: the orbits have close encounters.
+CONDITION = {"rigid_body": 50.0, "pleiades": 2e3, "arenstorf": 2e4}
+
+
+@pytest.mark.parametrize("tolerance", [1e-8, 1e-11])
+@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_published_solutions_are_met(solver, name, tolerance):
+    problem = getattr(problems, name)()
+    x = solver(
+        problem.f, problem.x0, [0.0, problem.end], problem.args, rtol=tolerance, atol=tolerance
+    )
+    assert np.abs(x[-1] - problem.final).max() < CONDITION[name] * tolerance
+
+
+@pytest.mark.parametrize(
+    ("name", "steps", "expected"),
+    [("rigid_body", 1000, 1e-7), ("pleiades", 100_000, 1e-6), ("arenstorf", 200_000, 1e-4)],
+)
+def test_published_solutions_are_met_in_fixed_steps(name, steps, expected):
+    problem = getattr(problems, name)()
+    x = rk4(problem.f, problem.x0, [0.0, problem.end], problem.args, step=problem.end / steps)
+    assert np.abs(x[-1] - problem.final).max() < expected
+
+
+@pytest.mark.parametrize(("tolerance", "expected"), [(1e-5, 1e-6), (1e-8, 1e-9), (1e-11, 1e-12)])
+@pytest.mark.parametrize("name", ["van_der_pol", "hires"])
+def test_stiff_published_solutions_are_met(name, tolerance, expected):
+    problem = getattr(problems, name)()
+    x = radau(
+        problem.f,
+        problem.x0,
+        [0.0, problem.end],
+        problem.args,
+        rtol=tolerance,
+        atol=1e-3 * tolerance,
+    )
+    np.testing.assert_allclose(x[-1], problem.final, rtol=expected)
+
+
+def test_the_implicit_method_does_not_mind_how_stiff_a_problem_is():
+    def evaluations(solver):
+        problem = problems.van_der_pol()
+        # Up to t = 0.5 the solution is smooth; only stability limits the steps.
+        options = {"rtol": 1e-5, "atol": 1e-8, "full_output": True}
+        return solver(problem.f, problem.x0, [0.0, 0.5], problem.args, **options)[1]["evaluations"]
+
+    assert evaluations(radau) < 1000
+    assert evaluations(tsit5) > 1_000_000

@@ -1,0 +1,511 @@
+"""Events of System.integrate and simulate."""
+
+import warnings
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.integrate import odeint
+
+from cases import close
+from pydy._errors import IntegrationError, PyDyUserWarning
+from pydy.inputs import SampledInput
+from pydy.solvers import Event
+from pydy.system import System
+
+T = me.dynamicsymbols._t
+Z, V, PUSH = me.dynamicsymbols("z v F")
+M, G = sm.symbols("m g")
+ALL = ["dop853", "tsit5", "vern9", "rk4", "radau"]
+ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
+
+
+@cache
+def falling():
+    """A particle that falls, pushed upwards by F."""
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, V * frame.z)
+    kane = me.KanesMethod(frame, [Z], [V], kd_eqs=[Z.diff(T) - V])
+    kane.kanes_equations([me.Particle("P", point, M)], [(point, (PUSH - M * G) * frame.z)])
+    return kane
+
+
+@cache
+def oscillating():
+    """A unit oscillator: z = sin t from z = 0, v = 1."""
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, V * frame.z)
+    kane = me.KanesMethod(frame, [Z], [V], kd_eqs=[Z.diff(T) - V])
+    kane.kanes_equations([me.Particle("P", point, sm.Integer(1))], [(point, -Z * frame.z)])
+    return kane
+
+
+def ball(solver="dop853", **options):
+    defaults = {
+        "constants": {M: 1.3, G: 9.81},
+        "initial_conditions": {Z: 1.0, V: 0.0},
+        "times": np.linspace(0.0, 2.0, num=41),
+        "ode_solver": solver,
+    }
+    return System(falling(), **{**defaults, **options})
+
+
+def oscillator(solver="dop853", end=10.0, **options):
+    defaults = {
+        "initial_conditions": {V: 1.0},
+        "times": np.linspace(0.0, end, num=21),
+        "ode_solver": solver,
+    }
+    return System(oscillating(), **{**defaults, **options})
+
+
+def run(system, events, **options):
+    if system.ode_solver.name == "rk4":
+        options = {"step": 1e-3, **options}
+    else:
+        options = {"rtol": 1e-11, "atol": 1e-11, **options}
+    return system.integrate(events=events, full_output=True, **options)
+
+
+def moments(info, name=None):
+    return np.array([r.time for r in info["events"] if name in (None, r.name)])
+
+
+def bounce(factor, **options):
+    return Event(Z, direction=-1, reset={V: -factor * V}, name="bounce", **options)
+
+
+def impacts(factor, count, height=1.0, g=9.81):
+    """When a ball dropped from some height hits the ground, each time."""
+    fall = np.sqrt(2 * height / g)
+    flights = 2 * fall * factor ** np.arange(1, count)
+    return fall + np.concatenate([[0.0], np.cumsum(flights)])
+
+
+# -- what counts as an event ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_both_directions_are_seen_by_default(solver):
+    _, info = run(oscillator(solver), [Event(Z)])
+    close(moments(info), [np.pi, 2 * np.pi, 3 * np.pi], 1e-9)
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_one_direction_is_seen_if_asked_for(solver):
+    _, info = run(oscillator(solver), [Event(Z, direction=1, name="up"), Event(Z, -1, name="down")])
+    close(moments(info, "up"), [2 * np.pi], 1e-9)
+    close(moments(info, "down"), [np.pi, 3 * np.pi], 1e-9)
+
+
+def test_times_are_found_to_a_few_units_in_the_last_place():
+    # The interpolant is exact for a parabola.
+    _, info = run(ball(), [Event(Z)])
+    close(moments(info), [np.sqrt(2 / 9.81)], 4e-16)
+
+
+def test_an_event_says_where_it_happened():
+    x, info = run(oscillator(), [Event(V, name="turn")])
+    record = info["events"][0]
+    assert (record.name, record.index) == ("turn", 0)
+    assert isinstance(record.time, float)
+    close(record.before, [1.0, 0.0], 1e-9)
+    np.testing.assert_array_equal(record.before, record.after)
+    assert x.shape == (21, 2)
+
+
+def test_watching_changes_nothing():
+    system = oscillator()
+    x, info = run(system, [Event(Z), Event(V - Z, name="other")])
+    expected, plain = system.integrate(rtol=1e-11, atol=1e-11, full_output=True)
+    np.testing.assert_array_equal(x, expected)
+    assert info["steps"] == plain["steps"]
+
+
+def test_records_come_in_the_order_of_time():
+    _, info = run(oscillator(), [Event(Z), Event(V, name="turn"), Event(Z - V, name="equal")])
+    assert [r.name for r in info["events"][:5]] == ["equal", "turn", str(Z), "equal", "turn"]
+    assert (np.diff(moments(info)) > 0.0).all()
+
+
+def test_an_expression_may_hold_time_constants_rates_and_specifieds():
+    system = ball(specifieds={PUSH: 0.13 * T})
+    events = [
+        Event(T - 0.625, name="clock"),
+        Event(Z - M + 0.8, name="constant"),
+        Event(Z.diff(T) + 3, name="rate"),
+        Event(PUSH - 0.065, name="specified"),
+    ]
+    _, info = run(system, events)
+
+    # z = 1 − g t²/2 + t³/60
+    def height(t):
+        return 1.0 - 9.81 * t**2 / 2 + t**3 / 60
+
+    close(moments(info, "clock"), [0.625], 1e-14)
+    close(height(moments(info, "constant")), [0.5], 1e-10)
+    t = moments(info, "rate")
+    close(-9.81 * t + t**2 / 20, [-3.0], 1e-9)
+    close(moments(info, "specified"), [0.5], 1e-12)
+
+
+def test_a_symbol_that_has_no_number_is_named():
+    with pytest.raises(ValueError, match="limit"):
+        run(ball(), [Event(Z - sm.Symbol("limit"))])
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_two_events_in_one_step_are_both_found(solver):
+    events = [Event(Z - 0.5, name="half"), Event(Z - 0.4999999, name="a little less")]
+    _, info = run(ball(solver), events)
+    close(moments(info), np.sqrt(2 * np.array([0.5, 0.5000001]) / 9.81), 1e-9)
+
+
+def test_one_event_twice_in_one_step_is_found_where_signs_differ_between_quarters():
+    # The step is as long as the whole motion; z − 0.9 is crossed at t = ±0.45 about the top.
+    system = ball(initial_conditions={Z: 0.0, V: 4.2})
+    _, info = run(system, [Event(Z - 0.8)], rtol=1e-3, atol=1e-3, first_step=0.85)
+    close(moments(info), (4.2 + np.array([-1, 1]) * np.sqrt(4.2**2 - 2 * 9.81 * 0.8)) / 9.81, 1e-9)
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_events_at_the_same_instant_all_happen(solver):
+    events = [Event(Z - 0.5, name="a"), Event(2 * Z - 1, name="b"), Event(0.5 - Z, name="c")]
+    _, info = run(ball(solver), events)
+    assert sorted(r.name for r in info["events"]) == ["a", "b", "c"]
+    close(moments(info), np.full(3, np.sqrt(1 / 9.81)), 1e-12)
+
+
+def test_resets_at_the_same_instant_follow_each_other_in_the_order_given():
+    events = [
+        Event(Z - 0.5, reset={V: V + 1}, name="a"),
+        Event(2 * Z - 1, reset={V: 2 * V}, name="b"),
+    ]
+    _, info = run(ball(times=[0.0, 0.4]), events)
+    first, second = info["events"]
+    assert first.time == second.time
+    close(second.before, first.after)
+    close(second.after[1], 2 * (first.before[1] + 1))
+
+
+def test_an_event_that_only_touches_zero_is_not_seen():
+    _, info = run(oscillator(), [Event(Z - 1), Event((Z - sm.Rational(1, 2)) ** 2, name="square")])
+    assert info["events"] == []
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_a_root_at_the_very_start_is_no_event(solver):
+    _, info = run(oscillator(solver), [Event(Z)])
+    assert moments(info)[0] > 3.0
+
+
+def test_a_root_at_the_start_that_is_left_backwards_counts_when_it_comes_again():
+    system = oscillator(initial_conditions={V: -1.0})
+    _, info = run(system, [Event(Z, direction=1)])
+    close(moments(info), [np.pi, 3 * np.pi], 1e-9)
+
+
+def test_an_event_at_the_last_time_is_found():
+    _, info = run(ball(times=[0.0, 0.5]), [Event(T - 0.4999999999), Event(T - 0.5, name="end")])
+    assert len(moments(info)) <= 2
+    assert moments(info)[0] == pytest.approx(0.4999999999)
+
+
+# -- terminal events ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_a_terminal_event_ends_the_integration(solver):
+    system = ball(solver)
+    x, info = run(system, [Event(Z, terminal=True, name="ground")])
+    end = np.sqrt(2 / 9.81)
+    assert info["status"] == "terminated by `ground`"
+    assert info["time"] == info["events"][0].time == pytest.approx(end, abs=1e-12)
+    reached = system.times <= end
+    assert info["reached"] == reached.sum()
+    close(x[reached, 0], 1 - 9.81 * system.times[reached] ** 2 / 2)
+    assert np.isnan(x[~reached]).all()
+
+
+def test_a_terminal_event_may_reset_too():
+    _, info = run(ball(), [bounce(0.5, terminal=True)])
+    record = info["events"][-1]
+    close(record.after, [record.before[0], -0.5 * record.before[1]])
+
+
+def test_an_event_that_never_happens_changes_nothing():
+    x, info = run(ball(times=[0.0, 0.3]), [Event(Z, terminal=True)])
+    assert info["status"] == "finished"
+    assert np.isfinite(x).all()
+
+
+def test_what_happens_before_the_end_in_the_same_step_is_recorded():
+    events = [Event(Z, terminal=True, name="ground"), Event(Z - 0.001, name="near")]
+    _, info = run(ball(), events)
+    assert [r.name for r in info["events"]] == ["near", "ground"]
+
+
+# -- resets ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_a_bouncing_ball_bounces_as_the_closed_form_says(solver):
+    factor = 0.8
+    x, info = run(ball(solver), [bounce(factor)])
+    expected = impacts(factor, 30)
+    expected = expected[expected < 2.0]
+    close(moments(info), expected, 1e-9)
+    for k, record in enumerate(info["events"]):
+        speed = np.sqrt(2 * 9.81) * factor**k
+        close(record.before, [0.0, -speed], 1e-9)
+        close(record.after, [0.0, factor * speed], 1e-9)
+    # Between two impacts it is a parabola.
+    times = ball().times
+    k = np.searchsorted(expected, times, side="right") - 1
+    since = times - expected[k]
+    up = np.sqrt(2 * 9.81) * factor ** (k + 1)
+    height = np.where(k < 0, 1 - 9.81 * times**2 / 2, up * since - 9.81 * since**2 / 2)
+    close(x[:, 0], height, 1e-8)
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_a_ball_that_loses_no_energy_bounces_for_ever(solver):
+    system = ball(solver, times=np.linspace(0.0, 60.0, num=7))
+    x, info = run(system, [bounce(1)])
+    close(moments(info), impacts(1.0, 67)[: len(info["events"])], 1e-8)
+    assert len(info["events"]) == 66
+    close(9.81 * x[:, 0] + x[:, 1] ** 2 / 2, np.full(7, 9.81), 1e-8)
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_a_zeno_point_stops_with_a_status_and_a_warning(solver):
+    system = ball(solver, times=np.linspace(0.0, 5.0, num=51))
+    with pytest.warns(PyDyUserWarning, match="the events `bounce` follow each other ever faster"):
+        x, info = run(system, [bounce(0.5)])
+    zeno = 3 * np.sqrt(2 / 9.81)
+    assert info["status"] == "events `bounce` accumulate"
+    assert info["time"] == pytest.approx(zeno, abs=1e-6)
+    reached = system.times <= info["time"]
+    assert np.isfinite(x[reached]).all()
+    assert np.isnan(x[~reached]).all()
+    assert len(info["events"]) < 200
+
+
+def test_two_balls_may_accumulate_at_once():
+    system = ball(times=[0.0, 5.0])
+    events = [bounce(0.5), Event(2 * Z, direction=-1, reset={Z: 0}, name="other")]
+    with pytest.warns(PyDyUserWarning, match="accumulate there"):
+        _, info = run(system, events)
+    assert "accumulate" in info["status"]
+
+
+def test_a_chatter_that_does_not_slow_down_in_time_is_left_to_max_steps():
+    system = oscillator(end=1e6)
+    with pytest.raises(IntegrationError, match="took 2000 steps, `max_steps`") as caught:
+        run(system, [Event(Z, reset={V: -V})], max_steps=2000)
+    assert len(caught.value.info["events"]) > 100
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_the_same_event_may_be_at_its_root_right_after_a_reset(solver):
+    _, info = run(
+        ball(solver, times=[0.0, 1.0]), [Event(Z, direction=-1, reset={Z: 0, V: 3}, name="up")]
+    )
+    first = np.sqrt(2 / 9.81)
+    expected = first + 6 / 9.81 * np.arange(10)
+    close(moments(info), expected[expected <= 1.0], 1e-9)
+    for record in info["events"]:
+        np.testing.assert_array_equal(record.after, [0.0, 3.0])
+
+
+def test_a_reset_may_jump_over_another_event():
+    events = [
+        Event(Z, reset={Z: 5, V: 0}, name="lift"),
+        Event(Z - 3, direction=-1, name="pass"),
+        Event(Z - 3, direction=1, name="up"),
+    ]
+    _, info = run(ball(times=[0.0, 2.4]), events)
+    # What a reset jumps over is not crossed: only the fall from 5 passes 3.
+    lifts = np.sqrt(2 / 9.81) + np.sqrt(10 / 9.81) * np.arange(2)
+    close(moments(info, "lift"), lifts, 1e-9)
+    close(moments(info, "pass"), lifts + np.sqrt(4 / 9.81), 1e-9)
+    assert len(moments(info, "up")) == 0
+
+
+def test_states_that_a_reset_does_not_name_stay():
+    _, info = run(ball(times=[0.0, 0.5]), [Event(Z - 0.5, reset={V: 0})])
+    record = info["events"][0]
+    assert record.after[0] == record.before[0]
+    assert record.after[1] == 0.0
+
+
+def test_a_reset_to_something_that_is_no_number_is_an_integration_error():
+    with pytest.raises(IntegrationError, match=r"met the event `z\(t\)`, whose reset gave .*nan"):
+        run(ball(), [Event(Z, reset={V: sm.sqrt(V)})])
+
+
+def test_an_output_at_the_instant_of_a_reset_is_the_state_before_it():
+    system = oscillator(times=[0.0, 1.0, 2.0])
+    x, _ = run(system, [Event(T - 1, reset={Z: 10})])
+    close(x[1], [np.sin(1.0), np.cos(1.0)], 1e-9)
+    assert x[2, 0] > 1.0
+
+
+def test_fixed_steps_stay_the_same_after_an_event():
+    system = oscillator("rk4")
+    _, plain = system.integrate(step=0.01, full_output=True)
+    _, info = run(system, [Event(Z, reset={V: V})], step=0.01)
+    assert plain["steps"] <= info["steps"] <= plain["steps"] + 60
+    assert info["last_step"] == pytest.approx(0.01)
+
+
+# -- constant and wrong events --------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("expression", [sm.Integer(1), G - 3, M * G])
+def test_an_expression_that_is_constant_is_an_integration_error(expression):
+    with pytest.raises(IntegrationError, match="cannot look for the event `never`, whose expressi"):
+        run(ball(), [Event(expression, name="never")])
+
+
+WRONG = [
+    (Z, TypeError, "`events` must be a list of Event, got"),
+    ([Z], TypeError, "`events` must hold objects of pydy.solvers.Event, got"),
+    ([Event(Z, reset={G: 1})], ValueError, r"has a value for `g`, which is no state .*z\(t\)"),
+    ([Event(Z), Event(Z)], ValueError, r"must have different names, got `z\(t\)` twice"),
+]
+
+
+@pytest.mark.parametrize(("events", "kind", "message"), WRONG)
+def test_wrong_events_say_what_they_must_be(events, kind, message):
+    with pytest.raises(kind, match=message):
+        run(ball(), events)
+
+
+def test_a_wrong_direction_is_refused_at_once():
+    with pytest.raises(ValueError, match="`direction` must be −1, 0 or 1, got 2"):
+        Event(Z, direction=2)
+
+
+def test_a_reset_that_is_no_mapping_is_refused_at_once():
+    with pytest.raises(TypeError, match="`reset` must map states to expressions, got list"):
+        Event(Z, reset=[1])
+
+
+def test_events_need_a_native_solver():
+    with pytest.raises(ValueError, match=r"`events` needs a native solver: set `system.ode_solver"):
+        ball(solver=odeint).integrate(events=[Event(Z)])
+
+
+@pytest.mark.parametrize("events", [None, [], ()])
+def test_no_events_are_no_events(events):
+    _, info = run(ball(times=[0.0, 0.1]), events)
+    assert info["events"] == []
+
+
+def test_a_single_event_needs_no_list():
+    _, info = run(ball(), Event(Z))
+    assert len(info["events"]) == 1
+
+
+# -- many events, and what else is going on -------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_more_events_than_the_log_holds_are_all_kept(solver):
+    end = 1000.25 * np.pi
+    system = oscillator(solver, end=end)
+    x, info = run(system, [Event(Z), Event(V, name="turn")], rtol=1e-9, atol=1e-9)
+    close(moments(info, str(Z)), np.pi * np.arange(1, 1001), 1e-6)
+    close(moments(info, "turn"), np.pi * (np.arange(1000) + 0.5), 1e-6)
+    close(x[:, 0], np.sin(system.times), 1e-4)
+
+
+def test_many_events_in_one_step_are_all_kept():
+    # The log is emptied in the middle of a step, where hundreds of marks are yet to come.
+    heights = np.arange(949, 49, -3)
+    marks = [Event(Z - 0.001 * int(k), name=str(k)) for k in heights[::-1]]
+    _, info = run(ball(times=[0.0, 0.45]), marks, rtol=1e-6, atol=1e-6)
+    assert [r.name for r in info["events"]] == [str(k) for k in heights]
+    close(moments(info), np.sqrt(2 * (1 - 0.001 * heights) / 9.81), 1e-9)
+
+
+INPUTS = {
+    "number": 1.3 * 9.81 + 2.6,
+    "function": lambda x, t: 1.3 * 9.81 + 2.6,
+    "expression": M * G + 2 * M,
+    "samples": SampledInput([0.0, 5.0], [1.3 * 9.81 + 2.6] * 2),
+}
+
+
+@pytest.mark.parametrize("kind", INPUTS)
+@pytest.mark.parametrize("solver", ALL)
+def test_events_see_specifieds_of_every_kind(solver, kind):
+    # The push lifts it with 2 m/s².
+    system = ball(solver, specifieds={PUSH: INPUTS[kind]}, times=[0.0, 1.5])
+    events = [Event(Z - PUSH / 10, name="height"), Event(Z - 2, reset={V: -PUSH}, name="stop")]
+    _, info = run(system, events, **({"step": 5e-3} if solver == "rk4" else {}))
+    push = 1.3 * 9.81 + 2.6
+    height, stop = info["events"][:2]
+    close(height.time, np.sqrt(push / 10 - 1), 1e-8)
+    close(stop.time, 1.0, 1e-8)
+    close(stop.after[1], -push, 1e-10)
+
+
+@pytest.mark.parametrize("linear", ["numpy", "sympy"])
+@pytest.mark.parametrize("kind", INPUTS)
+def test_events_see_specifieds_under_an_external_linear_solver(kind, linear):
+    system = ball(specifieds={PUSH: INPUTS[kind]}, times=[0.0, 1.5])
+    system.generate_ode_function(linear_sys_solver=linear)
+    _, info = run(system, [Event(Z - PUSH / 10)], rtol=1e-8, atol=1e-8)
+    close(moments(info), [np.sqrt((1.3 * 9.81 + 2.6) / 10 - 1)], 1e-6)
+
+
+def test_events_work_with_a_generator_that_makes_no_machine_code():
+    system = ball(specifieds={PUSH: 0.5})
+    system.generate_ode_function(generator="lambdify")
+    _, info = run(system, [bounce(0.8)], rtol=1e-8, atol=1e-8)
+    g = 9.81 - 0.5 / 1.3
+    expected = impacts(0.8, 30, g=g)
+    close(moments(info), expected[expected < 2.0], 1e-6)
+
+
+def test_an_exception_of_a_function_comes_out_of_an_event_as_itself():
+    def push(x, t):
+        if t > 0.3:
+            raise LookupError("no push")
+        return 0.0
+
+    with pytest.raises(LookupError, match="no push"):
+        run(ball(specifieds={PUSH: push}), [Event(Z - PUSH)])
+
+
+def test_events_are_on_the_trajectory():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        trajectory = ball().simulate(events=[bounce(0.8)], rtol=1e-10, atol=1e-10)
+    assert len(trajectory.times) == 41
+    expected = impacts(0.8, 30)
+    close([e.time for e in trajectory.events], expected[expected < 2.0], 1e-9)
+    assert {e.name for e in trajectory.events} == {"bounce"}
+    # Resets are nodes of the interpolation.
+    near = trajectory.at([expected[0] - 1e-6, expected[0] + 1e-6])
+    assert near["v"][0] < 0.0 < near["v"][1]
+
+
+@pytest.mark.parametrize("full_output", [True, False])
+def test_a_trajectory_ends_where_an_event_ended_it(full_output):
+    trajectory = ball().simulate(events=[Event(Z, terminal=True)], full_output=full_output)
+    assert len(trajectory.times) == 10
+    assert np.isfinite(trajectory.states).all()
+
+
+def test_aggregated_states_go_on_through_events():
+    a = sm.Symbol("a")
+    system = ball(outputs={a: a - V.diff(T)})
+    x, info = run(system, [bounce(0.8)])
+    assert x.shape == (41, 3)
+    close(x[:, 2], -9.81 * system.times, 1e-9)
+    assert info["events"][0].after.shape == (3,)

@@ -1,0 +1,397 @@
+"""constraints='project': what is held, how well, and what cannot be."""
+
+import warnings
+from functools import cache
+
+import andrews
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.integrate import odeint
+
+import zoo
+from cases import close, system_of, wide
+from pydy._errors import IntegrationError, PyDyUserWarning
+from pydy.examples import whipple_bicycle
+from pydy.inputs import SampledInput
+from pydy.solvers import Event
+from pydy.system import System
+
+ALL = ["dop853", "tsit5", "vern9", "rk4", "radau"]
+ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
+CONSTRAINED = ["disc", "disc_contact", "sleigh", "fourbar", "track", "track_reversed", "gyro"]
+
+
+def at_times(model, end, num=31, solver="dop853", **options):
+    return system_of(model, times=np.linspace(0.0, end, num=num), ode_solver=solver, **options)
+
+
+def options_of(solver, rtol=1e-9, step=2e-3):
+    return {"step": step} if solver == "rk4" else {"rtol": rtol, "atol": rtol}
+
+
+def residuals(system, x):
+    """The largest residual of positions and of velocities."""
+    parts = []
+    for count, evaluate in (
+        (system.num_holonomic_constraints, system.evaluate_holonomic_constraints),
+        (system.num_velocity_constraints, system.evaluate_velocity_constraints),
+    ):
+        parts.append(np.abs(evaluate(x, system.times)).max() if count else 0.0)
+    return parts
+
+
+def energy(model, x):
+    f = sm.lambdify(model.states, model.energy.xreplace(model.constants))
+    return f(*x[:, : len(model.states)].T)
+
+
+# -- what is held ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_the_four_bar_stays_closed_for_thirty_seconds(solver):
+    model = zoo.fourbar()
+    system = at_times(model, 30.0, 301, solver)
+    x, info = system.integrate(constraints="project", full_output=True, **options_of(solver))
+    position, velocity = residuals(system, x)
+    # Lengths are about 2 m, speeds up to 10 m/s.
+    assert position < 1e-12
+    assert velocity < 1e-10
+    assert info["projections"] >= info["steps"] + 300
+    drift = np.abs(energy(model, x) - energy(model, x[:1])).max()
+    assert drift < (1e-5 if solver == "rk4" else 1e-6)
+
+
+def test_without_projection_the_four_bar_comes_apart():
+    system = at_times(zoo.fourbar(), 30.0, 301)
+    position, velocity = residuals(system, system.integrate(rtol=1e-5, atol=1e-5))
+    assert position > 1e-5
+    assert velocity > 1e-5
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_projection_does_not_spoil_the_order(solver):
+    system = at_times(zoo.fourbar(), 3.0, 7, solver)
+    expected = at_times(zoo.fourbar(), 3.0, 7, odeint).integrate(rtol=1e-12, atol=1e-12)
+    x = system.integrate(constraints="project", **options_of(solver, step=1e-3))
+    close(x, expected, 1e-7)
+
+
+@cache
+def mechanism():
+    return andrews.derive()
+
+
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+def test_andrews_mechanism_ends_at_the_published_angles(solver):
+    model = mechanism()
+    system = System(
+        model.kane,
+        constants=model.constants,
+        initial_conditions=model.initial_conditions,
+        times=np.linspace(0.0, andrews.END, num=101),
+        ode_solver=solver,
+    )
+    x = system.integrate(constraints="project", rtol=1e-10, atol=1e-10)
+    np.testing.assert_allclose(x[-1, :7], andrews.FINAL, rtol=1e-8)
+    position, velocity = residuals(system, x)
+    # Lengths are about 0.04 m, angular velocities go up to 1e4 rad/s: 40 m/s.
+    assert position < 0.04 * 1e-12
+    assert velocity < 40.0 * 1e-10
+
+
+@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("name", CONSTRAINED)
+def test_residuals_are_rounding_and_energy_is_kept(name, solver):
+    model = zoo.MODELS[name]()
+    system = at_times(model, 2.0, 21, solver)
+    start = wide(system, model.x0)
+    system.initial_conditions = dict(zip(system.states, start, strict=True))
+    options = options_of(solver, 1e-10, 1e-3)
+    x = system.integrate(constraints="project", **options)
+    position, velocity = residuals(system, x)
+    assert position < 1e-14
+    assert velocity < 1e-13
+    close(energy(model, x), np.full(21, energy(model, x[:1])[0]), 1e-7)
+    close(x, system.integrate(**options), 1e-6)
+
+
+def test_a_quaternion_keeps_its_norm():
+    # Its residual is out of reach of any speed: it is mended by the least change of position.
+    system = at_times(zoo.gyro(), 100.0)
+    free = residuals(system, system.integrate(rtol=1e-5, atol=1e-5))[0]
+    held = residuals(system, system.integrate(constraints="project", rtol=1e-5, atol=1e-5))[0]
+    assert free > 1e-6
+    assert held < 1e-15 * 4
+
+
+def lifting(kind, solver):
+    """A particle on a line that rises as s(t) = 0.31 − 0.42 t + 0.1 t²."""
+    model = zoo.lifted()
+    s = me.dynamicsymbols("s")
+    t = zoo.T
+    ds, dds = s.diff(t), s.diff(t, 2)
+    motion = {
+        "expressions": {s: 0.31 - 0.42 * t + t**2 / 10},
+        "functions": {
+            s: lambda x, t: 0.31 - 0.42 * t + 0.1 * t**2,
+            ds: lambda x, t: -0.42 + 0.2 * t,
+            dds: lambda x, t: 0.2,
+        },
+        "samples": {
+            s: lambda x, t: 0.31 - 0.42 * t + 0.1 * t**2,
+            ds: SampledInput([0.0, 4.0], [-0.42, 0.38]),
+            dds: 0.2,
+        },
+    }[kind]
+    system = at_times(model, 2.0, 11, solver, specifieds=motion)
+    x, y, vx, vy = model.states
+    system.initial_conditions = {x: 0.4, y: 0.0, vx: 0.3, vy: 0.0}
+    system.set_dependent_initial_conditions()
+    return system
+
+
+@pytest.mark.parametrize("kind", ["expressions", "functions", "samples"])
+@pytest.mark.parametrize("solver", ["dop853", "radau", "rk4"])
+def test_constraints_that_move_with_time_and_specifieds_are_held(kind, solver):
+    system = lifting(kind, solver)
+    x = system.integrate(constraints="project", **options_of(solver, 1e-9))
+    position, velocity = residuals(system, x)
+    assert position < 1e-14
+    assert velocity < 1e-14
+    close(x, system.integrate(**options_of(solver, 1e-11)), 1e-6)
+
+
+def test_projection_works_with_a_generator_that_makes_no_machine_code():
+    expected = at_times(zoo.track(), 1.0, 5).integrate(constraints="project")
+    system = at_times(zoo.track(), 1.0, 5)
+    system.generate_ode_function(generator="lambdify")
+    close(system.integrate(constraints="project"), expected, 1e-10)
+
+
+@pytest.mark.parametrize("linear", ["numpy", "sympy"])
+def test_projection_works_with_an_external_linear_solver(linear):
+    expected = at_times(zoo.track(), 1.0, 5).integrate(constraints="project")
+    system = at_times(zoo.track(), 1.0, 5)
+    system.generate_ode_function(linear_sys_solver=linear)
+    close(system.integrate(constraints="project"), expected, 1e-10)
+
+
+def test_outputs_do_not_feed_back():
+    system = at_times(zoo.fourbar(), 3.0, 2)
+    few = system.integrate(constraints="project")
+    system.times = np.linspace(0.0, 3.0, num=200)
+    many = system.integrate(constraints="project")
+    np.testing.assert_array_equal(many[-1], few[-1])
+
+
+def test_the_correction_is_the_least_in_the_norm_of_the_mass_matrix():
+    # A heavy and a light particle on one rod: mending its length moves the light one.
+    q = me.dynamicsymbols("x1 x2")
+    u = me.dynamicsymbols("v1 v2")
+    m1, m2, n = sm.symbols("m1 m2 l")
+    frame, a, b = me.ReferenceFrame("N"), me.Point("A"), me.Point("B")
+    a.set_vel(frame, u[0] * frame.x)
+    b.set_vel(frame, u[1] * frame.x)
+    kane = me.KanesMethod(
+        frame, q[:1], u[:1],
+        kd_eqs=[x.diff(zoo.T) - v for x, v in zip(q, u, strict=True)],
+        q_dependent=q[1:], configuration_constraints=[q[1] - q[0] - n],
+        u_dependent=u[1:], velocity_constraints=[u[1] - u[0]],
+    )  # fmt: skip
+    kane.kanes_equations([me.Particle("A", a, m1), me.Particle("B", b, m2)], None)
+    system = System(
+        kane,
+        constants={m1: 3.0, m2: 1.0, n: 2.0},
+        initial_conditions={q[1]: 2.0004, u[1]: 0.0004},
+        times=[0.0, 1e-9],
+        ode_solver="dop853",
+    )
+    close(system.integrate(constraints="project")[0], [1e-4, 2.0001, 1e-4, 1e-4], 1e-15)
+
+
+def test_events_and_projection_go_together():
+    model = zoo.fourbar()
+    q1, _, _, u1, u2, u3 = model.states
+    system = at_times(model, 4.0)
+    # Impacts of the crank; the speeds before them are scaled, which keeps the constraints.
+    flip = {u: -0.9 * u for u in (u1, u2, u3)}
+    x, info = system.integrate(
+        events=[Event(q1 + 1.5, direction=-1, reset=flip, name="stop")],
+        constraints="project",
+        full_output=True,
+    )
+    position, velocity = residuals(system, x)
+    assert position < 1e-13
+    assert velocity < 1e-12
+    assert len(info["events"]) >= 1
+    for record in info["events"]:
+        for state in (record.before, record.after):
+            assert np.abs(system.evaluate_holonomic_constraints(state)).max() < 1e-13
+            assert np.abs(system.evaluate_velocity_constraints(state)).max() < 1e-12
+
+
+@cache
+def bicycle():
+    model = whipple_bicycle.derive()
+    return model, whipple_bicycle.benchmark_parameters(model)
+
+
+def test_the_bicycle_keeps_its_wheels_on_the_ground_and_its_energy():
+    model, constants = bicycle()
+    start = whipple_bicycle.equilibrium(model, 4.6)
+    lean_rate = model.kane.u[0]
+    system = System(
+        model.kane,
+        constants=constants,
+        initial_conditions={**start, lean_rate: 0.5},
+        times=np.linspace(0.0, 5.0, num=51),
+        ode_solver="dop853",
+    )
+    system.set_dependent_initial_conditions()
+    kinetic, potential = whipple_bicycle.energy(model)
+    f = sm.lambdify(system.states[: len(model.kane.q) + len(model.kane.u)],
+                    (kinetic + potential).xreplace(constants), cse=True)  # fmt: skip
+    x = system.integrate(constraints="project", rtol=1e-9, atol=1e-9)
+    total = f(*x.T)
+    assert np.abs(total - total[0]).max() < 1e-6 * abs(total[0])
+    position, velocity = residuals(system, x)
+    assert position < 1e-13
+    assert velocity < 1e-12
+    close(x, system.integrate(rtol=1e-11, atol=1e-11), 1e-6)
+
+
+# -- what cannot be held --------------------------------------------------------------------------
+
+
+def test_initial_conditions_that_do_not_fit_are_an_integration_error():
+    model = zoo.fourbar()
+    system = at_times(model, 1.0)
+    system.initial_conditions[model.states[1]] += 0.2
+    with pytest.raises(IntegrationError, match="initial conditions that do not satisfy") as caught:
+        system.integrate(constraints="project")
+    message = str(caught.value)
+    assert "`dop853`" in message
+    assert "t = 0.0" in message
+    assert "q2(t) from" in message
+    assert "Call `system.set_dependent_initial_conditions()` first." in message
+    assert len(caught.value.times) == 0
+
+
+def test_small_errors_of_the_initial_conditions_are_mended():
+    model = zoo.fourbar()
+    system = at_times(model, 1.0)
+    system.initial_conditions[model.states[1]] += 1e-7
+    x = system.integrate(constraints="project")
+    assert 1e-9 < np.abs(x[0] - wide(system, model.x0)).max() < 1e-6
+    assert residuals(system, x)[0] < 1e-13
+
+
+def pair(position, velocity):
+    """A particle in a plane with two rows that hold it on a line, or nearly so."""
+    x, y, z, vx, vy, vz = me.dynamicsymbols("x y z vx vy vz")
+    rows = position(x, y, z)
+    frame, p = me.ReferenceFrame("N"), me.Point("P")
+    p.set_vel(frame, vx * frame.x + vy * frame.y + vz * frame.z)
+    kane = me.KanesMethod(
+        frame,
+        [x, z][: 3 - len(rows)],
+        [vx, vz],
+        kd_eqs=[q.diff(zoo.T) - u for q, u in ((x, vx), (z, vz), (y, vy))],
+        q_dependent=[y, z][: len(rows)],
+        configuration_constraints=rows,
+        u_dependent=[vy],
+        velocity_constraints=velocity(vx, vy, vz),
+    )
+    kane.kanes_equations([me.Particle("P", p, sm.Integer(1))], [(p, -frame.y)])
+    return kane
+
+
+@cache
+def redundant():
+    return pair(lambda x, y, z: [y - x, 2 * y - 2 * x], lambda vx, vy, vz: [vy - vx])
+
+
+def sliding(kane, **options):
+    return System(kane, times=np.linspace(0.0, 1.0, num=5), ode_solver="dop853", **options)
+
+
+def test_a_redundant_constraint_is_held_and_named_once():
+    system = sliding(redundant())
+    with pytest.warns(PyDyUserWarning, match="These constraints follow from others") as caught:
+        x = system.integrate(constraints="project")
+    assert len(caught) == 1
+    assert "holonomic constraint 1: -2*x(t) + 2*y(t)" in str(caught[0].message)
+    assert "constraint 0" not in str(caught[0].message)
+    assert np.abs(x[:, 0] - x[:, 1]).max() < 1e-15
+    close(x[:, 0], -(system.times**2) / 4, 1e-9)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        system.integrate(constraints="project")
+
+
+def test_constraints_that_are_independent_are_not_warned_of():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for name in CONSTRAINED:
+            model = zoo.MODELS[name]()
+            system = at_times(model, 0.1, 2)
+            system.integrate(constraints="project")
+
+
+def test_constraints_that_contradict_each_other_are_an_integration_error():
+    kane = pair(lambda x, y, z: [y - x, y - x - 1], lambda vx, vy, vz: [vy - vx])
+    with (
+        pytest.warns(PyDyUserWarning, match="follow from others"),
+        pytest.raises(IntegrationError, match="the projection did not converge"),
+    ):
+        sliding(kane).integrate(constraints="project")
+
+
+def test_constraints_that_can_no_longer_be_met_stop_the_integration():
+    # y = √(1 − 2 t) x: after half a second there is no such line.
+    t = zoo.T
+    kane = pair(
+        lambda x, y, z: [y - sm.sqrt(1 - 2 * t) * x],
+        lambda vx, vy, vz: [vy - vx],
+    )
+    x = kane.q[0]
+    system = sliding(kane, initial_conditions={x: 0.0})
+    with pytest.raises(IntegrationError) as caught:
+        system.integrate(constraints="project")
+    message = str(caught.value)
+    assert "could not bring the state back onto the constraints after a step of" in message
+    assert "x(t) = " in message
+    assert "limit `max_step`" in message
+    assert 0.0 <= caught.value.time <= 0.5
+    assert np.isfinite(caught.value.states).all()
+
+
+WRONG = [
+    ({"constraints": "hold"}, r"`constraints` must be None, 'project' or 'baumgarte', got 'hold'"),
+    ({"constraints": "project", "gain": 1.0}, "`gain` and `constraints='baumgarte'` belong tog"),
+]
+
+
+@pytest.mark.parametrize(("options", "message"), WRONG)
+def test_wrong_options_are_value_errors(options, message):
+    with pytest.raises(ValueError, match=message):
+        at_times(zoo.fourbar(), 1.0).integrate(**options)
+
+
+def test_an_unconstrained_system_has_nothing_to_project():
+    with pytest.raises(ValueError, match="but the system has none"):
+        at_times(zoo.pendulum(), 1.0).integrate(constraints="project")
+
+
+def test_projection_needs_a_native_solver():
+    with pytest.raises(ValueError, match="`constraints='project'` needs a native solver"):
+        at_times(zoo.fourbar(), 1.0, solver=odeint).integrate(constraints="project")
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_no_constraints_option_means_none(solver):
+    system = at_times(zoo.fourbar(), 1.0, solver=solver)
+    np.testing.assert_array_equal(system.integrate(constraints=None), system.integrate())

@@ -1,0 +1,100 @@
+"""Pictures and films with Matplotlib."""
+
+import shutil
+import sys
+
+import numpy as np
+import pytest
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from pydy.viz import Arrow, Box, Line, Scene, Sphere, Trace, Visual
+
+q = dynamicsymbols("q")
+N, O = ReferenceFrame("N"), Point("O")
+P = O.locatenew("P", q * N.x)
+
+
+@pytest.fixture
+def scene():
+    visuals = [
+        Visual(Box(0.2, 0.1, 0.1, opacity=0.5), P),
+        Visual(Line([O, P])),
+        Visual(Line([O, P], radius=0.02)),
+        Visual(Arrow(q * N.y), P),
+        Visual(Trace(duration=0.3), P),
+        Visual(Sphere(0.1), O, trail=True),
+    ]
+    times = np.linspace(0, 1, 11)
+    return Scene(N, O, *visuals, title="Slider").animate(times, times[:, None], symbols=[q])
+
+
+def test_a_picture_at_a_time_shows_every_visual(scene):
+    axes = scene.to_matplotlib(0.55)
+    assert axes.get_title() == "Slider"
+    assert len(axes.collections) == 4  # box, rod, arrow, sphere
+    assert len(axes.lines) > 3  # line, trace, trail, and the grid
+
+
+def test_axes_may_be_given_and_must_have_three_dimensions(scene):
+    from matplotlib.figure import Figure
+
+    axes = Figure().add_subplot(projection="3d")
+    assert scene.to_matplotlib(axes=axes) is axes
+    with pytest.raises(TypeError, match="`axes` must be three-dimensional"):
+        scene.to_matplotlib(axes=Figure().add_subplot())
+
+
+def test_up_in_the_scene_is_up_in_the_picture():
+    up = Scene(N, O, Visual(Line([O, O.locatenew("T", N.x)])), up="x", ground=False)
+    axes = up.animate([0.0], np.zeros((1, 0)), symbols=[]).to_matplotlib()
+    _, _, z = axes.lines[0].get_data_3d()
+    assert list(z) == pytest.approx([0, 1])
+
+
+@pytest.mark.parametrize(("name", "start"), [("a.png", b"\x89PNG"), ("a.PDF", b"%PDF")])
+def test_pictures_are_saved_by_their_suffix(scene, tmp_path, name, start):
+    assert scene.save(tmp_path / name).read_bytes().startswith(start)
+
+
+def test_a_gif_has_a_picture_for_each_instant(scene, tmp_path):
+    from PIL import Image
+
+    with Image.open(scene.save(tmp_path / "a.gif", fps=4, dpi=40)) as film:
+        assert film.n_frames == 5
+
+
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="ffmpeg is not installed")
+def test_an_mp4_is_saved(scene, tmp_path):
+    path = scene.save(tmp_path / "a.mp4", fps=3, dpi=41)
+    assert path.read_bytes()[4:8] == b"ftyp"
+
+
+def test_a_missing_ffmpeg_is_named_with_the_remedy(scene, tmp_path, monkeypatch):
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(FileNotFoundError, match=r"ffmpeg, which was not found. Install it"):
+        scene.save(tmp_path / "a.mp4")
+
+
+def test_a_missing_matplotlib_is_named_with_the_remedy(scene, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    with pytest.raises(ImportError, match=r"needs matplotlib.*pip install 'pydy\[plot\]'"):
+        scene.to_matplotlib()
+    with pytest.raises(ImportError, match=r"pip install 'pydy\[plot\]'"):
+        scene.save(tmp_path / "a.png")
+
+
+def test_a_missing_pillow_is_named_with_the_remedy(scene, tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "PIL", None)
+    with pytest.raises(ImportError, match=r"GIF film .* needs PIL.*pip install 'pydy\[plot\]'"):
+        scene.save(tmp_path / "a.gif")
+
+
+@pytest.mark.parametrize(("name", "options"), [("a.xyz", {}), ("a", {}), ("a.html", {})])
+def test_an_unknown_suffix_is_refused(scene, tmp_path, name, options):
+    with pytest.raises(ValueError, match=r"its suffix must be one of \.mp4, \.gif, \.png"):
+        scene.save(tmp_path / name, **options)
+
+
+def test_frames_must_follow_each_other(scene, tmp_path):
+    with pytest.raises(ValueError, match="`fps` must be positive"):
+        scene.save(tmp_path / "a.gif", fps=0)

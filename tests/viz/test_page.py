@@ -1,0 +1,168 @@
+"""The page: complete in itself, small, and safe whatever the names are."""
+
+import html
+import json
+import re
+from base64 import b64decode
+from importlib.resources import files
+
+import numpy as np
+import pytest
+import sympy as sm
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
+
+from pydy.viz import Arrow, Box, Line, Mesh, Scene, Sphere, Trace, Visual
+from pydy.viz.page import page_data
+
+q = dynamicsymbols("q")
+N, O = ReferenceFrame("N"), Point("O")
+B = N.orientnew("B", "Axis", (q, N.z))
+P = O.locatenew("P", 2 * B.x)
+TIMES = np.linspace(0, 60, 3601)
+EVIL = '</script><script>alert(1)</script><!-- {{APP}} "&\u2028'
+
+
+def scene(*visuals, states=None, **options):
+    states = np.sin(TIMES)[:, None] if states is None else states
+    return Scene(N, O, *visuals, **options).animate(TIMES, states, symbols=[q])
+
+
+def data_of(scene):
+    return page_data(scene._animation, scene._look, scene._speed)
+
+
+def floats(text, dtype="<f4"):
+    return np.frombuffer(b64decode(text), dtype)
+
+
+def test_the_page_is_one_file_that_asks_for_nothing(tmp_path):
+    path = scene(Visual(Sphere(1), P)).to_html(tmp_path / "out.html")
+    text = path.read_text(encoding="utf-8")
+    assert "default-src 'none'" in text
+    assert "{{" not in re.sub(r"<script>.*?</script>", "", text, flags=re.DOTALL)
+    own = text.replace((files("pydy.viz") / "page/three.min.js").read_text(encoding="utf-8"), "")
+    assert not re.search(r"\b(src|href)=(?![\"']data:)", own)
+    assert not re.search(r"fetch\(|XMLHttpRequest|import\(|url\(", own)
+
+
+def test_the_licence_of_three_comes_along():
+    assert "Copyright © 2010-2026 three.js authors" in scene(Visual(Sphere(1), P)).html()
+
+
+def test_text_from_users_cannot_leave_its_place():
+    made = scene(Visual(Sphere(1), P, name=EVIL), title=EVIL, series={EVIL: q})
+    text = made.html()
+    assert EVIL not in text
+    assert "alert(1)</script" not in text
+    assert f"<title>{html.escape(EVIL)}</title>" in text
+    raw = re.search(r'id="pydy-data">(.*?)</script>', text, re.DOTALL)[1]
+    data = json.loads(raw)
+    assert data["title"] == data["visuals"][0]["name"] == data["series"][0]["label"] == EVIL
+    assert "<" not in raw
+
+
+def test_in_a_notebook_it_is_an_iframe_with_the_same_page():
+    made = scene(Visual(Sphere(1), P, name=EVIL))
+    text = made._repr_html_()
+    assert text.startswith("<iframe")
+    source = re.search(r'srcdoc="([^"]*)"', text)[1]
+    assert html.unescape(source) == made.html()
+
+
+def test_the_theme_can_be_fixed():
+    assert 'data-theme="dark"' in scene(Visual(Sphere(1), P)).html(theme="dark")
+    with pytest.raises(ValueError, match="`theme` must be 'auto', 'light' or 'dark'"):
+        scene(Visual(Sphere(1), P)).html(theme="pink")
+
+
+def test_tracks_hold_the_poses():
+    data = data_of(scene(Visual(Sphere(1), B, P)))
+    (track,) = data["tracks"]
+    places = floats(track["p"]["rows"]).reshape(-1, 3)
+    assert places[:, 0] == pytest.approx(2 * np.cos(np.sin(TIMES)), abs=1e-6)
+    turns = floats(track["q"]["rows"]).reshape(-1, 4)
+    assert turns[:, 2] == pytest.approx(np.sin(np.sin(TIMES) / 2), abs=1e-6)
+    assert floats(data["times"], "<f8") == pytest.approx(TIMES)
+
+
+def test_quaternions_never_jump_to_the_other_side():
+    data = data_of(scene(Visual(Sphere(1), B, P), states=3 * TIMES[:, None]))
+    turns = floats(data["tracks"][0]["q"]["rows"]).reshape(-1, 4)
+    assert (np.einsum("ij,ij->i", turns[1:], turns[:-1]) > 0.9).all()
+
+
+def test_parts_of_one_body_share_a_track():
+    fixed = [P.locatenew(f"p{k}", k * B.x + B.z) for k in range(4)]
+    data = data_of(
+        scene(
+            *(Visual(Box(1, 1, 1), B, p) for p in fixed),
+            Visual(Line(fixed)),
+            Visual(Trace(), B, fixed[1]),
+        )
+    )
+    assert len(data["tracks"]) == 1
+    assert data["visuals"][3]["offset"] == pytest.approx([3, 0, 0])
+    assert data["visuals"][4]["points"]["fixed"] == pytest.approx(
+        [0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0]
+    )
+
+
+def test_what_moves_relative_to_a_body_does_not_share_its_track():
+    slider = P.locatenew("slider", q * B.x)
+    data = data_of(scene(Visual(Box(1, 1, 1), B, P), Visual(Box(1, 1, 1), B, slider)))
+    assert len(data["tracks"]) == 2
+    loose = data_of(scene(Visual(Line([P, slider])), Visual(Box(1, 1, 1), O)))
+    assert floats(loose["visuals"][0]["points"]["rows"]).size == 6 * 3601
+
+
+def test_what_never_moves_is_stored_once():
+    data = data_of(scene(Visual(Box(1, 1, 1), O), Visual(Arrow(N.x), O)))
+    assert data["tracks"] == [
+        {"p": {"width": 3, "fixed": [0, 0, 0]}, "q": {"width": 4, "fixed": [0, 0, 0, 1]}}
+    ]
+    assert data["visuals"][1]["vectors"]["fixed"] == [1, 0, 0]
+
+
+def test_meshes_are_scaled_and_stored_as_arrays():
+    mesh = Mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), scale=2 * sm.Integer(1))
+    (visual,) = data_of(scene(Visual(mesh, P)))["visuals"]
+    assert floats(visual["vertices"]).max() == 2
+    assert floats(visual["faces"], "<u4").tolist() == [0, 1, 2]
+
+
+def test_a_gap_in_a_series_is_no_error():
+    made = Scene(N, O, Visual(Sphere(1), P)).animate(
+        TIMES, TIMES[:, None], symbols=[q], series={"gap": np.where(TIMES < 1, np.nan, TIMES)}
+    )
+    assert np.isnan(floats(data_of(made)["series"][0]["values"])[:60]).all()
+    assert "NaN" not in made.html().split('id="pydy-data">')[1].split("</script>")[0]
+
+
+def test_a_minute_of_the_bicycle_stays_under_three_megabytes():
+    from pydy.examples import bicycle_scene, whipple_bicycle
+
+    bicycle = whipple_bicycle.derive()
+    state = whipple_bicycle.equilibrium(bicycle, 5.0)
+    symbols = [*bicycle.coordinates, *bicycle.speeds]
+    states = np.array([state[s] for s in symbols]) * np.ones((3601, 1))
+    for name, motion in {
+        "x": 5 * TIMES, "theta_R": -5 / 0.3 * TIMES, "theta_F": -5 / 0.35 * TIMES,
+        "delta": 0.1 * np.sin(TIMES), "phi": 0.1 * np.cos(TIMES), "psi": np.sin(TIMES / 9),
+    }.items():  # fmt: skip
+        states[:, symbols.index(bicycle[name])] = motion
+    made = Scene(
+        bicycle.frames["N"],
+        bicycle.points["O"],
+        *bicycle_scene.visuals(bicycle),
+        up="-z",
+        series=[bicycle["phi"], bicycle["delta"]],
+    ).animate(
+        TIMES,
+        states,
+        symbols=symbols,
+        constants=whipple_bicycle.benchmark_parameters(bicycle),
+        specifieds={bicycle.push: 0.0},
+    )
+    assert len(made.times) == 3601
+    three = len((files("pydy.viz") / "page/three.min.js").read_bytes())
+    assert len(made.html().encode()) - three < 3e6

@@ -1,0 +1,287 @@
+"""Scene: its arguments, its motion, and what it refuses."""
+
+import sys
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import sympy as sm
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, dynamicsymbols
+
+from pydy.trajectory import Trajectory
+from pydy.viz import Arrow, Line, Plane, Scene, Sphere, Trace, Visual
+from pydy.viz.framing import Look, frame
+from pydy.viz.motion import sampled
+from pydy.viz.scene import _watchable
+
+q, u = dynamicsymbols("q, u")
+l = sm.Symbol("l")
+N, O = ReferenceFrame("N"), Point("O")
+P = O.locatenew("P", l * sm.sin(q) * N.x - l * sm.cos(q) * N.y)
+TIMES = np.linspace(0, 2, 201)
+STATES = np.stack([np.sin(TIMES), np.cos(TIMES)], 1)
+
+
+def swing(*more, **options):
+    return Scene(N, O, Visual(Sphere(0.1), P), *more, **options)
+
+
+@pytest.fixture
+def trajectory():
+    return Trajectory(
+        TIMES,
+        STATES,
+        {"coordinate": [q], "speed": [u], "output": [sm.Symbol("power")]},
+        outputs=TIMES[:, None] ** 2,
+        constants={l: 0.5},
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((O, O), "`reference_frame` must be a ReferenceFrame, got the Point"),
+        ((N, N), "`origin` must be a Point, got the ReferenceFrame"),
+        ((N, O, Sphere(1)), "takes Visuals, RigidBodies and Particles .* got the Sphere"),
+    ],
+)
+def test_arguments_of_the_wrong_kind_are_named(arguments, message):
+    with pytest.raises(TypeError, match=message):
+        Scene(*arguments)
+
+
+def test_a_scene_needs_a_visual():
+    with pytest.raises(ValueError, match="needs at least one visual"):
+        Scene(N, O)
+
+
+@pytest.mark.parametrize("up", ["w", "", "xy", (0, 0, 0), (1, 2), N.x * q, 3, None])
+def test_up_must_be_a_direction(up):
+    with pytest.raises(ValueError, match="`up` must be an axis"):
+        swing(up=up)
+
+
+@pytest.mark.parametrize(("up", "expected"), [("-z", [0, 0, -1]), (2 * N.x, [1, 0, 0])])
+def test_up_is_an_axis_or_a_vector(up, expected):
+    assert swing(up=up)._look.up.tolist() == expected
+
+
+def test_the_ground_is_a_height():
+    with pytest.raises(ValueError, match="`ground` must be a height"):
+        swing(ground="low")
+
+
+def test_a_series_must_be_expressions():
+    with pytest.raises(TypeError, match="`series` must be a dictionary"):
+        swing(series="q")
+
+
+# -- motion ---------------------------------------------------------------------------------------
+
+
+def test_a_scene_at_rest_says_what_to_call():
+    scene = swing()
+    with pytest.raises(ValueError, match=r"call `scene.animate\(trajectory\)`"):
+        scene.to_html("never.html")
+    assert scene._repr_html_() is None
+    assert "visuals)" in repr(scene)
+
+
+def test_trajectories_and_arrays_move_it_alike(trajectory):
+    first = swing().animate(trajectory)
+    second = swing().animate(TIMES, STATES, symbols=[q, u], constants={l: 0.5})
+    assert first.times == pytest.approx(second.times)
+    assert first.poses == pytest.approx(second.poses)
+    x, y = 0.5 * np.sin(np.sin(first.times)), -0.5 * np.cos(np.sin(first.times))
+    assert first.poses[:, 0, :2, 3] == pytest.approx(np.stack([x, y], 1), abs=1e-15)
+
+
+def test_a_trajectory_from_a_file_has_names_for_symbols(trajectory):
+    loaded = SimpleNamespace(
+        times=TIMES, states=STATES, state_symbols=("q", "u"), constants={"l": 0.5}
+    )
+    scene = Scene(N, O, Visual(Sphere(l / 5), P))
+    assert scene.animate(loaded).poses == pytest.approx(scene.animate(trajectory).poses)
+
+
+def test_constants_may_be_added(trajectory):
+    k = sm.Symbol("k")
+    scene = Scene(N, O, Visual(Sphere(k), P)).animate(trajectory, constants={k: 0.3, l: 1.0})
+    assert scene._animation.items[0].shape.radius == 0.3
+    assert scene.poses[0, 0, 1, 3] == -1.0
+
+
+def test_samples_are_dropped_down_to_sixty_a_second_and_never_made_up():
+    scene = swing().animate(TIMES, STATES, symbols=[q, u], constants={l: 1})
+    assert np.diff(scene.times).min() >= 1 / 60
+    assert set(scene.times) <= set(TIMES)
+    assert scene.times[[0, -1]].tolist() == [0, 2]
+    assert (
+        len(swing().animate(TIMES, STATES, symbols=[q, u], constants={l: 1}, fps=None).times) == 201
+    )
+
+
+def test_sixty_samples_a_second_are_all_kept():
+    times = np.arange(3601) / 60
+    assert len(sampled(times, 1 / 60)) == 3601
+
+
+def test_repeated_times_are_taken_once():
+    assert sampled(np.array([0.0, 0.0, 1.0, 1.0]), 0.1).tolist() == [0, 2]
+    assert sampled(np.array([3.0]), 0.1).tolist() == [0]
+
+
+@pytest.mark.parametrize(
+    ("duration", "speed"),
+    [(5, 1), (60, 1), (0, 1), (0.01, 0.001), (0.5, 0.05), (86400, 1000), (600, 10)],
+)
+def test_very_short_and_very_long_motions_play_at_a_speed_to_watch(duration, speed):
+    assert _watchable(duration) == pytest.approx(speed)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options", "error", "message"),
+    [
+        ((7,), {}, TypeError, "`animate` takes a Trajectory, or times and states, got the int 7"),
+        ((None,), {}, TypeError, "`animate` takes a Trajectory"),
+        ((TIMES, STATES), {}, TypeError, "`symbols` must say what the columns"),
+        ((TIMES, STATES), {"symbols": [q]}, ValueError, r"must have the shape \(201, 1\)"),
+        ((TIMES[:9], STATES), {"symbols": [q, u]}, ValueError, r"must have the shape \(9, 2\)"),
+        ((TIMES[::-1], STATES), {"symbols": [q, u]}, ValueError, "`times` must be .*ascending"),
+        (([], np.zeros((0, 1))), {"symbols": [q]}, ValueError, "one time or more"),
+        ((TIMES, STATES), {"symbols": [q, u], "fps": 0}, ValueError, "`fps` must be positive"),
+        ((TIMES, STATES), {"symbols": [q, u], "speed": -1}, ValueError, "`speed` must be a pos"),
+        (
+            (TIMES, STATES),
+            {"symbols": [q, u], "specifieds": {dynamicsymbols("F"): [1, 2]}},
+            ValueError,
+            r"`specifieds\[F\(t\)\]` must be a number or have the shape \(201,\)",
+        ),
+        (
+            (TIMES, STATES),
+            {"symbols": [q, u], "constants": {l: "long"}},
+            ValueError,
+            r"`constants\[l\]` must be a real number",
+        ),
+        (
+            (TIMES, STATES),
+            {"symbols": [q, u], "constants": {l: 1}, "series": {"E": [1]}},
+            ValueError,
+            r"`series\['E'\]` must have the shape \(201,\)",
+        ),
+    ],
+)
+def test_bad_motion_is_refused(arguments, options, error, message):
+    with pytest.raises(error, match=message):
+        swing().animate(*arguments, **options)
+
+
+def test_a_state_that_is_not_finite_is_named_with_its_time():
+    states = STATES.copy()
+    states[70:, 1] = np.nan
+    with pytest.raises(ValueError, match=r"`u\(t\)` is nan at t = 0.7, index 70"):
+        swing().animate(TIMES, states, symbols=[q, u], constants={l: 1})
+
+
+def test_series_come_from_the_trajectory_or_are_evaluated_or_are_given(trajectory):
+    scene = swing(series=[q, "power", 2 * u]).animate(trajectory, series={"extra": -TIMES})
+    series = scene._animation.series
+    assert list(series) == ["q", "power", "2*u", "extra"]
+    assert series["power"] == pytest.approx(scene.times**2)
+    assert series["2*u"] == pytest.approx(2 * np.cos(scene.times))
+    assert series["extra"] == pytest.approx(-scene.times)
+    with pytest.raises(ValueError, match="`series` has 'heat', which is none of the trajectory's"):
+        swing(series=["heat"]).animate(trajectory)
+
+
+# -- what the camera sees -------------------------------------------------------------------------
+
+
+def framed(scene):
+    return frame(scene._animation, scene._look)
+
+
+def test_the_ground_lies_below_everything_or_where_it_was_put(trajectory):
+    assert framed(swing().animate(trajectory)).ground == pytest.approx(-0.6, abs=1e-3)
+    assert framed(swing(ground=-2).animate(trajectory)).ground == -2
+    assert framed(swing(ground=False).animate(trajectory)).ground is None
+
+
+def test_plane_motion_is_seen_from_its_side(trajectory):
+    seen = framed(swing().animate(trajectory))
+    assert seen.right.tolist() == [1, 0, 0]
+    assert seen.direction @ [0, 0, 1] > 0.9
+    assert framed(swing(view=(1, 0, 0)).animate(trajectory)).direction.tolist() == [1, 0, 0]
+
+
+def test_the_camera_follows_what_travels_far_unless_told_otherwise():
+    times = np.linspace(0, 10, 101)
+    states = 5 * times[:, None]
+    cart = Visual(Sphere(0.3), O.locatenew("C", q * N.x + sm.sin(q) * N.y))
+    for follow, expected in ((None, True), (False, False), (True, True)):
+        scene = Scene(N, O, cart, Visual(Plane(100, 100, "y"), O), follow=follow)
+        seen = framed(scene.animate(times, states, symbols=[q]))
+        assert (seen.path is not None) == expected
+    assert seen.path[:, 0] == pytest.approx(states[:, 0])
+    assert not seen.path[:, 1].any()  # it keeps its height
+    assert not Scene(N, O, cart).animate(times, states / 100, symbols=[q])._animation.travels
+
+
+@pytest.mark.parametrize("up", ["x", "-x", "y", "-y", "z", "-z", (1, 2, 3)])
+def test_the_camera_stands_upright_whatever_is_up(trajectory, up):
+    scene = swing(up=up).animate(trajectory)
+    seen = framed(scene)
+    assert seen.right @ seen.up == pytest.approx(0, abs=1e-15)
+    assert np.linalg.norm(seen.right) == pytest.approx(1)
+    assert np.linalg.norm(seen.direction) == pytest.approx(1)
+    assert seen.direction @ seen.up > 0
+
+
+def test_a_scene_without_extent_has_a_size():
+    still = Scene(N, O, Visual(Trace(), O)).animate([0.0], np.zeros((1, 0)), symbols=[])
+    assert frame(still._animation, Look(np.array([0.0, 1.0, 0.0]))).radius > 0
+
+
+def test_between_instants_poses_are_interpolated(trajectory):
+    B = N.orientnew("B", "Axis", (q, N.z))
+    scene = Scene(N, O, Visual(Sphere(1), B, O)).animate([0, 1], [[0.0], [1.0]], symbols=[q])
+    turn = scene._animation.at(0.25).items[0].rotations[0]
+    assert np.arctan2(turn[1, 0], turn[0, 0]) == pytest.approx(0.25)
+    assert scene._animation.at(9).items[0].rotations[0, 1, 0] == pytest.approx(np.sin(1))
+
+
+def test_visuals_of_one_name_share_a_colour(trajectory):
+    bob = Particle("bob", P, 1)
+    scene = Scene(
+        N, O, Visual(Sphere(0.1), bob), Visual(Line([O, P]), name="bob"), Visual(Trace(), O)
+    )
+    colours = [item.shape.colour for item in scene.animate(trajectory)._animation.items]
+    assert colours[0] == colours[1] != colours[2]
+
+
+def test_bodies_alone_get_a_default_shape(trajectory):
+    scene = Scene(N, O, Particle("bob", P, 1), Visual(Arrow(u * N.x), P)).animate(trajectory)
+    assert [type(i.shape).__name__ for i in scene._animation.items] == ["Sphere", "Arrow"]
+    assert scene._animation.items[1].vectors[:, 0] == pytest.approx(np.cos(scene.times))
+
+
+# -- showing --------------------------------------------------------------------------------------
+
+
+def test_show_opens_a_file_in_the_browser(trajectory, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    path = swing().animate(trajectory).show()
+    assert opened == [path.as_uri()]
+    assert path.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+def test_show_displays_inline_in_a_notebook(trajectory, monkeypatch):
+    shown = []
+    display = SimpleNamespace(HTML=lambda text: text, display=shown.append)
+    shell = SimpleNamespace(kernel=object())
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: shell))
+    monkeypatch.setitem(sys.modules, "IPython.display", display)
+    scene = swing().animate(trajectory)
+    scene.show()
+    assert shown == [scene._repr_html_()]

@@ -1,0 +1,152 @@
+"""Shapes: checked when made, measured with the constants' values."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+import sympy as sm
+from sympy.physics.mechanics import Point, ReferenceFrame
+
+from pydy.viz import Arrow, Box, Capsule, Cone, Cylinder, Line, Mesh, Plane, Sphere, Torus, Trace
+from pydy.viz.surfaces import arrow, rod, surface
+
+N = ReferenceFrame("N")
+
+
+def volume(vertices, faces):
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
+
+
+@pytest.mark.parametrize("bad", [0, -1, float("nan"), float("inf"), "long", None, True])
+def test_a_length_that_is_no_positive_number_is_refused(bad):
+    with pytest.raises(ValueError, match=r"`radius` of Sphere must be a positive number"):
+        Sphere(bad)
+
+
+def test_shapes_are_frozen():
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        Sphere(1).radius = 2
+
+
+def test_lengths_may_be_expressions_of_constants():
+    l, r = sm.symbols("l, r")
+    shape = Cylinder(2 * l, r / 3).measured({l: 0.5, r: 0.3})
+    assert (shape.length, shape.radius) == pytest.approx((1.0, 0.1))
+
+
+def test_a_length_with_an_unknown_symbol_names_it_and_the_remedy():
+    with pytest.raises(ValueError, match=r"`radius` of Sphere is `2\*k`, but `k`.*`constants`"):
+        Sphere(2 * sm.Symbol("k")).measured({})
+
+
+def test_a_length_that_comes_out_negative_is_refused():
+    k = sm.Symbol("k")
+    with pytest.raises(ValueError, match=r"must be positive, but comes out as -1\.0"):
+        Sphere(k).measured({k: -1.0})
+
+
+@pytest.mark.parametrize(
+    ("colour", "expected"),
+    [("navy", "#000080"), ("#0AF", "#00aaff"), ("#123456", "#123456"), ((1, 0, 0.5), "#ff0080")],
+)
+def test_colours_are_names_hexadecimal_or_levels(colour, expected):
+    assert Sphere(1, colour=colour).colour == expected
+
+
+@pytest.mark.parametrize("bad", ["nosuch", "#12", (1, 2, 3), (1, 0), 7, "url(x)"])
+def test_what_is_no_colour_is_refused(bad):
+    with pytest.raises(ValueError, match="`colour` of Box must be a CSS name"):
+        Box(1, 1, 1, colour=bad)
+
+
+@pytest.mark.parametrize("bad", [-0.1, 1.1, "half"])
+def test_an_opacity_outside_zero_to_one_is_refused(bad):
+    with pytest.raises(ValueError, match="`opacity` of Sphere must be from 0 to 1"):
+        Sphere(1, opacity=bad)
+
+
+def test_a_name_must_be_a_string():
+    with pytest.raises(TypeError, match="`name` of Sphere must be a string"):
+        Sphere(1, name=3)
+
+
+@pytest.mark.parametrize("kind", [Cylinder, Cone, Capsule, Torus, Plane])
+def test_an_axis_is_one_of_three(kind):
+    with pytest.raises(ValueError, match=f"`axis` of {kind.__name__} must be 'x', 'y' or 'z'"):
+        kind(1, 1, axis="w")
+
+
+def test_an_arrow_needs_a_vector():
+    with pytest.raises(TypeError, match="`vector` of Arrow must be a vector"):
+        Arrow((1, 0, 0))
+    with pytest.raises(ValueError, match="`scale` of Arrow must be a number"):
+        Arrow(N.x, scale="big")
+
+
+@pytest.mark.parametrize("points", [[], [Point("A")], "AB", [Point("A"), (0, 0, 0)]])
+def test_a_line_needs_two_points(points):
+    with pytest.raises(ValueError, match="`points` of Line must be a sequence of two or more"):
+        Line(points)
+
+
+def test_a_trace_lasts_forever_or_some_seconds():
+    assert Trace().duration is None
+    assert Trace(2).duration == 2.0
+
+
+@pytest.mark.parametrize(
+    ("shape", "expected"),
+    [
+        (Sphere(0.5), 4 / 3 * np.pi * 0.5**3),
+        (Box(1, 2, 3), 6.0),
+        (Cylinder(2, 0.5), 2 * np.pi * 0.25),
+        (Cone(2, 0.5), 2 / 3 * np.pi * 0.25),
+        (Capsule(2, 0.5), 2 * np.pi * 0.25 + 4 / 3 * np.pi * 0.125),
+        (Torus(1, 0.25), 2 * np.pi**2 * 0.0625),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_surfaces_enclose_the_volume_of_their_shape_and_face_outwards(shape, expected):
+    assert volume(*surface(shape)) == pytest.approx(expected, rel=0.06)
+
+
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+@pytest.mark.parametrize("kind", [Cylinder, Cone, Capsule])
+def test_round_shapes_lie_along_their_axis(kind, axis):
+    vertices = surface(kind(4, 0.5, axis=axis))[0]
+    reach = np.ptp(vertices, axis=0)
+    assert reach.argmax() == "xyz".index(axis)
+    assert vertices[np.abs(vertices).max(axis=1).argmax()]["xyz".index(axis)] > 0
+
+
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+def test_a_torus_is_flat_along_its_axis(axis):
+    reach = np.ptp(surface(Torus(1, 0.1, axis=axis))[0], axis=0)
+    k = "xyz".index(axis)
+    assert reach[k] == pytest.approx(0.2)
+    assert np.delete(reach, k) == pytest.approx([2.2, 2.2])
+
+
+@pytest.mark.parametrize(("axis", "reach"), [("x", [0, 2, 1]), ("y", [2, 0, 1]), ("z", [2, 1, 0])])
+def test_a_plane_has_its_length_along_the_first_of_the_other_axes(axis, reach):
+    assert np.ptp(surface(Plane(2, 1, axis=axis))[0], axis=0).tolist() == reach
+
+
+def test_rods_and_arrows_go_from_their_start_along_their_vector():
+    start, vector = np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.0, -2.0])
+    for vertices, faces in (rod(start, start + vector, 0.1), arrow(start, vector, 0.05)):
+        assert vertices[:, 2].max() == pytest.approx(3.0)
+        assert vertices[:, 2].min() == pytest.approx(1.0)
+        assert volume(vertices, faces) > 0
+
+
+def test_a_mesh_takes_arrays_and_checks_them():
+    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    assert Mesh((vertices, [[0, 1, 2]])).faces.shape == (1, 3)
+    with pytest.raises(ValueError, match="each the index of one of the 3 vertices"):
+        Mesh((vertices, [[0, 1, 3]]))
+    with pytest.raises(ValueError, match=r"vertices of shape \(n, 3\)"):
+        Mesh(([[0, 0]], [[0, 0, 0]]))
+    with pytest.raises(ValueError, match="`source` of Mesh must be the path"):
+        Mesh(7)
