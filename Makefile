@@ -9,13 +9,13 @@ PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 # The released PyDy that benchmarks compare with; it needs an environment of its own.
 REFERENCE := .venv-reference
 REFERENCE_PY := $(REFERENCE)/bin/python
-# heyoka, CasADi, JAX and Pinocchio, which are compared with ours.
+# heyoka, CasADi, JAX, Pinocchio and diffsol, which are compared with ours.
 PEERS := .venv-peers
 PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser docs bench bench-peers three clean
+.PHONY: help demo test test-browser docs bench bench-peers bench-solvers three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
@@ -24,6 +24,7 @@ help:
 	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts"
+	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
 	@echo "make three  bundle three.js for the animation page anew (needs npm and a network)"
 	@echo "make clean  remove the environments and caches"
 
@@ -50,6 +51,9 @@ bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/operations.py
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
+
+bench-solvers: $(VENV)/.installed-test $(PEERS)/.installed $(REFERENCE)/.installed
+	$(PY) benchmarks/solvers.py --peer-python $(PEERS_PY) --reference $(REFERENCE_PY)
 
 # Pinned: what is committed can be made again, byte for byte.
 three:

@@ -80,6 +80,11 @@ class Worker:
         self._end()
         self._log.close()
 
+    @property
+    def alive(self) -> bool:
+        """Whether it can still answer."""
+        return self._process.poll() is None
+
     def _end(self) -> None:
         with contextlib.suppress(ProcessLookupError):
             os.killpg(self._process.pid, signal.SIGKILL)
@@ -95,7 +100,7 @@ class Worker:
         process = self._process
         assert process.stdin is not None
         assert process.stdout is not None
-        if process.poll() is not None:
+        if not self.alive:
             raise WorkerError(f"{self.name} has ended; see {self._log.name}")
         process.stdin.write(json.dumps({"do": do, **arguments}).encode() + b"\n")
         process.stdin.flush()

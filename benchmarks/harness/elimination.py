@@ -8,7 +8,26 @@ from __future__ import annotations
 
 from typing import Any
 
+from harness.convert import Algebra, translate
+from harness.frozen import Model
+from harness.samples import samples
+
 Entry = Any  # a peer's expression, or None for zero
+
+
+def derivatives(model: Model, algebra: Algebra, x: Any, r: Any, p: Any) -> list[Any]:
+    """Return x' in a peer's expressions."""
+    matrix, forcing, rates = translate(model, algebra, x, r, p)
+    if model.positive_definite:
+        return [*rates, *solve_definite(matrix, forcing)]
+    return [*rates, *solve_general(matrix, forcing, pivots_of(model))]
+
+
+def pivots_of(model: Model) -> list[tuple[int, int]]:
+    """Return the order of elimination for a model, found at one typical state."""
+    states, inputs, values = samples(model, 1)
+    typical = translate(model, Algebra(), states[0], inputs[0], values)[0]
+    return choose_pivots(typical, len(model.speeds))
 
 
 def solve_definite(matrix: list[Entry], forcing: list[Any]) -> list[Any]:

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import dynamicsymbols
 
 from harness.frozen import Model
 from pydy._eom.equations import Equations
 from pydy._programs import Assembly, assemble_system
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen.ode_function_generators import make_system_function
+from pydy.codegen.right_hand_side import Layout, RightHandSide
 
 
 def equations_of(model: Model) -> Equations:
@@ -31,3 +38,23 @@ def assembly_of(model: Model, equations: Equations | None = None) -> Assembly:
     """Read a model into a graph, as System does."""
     equations = equations or equations_of(model)
     return assemble_system(equations, (), (), model.specifieds, model.constants)
+
+
+def right_hand_side_of(model: Model) -> RightHandSide:
+    """Return a model's implementation, as System makes it."""
+    layout = Layout(
+        (*model.coordinates, *model.speeds), tuple(model.specifieds), tuple(model.constants)
+    )
+    return make_system_function(assembly_of(model), layout, {}, None)[1]
+
+
+def solver_function(
+    model: Model, inputs: np.ndarray
+) -> tuple[Callable[..., Any], tuple[np.ndarray, np.ndarray]]:
+    """Return f and args that System hands to its `ode_solver`; the best code is ready."""
+    implementation = right_hand_side_of(model)
+    symbols = tuple(model.specifieds)
+    plan = SpecifiedsPlan(dict(zip(symbols, inputs, strict=True)), symbols)
+    function = implementation.rates_function(plan)
+    assert implementation.compiled("rates").addresses
+    return function, (plan.values, np.array(model.values))

@@ -12,7 +12,8 @@ from typing import Any
 import casadi as ca
 import numpy as np
 from harness.convert import Algebra, translate
-from harness.elimination import choose_pivots, solve_general
+from harness.elimination import pivots_of, solve_general
+from harness.frozen import Model
 from harness.peer import Peer, serve_peer
 
 _LOOP = """
@@ -35,30 +36,34 @@ class CasADi(Algebra):
         return ca.SX(value)
 
 
+def function_of(model: Model) -> Any:
+    """Return x' as CasADi's Function of x, r and p."""
+    n = len(model.speeds)
+    x, r, p = (
+        ca.SX.sym(name, size)
+        for name, size in (
+            ("x", len(model.coordinates) + n),
+            ("r", len(model.specifieds)),
+            ("p", len(model.constants)),
+        )
+    )
+    matrix, forcing, rates = translate(model, CasADi(), x, r, p)
+    if model.positive_definite:
+        full = [k for k, entry in enumerate(matrix) if entry is not None]
+        pattern = ca.Sparsity.triplet(n, n, [k // n for k in full], [k % n for k in full])
+        m = ca.SX(pattern)
+        for k in full:
+            m[k // n, k % n] = matrix[k]
+        solution = ca.ldl_solve(ca.vertcat(*forcing), *ca.ldl(m))
+    else:
+        # CasADi's own `solve` is a QR here, half as fast as this on the bicycle.
+        solution = ca.vertcat(*solve_general(matrix, forcing, pivots_of(model)))
+    return ca.Function("f", [x, r, p], [ca.vertcat(*rates, solution)])
+
+
 class CasADiPeer(Peer):
     def build(self) -> Any:
-        x, r, p = (
-            ca.SX.sym(name, size)
-            for name, size in (
-                ("x", self.x.shape[1]),
-                ("r", self.r.shape[1]),
-                ("p", len(self.p)),
-            )
-        )
-        matrix, forcing, rates = translate(self.model, CasADi(), x, r, p)
-        n = len(forcing)
-        if self.model.positive_definite:
-            full = [k for k, entry in enumerate(matrix) if entry is not None]
-            pattern = ca.Sparsity.triplet(n, n, [k // n for k in full], [k % n for k in full])
-            m = ca.SX(pattern)
-            for k in full:
-                m[k // n, k % n] = matrix[k]
-            solution = ca.ldl_solve(ca.vertcat(*forcing), *ca.ldl(m))
-        else:
-            # CasADi's own `solve` is a QR here, half as fast as this on the bicycle.
-            typical = translate(self.model, Algebra(), self.x[0], self.r[0], self.p)[0]
-            solution = ca.vertcat(*solve_general(matrix, forcing, choose_pivots(typical, n)))
-        return ca.Function("f", [x, r, p], [ca.vertcat(*rates, solution)])
+        return function_of(self.model)
 
     def _over_all(self, function: Any) -> Any:
         arguments = [ca.DM(self.x.T), ca.DM(self.r.T), ca.DM(self.p)]

@@ -6,8 +6,9 @@ from typing import Any
 
 import heyoka as hy
 import numpy as np
-from harness.convert import Algebra, translate
-from harness.elimination import choose_pivots, solve_definite, solve_general
+from harness.convert import Algebra
+from harness.elimination import derivatives
+from harness.frozen import Model
 from harness.peer import Peer, serve_peer
 from harness.serve import time_of
 
@@ -26,27 +27,30 @@ class Heyoka(Algebra):
         return hy.prod(factors)
 
 
+def warm_up() -> None:
+    """Turn caches off and initialise LLVM."""
+    hy.llvm_state.set_diskcache_enabled(False)
+    hy.llvm_state.set_memcache_limit(0)
+    x = hy.make_vars("x")
+    hy.cfunc([hy.sin(x)], [x])
+
+
+def equations_of(model: Model) -> tuple[list[Any], list[Any]]:
+    """Return the states and their derivatives; r and p are parameters, in this order."""
+    states = hy.make_vars(*(f"x{k}" for k in range(len(model.coordinates) + len(model.speeds))))
+    r = [hy.par[k] for k in range(len(model.specifieds))]
+    p = [hy.par[len(r) + k] for k in range(len(model.constants))]
+    return states, derivatives(model, Heyoka(), states, r, p)
+
+
 class HeyokaPeer(Peer):
     def warm_up(self) -> None:
-        hy.llvm_state.set_diskcache_enabled(False)
-        hy.llvm_state.set_memcache_limit(0)
-        x = hy.make_vars("x")
-        hy.cfunc([hy.sin(x)], [x])
+        warm_up()
 
     def build(self, **options: Any) -> Any:
         """One state at a time by default; `batch_size` and `force_avx512` are heyoka's own."""
-        model = self.model
-        states = hy.make_vars(*(f"x{k}" for k in range(self.x.shape[1])))
-        r = [hy.par[k] for k in range(self.r.shape[1])]
-        p = [hy.par[len(r) + k] for k in range(len(self.p))]
-        matrix, forcing, rates = translate(model, Heyoka(), states, r, p)
-        if model.positive_definite:
-            solution = solve_definite(matrix, forcing)
-        else:
-            typical = translate(model, Algebra(), self.x[0], self.r[0], self.p)[0]
-            pivots = choose_pivots(typical, len(forcing))
-            solution = solve_general(matrix, forcing, pivots)
-        return hy.cfunc([*rates, *solution], states, **({"batch_size": 1} | options))
+        states, rates = equations_of(self.model)
+        return hy.cfunc(rates, states, **({"batch_size": 1} | options))
 
     def _over_all(self, function: Any) -> Any:
         inputs = np.ascontiguousarray(self.x.T)

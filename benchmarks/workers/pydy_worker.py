@@ -75,6 +75,20 @@ class Session:
             in_child(lambda: _warm_up(cache))
             return in_child(measure, cache)
 
+    def prepare_integration(self, solver: str | None, tolerance: float) -> list[float]:
+        """Integrate once by a solver, None for the default; returns the states at 0.1 s."""
+        system = self.system()
+        if RELEASED:
+            system.generate_ode_function(generator="cython")
+        if solver is not None:
+            system.ode_solver = solver
+        self.again = Repeated(lambda: system.integrate(rtol=tolerance, atol=tolerance))
+        return list(system.integrate(rtol=tolerance, atol=tolerance)[10])
+
+    def integrate_again(self) -> float:
+        """Return the seconds of one `integrate()` as it was prepared."""
+        return self.again()
+
     def generate(self, generator: str) -> float:
         """Time the generation of the right-hand side."""
 
@@ -123,5 +137,8 @@ def _warm_up(cache: str | None = None) -> None:
 if __name__ == "__main__":
     warnings.simplefilter("ignore")
     session = Session()
-    names = ("load", "integrate", "generate", "prepare", "call")
+    names = (
+        *("load", "integrate", "generate", "prepare", "call"),
+        *("prepare_integration", "integrate_again"),
+    )
     serve({name: getattr(session, name) for name in names})

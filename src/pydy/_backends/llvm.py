@@ -87,6 +87,7 @@ def _routines(lanes: int, at_best: bool) -> jit.Code:
         return best
     names = solver_names(lanes) + sincos_names(lanes)
     source = jit.Source(f"routines {lanes}", lambda brief: _routines_text(lanes), names, loops=True)
+    code: jit.Code | None
     if at_best:
         with _ROUTINES_LOCK:  # whoever comes second finds what the first one compiled
             code = jit.load(source)

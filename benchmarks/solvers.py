@@ -1,0 +1,285 @@
+"""Native solvers against other packages' and against odeint: ``make bench-solvers``."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import tempfile
+from contextlib import ExitStack
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from harness.contest import OURS, RADAU, TARGETS, Contest, limits_met
+from harness.driver import ROOT, Worker, WorkerError, in_turn
+from harness.report import pairwise, save, seconds, table
+
+# Model, and what our best may take of the fastest peer's time.
+LIMITS = {
+    **{"pendulum-1": 1.0, "pendulum-5": 0.6, "pendulum-10": 0.6, "bicycle": 0.6, "rods-3": 0.6},
+    **{"rider-bicycle": 1.0, "springs-100-absolute": 1.0},
+}
+PEERS = ("heyoka", "casadi", "diffsol")
+RELEASED = "0.9.4"
+SCRIPTS = {
+    OURS: ("solve_ours.py",),
+    RADAU: ("solve_ours.py", "radau"),
+    RELEASED: ("solve_released.py",),
+    **{peer: (f"solve_{peer}.py",) for peer in PEERS},
+}
+PARTS = ("precision", "integrate", "overhead", "first-use")
+# What `integrate()` is asked to gain on the default odeint, by the number of links.
+GAINS = {"1": 15.0, "10": 2.0}
+OVERHEAD, WARM, COLD = 2.0, 0.3, 15.0
+
+
+def main() -> None:
+    """Measure each part, print its tables, and write all results."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--peer-python", type=Path, default=ROOT / ".venv-peers/bin/python")
+    parser.add_argument("--reference", type=Path, default=ROOT / ".venv-reference/bin/python")
+    parser.add_argument("--python", type=Path, default=Path(sys.executable), help="ours")
+    parser.add_argument("--parts", nargs="+", default=PARTS, choices=PARTS)
+    parser.add_argument("--models", nargs="+", default=list(LIMITS), choices=list(LIMITS))
+    others = (*PEERS, RELEASED)
+    parser.add_argument("--peers", nargs="+", default=others, choices=others)
+    parser.add_argument("--budget", type=float, default=30.0, help="seconds for each line")
+    parser.add_argument("--timeout", type=float, default=600.0, help="for any one answer")
+    parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
+    parser.add_argument(
+        "--core", type=int, default=max(os.sched_getaffinity(0)), help="bind all to this one"
+    )
+    options = parser.parse_args()
+    measures = {
+        "precision": _precision,
+        "integrate": _integrate,
+        "overhead": _overhead,
+        "first-use": _first_use,
+    }
+    results: dict[str, Any] = {}
+    for part in options.parts:
+        results[part] = []
+        for lines in measures[part](options):
+            results[part] += lines
+            save("solvers", results)  # now and then, so that a run can be broken off
+
+
+def _rounds(options: argparse.Namespace, most: int = 25) -> dict[str, Any]:
+    if options.quick:
+        return {"least": 1, "most": 1}
+    return {"least": 5, "most": most, "budget": options.budget}
+
+
+def _worker(options: argparse.Namespace, name: str, *script: str) -> Worker:
+    own = {OURS: options.python, RADAU: options.python, RELEASED: options.reference}
+    timeout = min(options.timeout, 60.0) if name == RADAU else options.timeout
+    python = own.get(name, options.peer_python)
+    return Worker(name, python, *script, timeout=timeout, core=options.core)
+
+
+# -- time at equal error ------------------------------------------------------------------------
+
+
+def _precision(options: argparse.Namespace) -> Any:
+    lines: list[dict[str, Any]] = []
+    summaries = []
+    for model in options.models:
+        with ExitStack() as stack:
+            workers = [
+                stack.enter_context(_worker(options, name, SCRIPTS[name]))
+                for name in (OURS, *options.peers)
+            ]
+            contest = Contest(model, workers, step=1.0 if options.quick else 0.5)
+            contest.find_reference()
+            contest.scan()
+            taken = contest.race(_rounds(options))
+            summaries.append(contest.summary())
+        lines += taken
+        yield [*taken, summaries[-1]]
+    for target in TARGETS:
+        _report_target(target, [line for line in lines if line["target"] == target], options.peers)
+    _report_builds(summaries, options.peers)
+    _report_misses(limits_met(lines, LIMITS))
+
+
+def _report_target(target: float, lines: list[dict[str, Any]], peers: list[str]) -> None:
+    others = (*peers, "odeint")
+    rows = []
+    for line in lines:
+        times, ratios, best = line["best_seconds"], line["ratios"], line["best"]
+        cells = [line["model"], f"{_time(times.get(OURS))} {best.get(OURS, '')}"]
+        for name in others:
+            if name in ratios:
+                cells.append(f"{_time(times[name])} {best[name]} ({ratios[name]:.2f})")
+            else:
+                cells.append("–")
+        cells.append(f"{line['ratio']:.2f}" if line["ratio"] is not None else "–")
+        cells.append(f"{LIMITS[line['model']]}")
+        rows.append(cells)
+    header = ("model", "ours", *(f"{name} (ours/it)" for name in others), "fastest", "asked")
+    table(f"One integration to an error of {target:g}", header, rows)
+    methods = sorted({who for line in lines for who in line["seconds"] if _is_own(who)})
+    own = [
+        [line["model"], *(_time(line["seconds"].get(method)) for method in methods)]
+        for line in lines
+    ]
+    table(f"Our methods, to an error of {target:g}", ("model", *methods), own)
+
+
+def _is_own(contestant: str) -> bool:
+    return contestant.startswith((f"{OURS} ", f"{RADAU} "))
+
+
+def _time(values: list[float] | None) -> str:
+    return seconds(median(values)) if values else "–"
+
+
+def _report_builds(summaries: list[dict[str, Any]], peers: list[str]) -> None:
+    rows = [
+        [s["model"], f"{s['spread']:.1e}", *(seconds(s["built"].get(n)) for n in (OURS, *peers))]
+        for s in summaries
+    ]
+    table("Spread of references; builds, not counted", ("model", "spread", OURS, *peers), rows)
+    for summary in summaries:
+        for who, why in summary["failed"].items():
+            print(f"  {summary['model']}, {who}: {why}")
+
+
+def _report_misses(misses: list[str]) -> None:
+    for miss in misses:
+        print(f"  above what is asked: {miss}")
+
+
+# -- integrate() of a System --------------------------------------------------------------------
+
+
+def _integrate(options: argparse.Namespace) -> Any:
+    lines = []
+    for model in GAINS:
+        print(f"integrate, {model} links …", file=sys.stderr)
+        with ExitStack() as stack:
+
+            def start(name: str, solver: str | None, stack: ExitStack = stack) -> Worker | None:
+                worker = stack.enter_context(_worker(options, name, "pydy_worker.py"))
+                try:
+                    worker.ask("load", name=model)  # noqa: B023 used at once
+                    worker.ask("prepare_integration", solver=solver, tolerance=1e-9)
+                except WorkerError as error:
+                    print(f"  {name} is left out: {error}", file=sys.stderr)
+                    return None
+                return worker
+
+            workers = {"dop853": start(OURS, "dop853"), "odeint": start(OURS, None)}
+            if RELEASED in options.peers:
+                workers[RELEASED] = start(RELEASED, None)
+            measures = {
+                name: lambda worker=worker: worker.ask("integrate_again")
+                for name, worker in workers.items()
+                if worker is not None
+            }
+            taken = in_turn(measures, **_rounds(options))
+        times = {name: [r[name] for r in taken] for name in measures}
+        gains = {name: pairwise(v, times["dop853"]) for name, v in times.items()}
+        lines.append({"model": model, "seconds": times, "gains": gains})
+        yield lines[-1:]
+    rows = [
+        [
+            line["model"],
+            *(_time(line["seconds"].get(name)) for name in ("dop853", "odeint", RELEASED)),
+            f"{line['gains']['odeint']:.1f}",
+            f"{GAINS[line['model']]:g}",
+            f"{line['gains'][RELEASED]:.1f}" if RELEASED in line["gains"] else "–",
+        ]
+        for line in lines
+    ]
+    header = ("links", "dop853", "odeint", RELEASED, "odeint / dop853", "asked", f"{RELEASED} / it")
+    table("integrate(), 10 s, 1,001 points, tolerances 1e-9", header, rows)
+
+
+# -- what an evaluation costs beyond the right-hand side ----------------------------------------
+
+
+def _overhead(options: argparse.Namespace) -> Any:
+    lines = []
+    for model in ("pendulum-1", "pendulum-10"):
+        for method in ("dop853", "tsit5", "vern9"):
+            print(f"overhead, {model} {method} …", file=sys.stderr)
+            with _worker(options, OURS, "overhead.py") as worker:
+                counts = worker.ask("load", name=model, method=method)
+                taken = in_turn({"all": lambda w=worker: w.ask("time")}, **_rounds(options))
+            times = {key: [r["all"][key] for r in taken] for key in taken[0]["all"]}
+            ratios = {
+                key: pairwise(
+                    [a - b for a, b in zip(times[key], times["kernel"], strict=True)],
+                    times["bare"],
+                )
+                for key in ("run", "further")
+            }
+            line = {"model": model, "method": method, **counts, "seconds": times, "ratios": ratios}
+            lines.append(line)
+            yield [line]
+    keys = ("short", "run", "further", "kernel", "bare")
+    rows = [
+        [
+            f"{line['model']} {line['method']}",
+            line["evaluations"],
+            *(seconds(median(line["seconds"][key])) for key in keys),
+            f"{line['ratios']['run']:.2f}",
+            f"{line['ratios']['further']:.2f}",
+        ]
+        for line in lines
+    ]
+    header = (
+        *("solver", "evaluations", "shortest call", "run", "further", "kernel", "combinations"),
+        *("(run − kernel) / comb.", "(further − kernel) / comb."),
+    )
+    title = "For each evaluation; (run − kernel) / combinations is asked to be at most"
+    table(f"{title} {OVERHEAD:g}", header, rows)
+
+
+# -- first use ----------------------------------------------------------------------------------
+
+
+def _first_use(options: argparse.Namespace) -> Any:
+    lines = []
+    for method in ("dop853", "radau"):
+        print(f"first use, {method} …", file=sys.stderr)
+        with tempfile.TemporaryDirectory() as warm:
+
+            def measure(cache: str, method: str = method) -> dict[str, float]:
+                with _worker(options, OURS, "first_use.py") as worker:
+                    answer: dict[str, float] = worker.ask(
+                        "first_use", name="1", cache=cache, method=method
+                    )
+                    return answer
+
+            def cold() -> dict[str, float]:
+                with tempfile.TemporaryDirectory() as empty:
+                    return measure(empty)
+
+            measure(warm)
+            few = {"least": 1, "most": 1} if options.quick else {"least": 3, "most": 3}
+            taken = in_turn({"cold": cold}, **few)
+            more = {"least": 1, "most": 1} if options.quick else {"least": 9, "most": 9}
+            warmed = in_turn({"warm": lambda w=warm: measure(w)}, **more)
+        rounds = {"warm": [r["warm"] for r in warmed], "cold": [r["cold"] for r in taken]}
+        for cache, answers in rounds.items():
+            times = {key: [a[key] for a in answers] for key in answers[0]}
+            lines.append({"method": method, "cache": cache, "seconds": times})
+            yield lines[-1:]
+    keys = ("numba", "solvers", "first", "second", "added")
+    rows = [
+        [
+            f"{line['method']}, {line['cache']} cache",
+            *(seconds(median(line["seconds"][key])) for key in keys),
+            seconds(WARM if line["cache"] == "warm" else COLD),
+        ]
+        for line in lines
+    ]
+    header = ("solver", "import numba", "import solvers", "first", "second", "added", "asked")
+    table("First native integration of a process, the equations' code ready", header, rows)
+
+
+if __name__ == "__main__":
+    main()

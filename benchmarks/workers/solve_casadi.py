@@ -1,0 +1,78 @@
+"""SUNDIALS' CVODES as CasADi's `integrator` has it, on the C code that CasADi generates."""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import casadi as ca
+import numpy as np
+from casadi_ import function_of
+from harness.solving import SolverPeer, serve_solver
+
+# With more instructions than this, gcc takes minutes over the Jacobian's code; CasADi then takes
+# differences of the function.
+COMPILED = 10_000
+METHODS = {
+    "adams, functional": ("adams", "functional"),
+    "adams, newton": ("adams", "newton"),
+    "bdf, newton": ("bdf", "newton"),
+}
+
+
+class CasADiSolver(SolverPeer):
+    def build(self) -> None:
+        function = function_of(self.model)
+        jacobian = function.jacobian()
+        exact = jacobian.n_instructions() <= COMPILED
+        self._folder = tempfile.TemporaryDirectory()
+        folder = Path(self._folder.name)
+        generator = ca.CodeGenerator("f.c")
+        generator.add(function)
+        if exact:
+            generator.add(jacobian)
+        generator.generate(f"{folder}/")
+        command = ["gcc", "-O3", "-march=native", "-shared", "-fPIC", "f.c", "-o", "f.so", "-lm"]
+        subprocess.run(command, cwd=folder, check=True)
+        options = {} if exact else {"enable_fd": True, "fd_method": "forward"}
+        external = ca.external("f", str(folder / "f.so"), options)
+        n, s, k = (function.size1_in(j) for j in range(3))
+        x, p = ca.MX.sym("x", n), ca.MX.sym("p", s + k)
+        self.problem = {"x": x, "p": p, "ode": external(x, p[:s], p[s:])}
+
+    def methods(self) -> list[str]:
+        return list(METHODS)
+
+    def solver(self, method: str, tolerance: float) -> Callable[[], np.ndarray]:
+        formula, iteration = METHODS[method]
+        options = {
+            "reltol": tolerance,
+            "abstol": tolerance,
+            "linear_multistep_method": formula,
+            "nonlinear_solver_iteration": iteration,
+            "max_num_steps": 10**6,
+        }
+        horizon = self.scenario.horizon
+        integrator = ca.integrator("solve", "cvodes", self.problem, 0.0, horizon, options)
+        # Buffers spare the conversion of arguments at every call.
+        buffer, run = integrator.buffer()
+        start = np.array(self.scenario.start)
+        parameters = np.concatenate([self.scenario.inputs, self.values])
+        end = np.empty_like(start)
+        buffer.set_arg(integrator.index_in("x0"), memoryview(start))
+        buffer.set_arg(integrator.index_in("p"), memoryview(parameters))
+        buffer.set_res(integrator.index_out("xf"), memoryview(end))
+
+        def solve() -> np.ndarray:
+            _kept = buffer, start, parameters  # they live as long as this function
+            end[0] = np.nan
+            run()
+            return end
+
+        return solve
+
+
+if __name__ == "__main__":
+    serve_solver(CasADiSolver())
