@@ -183,7 +183,7 @@ def test_long_chains_are_integrated_too():
 # -- a stiff contact ------------------------------------------------------------------------------
 
 
-def contact(solver, stiffness=1e6, end=0.4):
+def contact(solver, stiffness=1e6, end=1.0):
     """A ball of 1 kg falls on a stiff, damped ground."""
     z, v = me.dynamicsymbols("z v")
     m, g, k, c = sm.symbols("m g k c")

@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import logging
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -86,6 +87,8 @@ class _Cache(FunctionCache):
             found = super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
         except Exception:  # noqa: BLE001 - whatever a broken entry raises, it is a miss
             found = None
+            with suppress(OSError):
+                self.flush()  # type: ignore[no-untyped-call]
         if found is None:
             _LOG.warning("Compiling a solver, once on this machine: this takes some seconds.")
         return found
