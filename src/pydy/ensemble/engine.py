@@ -15,10 +15,12 @@ import numpy as np
 from pydy._optional import require
 from pydy.ensemble import store as stores
 from pydy.ensemble.labels import Variable, to_dataset
-from pydy.ensemble.samples import Block, Samples
+from pydy.ensemble.samples import Block, Samples, block_sizes
 from pydy.ensemble.work import Work
 
 __all__ = ["Ensemble"]
+
+_LEAST = 64  # samples in a block: fewer leave lanes idle at its end for too long
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,8 +60,16 @@ class Ensemble:
                     whole[name] = Variable(v.dims, np.empty(shape, v.values.dtype), v.attrs)
                 whole[name].values[block] = v.values
 
-        self._on_threads(self._blocks(), lambda samples, stop: self.work(samples, stop), take)
+        # Small enough that all threads end at about the same time; sizes decide no bit.
+        share = -(-self.samples.size // (4 * self._threads()))
+        number = max(_LEAST, min(prod(self.sizes), share))
+        sizes = block_sizes(self.samples.dims, number, number)
+        blocks = [block for _, block in self.samples.blocks(sizes)]
+        self._on_threads(blocks, lambda samples, stop: self.work(samples, stop), take)
         return self._dataset(whole)
+
+    def _threads(self) -> int:
+        return self.workers or _processors()
 
     def _dataset(self, variables: dict[str, Variable]) -> Any:
         times = self.work.model.times
@@ -76,7 +86,7 @@ class Ensemble:
     ) -> None:
         """Do some work for each block, and take its result in this thread."""
         stop, bar = Event(), self._bar(blocks)
-        workers = self.workers or _processors()
+        workers = self._threads()
         todo = iter(blocks)
         running: dict[Future[Any], Block] = {}
         with ThreadPoolExecutor(max_workers=workers, thread_name_prefix="ensemble") as pool:
