@@ -58,7 +58,8 @@ def main(small=False):
     for name, speed in (("weave", WEAVE_SPEED), ("capsize", CAPSIZE_SPEED)):
         crossing = np.abs(lean_and_steer(system, bicycle, speed).real).min()
         print(f"{name} becomes stable or unstable at {speed:.3f} m/s: real part {crossing:.0e} 1/s")
-        assert crossing < 1e-9
+        # Where it capsizes, zero is a multiple eigenvalue: known to the root of a rounding error.
+        assert crossing < 1e-6
 
     speeds = np.linspace(0.5, 10.0, num=8 if small else 191)
     eigenvalues = np.array([lean_and_steer(system, bicycle, speed) for speed in speeds])

@@ -85,7 +85,7 @@ def test_ctrl_c_is_never_lost_on_the_way_into_a_python_function():
     # Where Python looks for signals is by chance; without care, one in ten is printed and ignored.
     for k in range(12):
         interrupted(
-            tsit5, lambda x, t: -x, [1.0], np.array([0.0, 1.0, HUGE]), delay=0.02 + 0.001 * k
+            tsit5, lambda x, t: -x, [1.0], np.array([0.0, 1.0, HUGE]), delay=0.15 + 0.001 * k
         )
 
 

@@ -157,7 +157,6 @@ def _declarations(program: Program, lanes: int) -> str:
     ]
     if _SOLVES & set(program.ops):
         lines.append(solver_declarations(lanes))
-        lines.append("declare ptr @malloc(i64)\ndeclare void @free(ptr)")
     packs = (1, 2, 4, 8) if lanes == 1 and _ANGLES & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
     for name in sorted({INTRINSICS[op] for op in INTRINSICS if op in program.ops} - {"fabs"}):
