@@ -16,8 +16,9 @@ pytest.importorskip("zarr")
 pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning")
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def client():
+    """A cluster for one test: what a killed worker leaves behind is no other's concern."""
     distributed = pytest.importorskip("distributed")
     with (
         dask.config.set({"distributed.worker.daemon": True}),
@@ -26,6 +27,7 @@ def client():
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
+        client.wait_for_workers(2, timeout=120)
         yield client
 
 
