@@ -6,7 +6,7 @@ can move; at events that change the state; and when it cannot go on.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import partial
 from time import perf_counter
 from typing import Any
@@ -37,6 +37,7 @@ from pydy.solvers.problem import (
     blocks,
     callback_problem,
     kernel_problem,
+    watch_arrays,
 )
 
 __all__ = ["integrate"]
@@ -49,33 +50,9 @@ _CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time 
 _EPS = np.finfo(float).eps
 
 
-def _watch(
-    address: int,
-    c: np.ndarray,
-    directions: Sequence[int],
-    acting: Sequence[bool],
-    n: int,
-    rows: int,
-) -> Watch:
-    number = len(directions)
-    return Watch(
-        words=np.array([address, number]),
-        c=c,
-        directions=np.array(directions, dtype=np.int64),
-        acting=np.array(acting, dtype=np.int64),
-        sides=np.zeros(number, dtype=np.int64),
-        fired=np.zeros(number, dtype=np.int64),
-        values=np.zeros(2 * number),
-        trial=np.zeros(BLOCK * blocks(n)),
-        log_times=np.zeros(rows),
-        log_events=np.zeros(rows, dtype=np.int64),
-        log_states=np.zeros((rows, n)),
-    )
-
-
 # Compiled code neither reads nor writes these any further.
 _NO_CONSTRAINTS = Constraints(np.zeros(7, dtype=np.int64), np.zeros(1), np.zeros(1))
-_NO_EVENTS = _watch(0, np.zeros(1), (), (), 1, 0)
+_NO_EVENTS = watch_arrays(0, np.zeros(1), (), (), 1, 0)
 
 
 def _first_budget(method: str, calls_python: bool) -> int:
@@ -211,7 +188,7 @@ class _Integration:
         address, c = self._bind_kernel(wanted.values)
         stops = zip(wanted.terminal, wanted.resets, strict=True)
         acting = [end or reset is not None for end, reset in stops]
-        return _watch(address, c, wanted.directions, acting, self.n, _LOG if number else 0)
+        return watch_arrays(address, c, wanted.directions, acting, self.n, _LOG if number else 0)
 
     # -- running ----------------------------------------------------------------------------------
 

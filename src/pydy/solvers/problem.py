@@ -11,11 +11,11 @@ import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.interrupts import Interrupts
-from pydy.solvers.layout import Problem
+from pydy.solvers.layout import Problem, Watch
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
-__all__ = ["Callback", "bind_constants", "callback_problem", "kernel_problem", "tables_of"]
+__all__ = ["Callback", "bind_constants", "callback_problem", "kernel_problem", "tables_of", "watch_arrays"]
 
 BLOCK = 8
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
@@ -153,3 +153,28 @@ def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Pro
         r, tables = _inputs(call), tables_of(call.sampled)
     words = np.array([callback.address, n, blocks(n)])
     return Problem(words, np.zeros(1), r, np.zeros(1), *tables)
+
+
+def watch_arrays(
+    address: int,
+    c: np.ndarray,
+    directions: Sequence[int],
+    acting: Sequence[bool],
+    n: int,
+    rows: int,
+) -> Watch:
+    """Return the arrays for events whose kernel is at `address`, with `rows` places in the log."""
+    number = len(directions)
+    return Watch(
+        words=np.array([address, number]),
+        c=c,
+        directions=np.array(directions, dtype=np.int64),
+        acting=np.array(acting, dtype=np.int64),
+        sides=np.zeros(number, dtype=np.int64),
+        fired=np.zeros(number, dtype=np.int64),
+        values=np.zeros(2 * number),
+        trial=np.zeros(BLOCK * blocks(n)),
+        log_times=np.zeros(rows),
+        log_events=np.zeros(rows, dtype=np.int64),
+        log_states=np.zeros((rows, n)),
+    )
