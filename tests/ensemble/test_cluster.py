@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from ensembles import identical, same_bits
+from ensemble_cases import identical, same_bits
 
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
@@ -23,7 +23,7 @@ def client():
     with (
         dask.config.set({"distributed.worker.daemon": True}),
         distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
         ) as cluster,
         distributed.Client(cluster) as client,
     ):

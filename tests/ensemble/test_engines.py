@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from ensembles import constant, identical, pendulum, random_values, same_bits
+from ensemble_cases import constant, identical, pendulum, random_values, same_bits
 
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")

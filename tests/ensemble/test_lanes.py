@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ensembles import pendulum, random_values, runaway, same_bits
+from ensemble_cases import pendulum, random_values, runaway, same_bits
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
 

@@ -5,7 +5,7 @@ import pytest
 import sympy as sm
 import xarray as xr
 
-from ensembles import constant, pendulum, random_values, same_bits
+from ensemble_cases import constant, pendulum, random_values, same_bits
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
 
