@@ -15,7 +15,14 @@ from pydy.solvers.layout import Problem, Watch
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
-__all__ = ["Callback", "bind_constants", "callback_problem", "kernel_problem", "tables_of", "watch_arrays"]
+__all__ = [
+    "Callback",
+    "bind_constants",
+    "callback_problem",
+    "kernel_problem",
+    "tables_of",
+    "watch_arrays",
+]
 
 BLOCK = 8
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
