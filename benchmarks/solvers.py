@@ -87,8 +87,8 @@ def _precision(options: argparse.Namespace) -> Any:
     for model in options.models:
         with ExitStack() as stack:
             workers = [
-                stack.enter_context(_worker(options, name, SCRIPTS[name]))
-                for name in (OURS, *options.peers)
+                stack.enter_context(_worker(options, name, *SCRIPTS[name]))
+                for name in (OURS, RADAU, *options.peers)
             ]
             contest = Contest(model, workers, step=1.0 if options.quick else 0.5)
             contest.find_reference()

@@ -9,9 +9,9 @@ import sys
 from collections.abc import Callable, Sequence
 
 import numpy as np
+from harness.odeint import odeint_solver
 from harness.program import solver_function
 from harness.solving import SolverPeer, serve_solver
-from scipy.integrate import odeint
 
 from pydy.solvers import dop853, radau, tsit5, vern9
 
@@ -34,12 +34,10 @@ class OurSolvers(SolverPeer):
         return list(self._methods)
 
     def solver(self, method: str, tolerance: float) -> Callable[[], np.ndarray]:
-        f, args, start = self.function, self.args, self.scenario.start
-        times = [0.0, self.scenario.horizon]
+        f, args = self.function, self.args
         if method == "odeint":
-            return lambda: odeint(
-                f, start, times, args=args, rtol=tolerance, atol=tolerance, mxstep=10**6
-            )[-1]
+            return odeint_solver(f, self, args, tolerance)
+        start, times = self.scenario.start, [0.0, self.scenario.horizon]
         solve = NATIVE[method]
         return lambda: solve(f, start, times, args=args, rtol=tolerance, atol=tolerance)[-1]
 

@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 import sympy as sm
+from harness.odeint import odeint_solver
 from harness.solving import SolverPeer, serve_solver
-from scipy.integrate import odeint
 
 from pydy.codegen.ode_function_generators import generate_ode_function
 
@@ -34,13 +34,8 @@ class ReleasedSolver(SolverPeer):
         return ["odeint"]
 
     def solver(self, method: str, tolerance: float) -> Callable[[], np.ndarray]:
-        rhs, start = self.rhs, self.scenario.start
         inputs = (self.scenario.inputs,) if self.model.specifieds else ()
-        args = (*inputs, self.values)
-        times = [0.0, self.scenario.horizon]
-        return lambda: odeint(
-            rhs, start, times, args=args, rtol=tolerance, atol=tolerance, mxstep=10**6
-        )[-1]
+        return odeint_solver(self.rhs, self, (*inputs, self.values), tolerance)
 
 
 if __name__ == "__main__":
