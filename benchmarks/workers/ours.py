@@ -40,10 +40,10 @@ class Ours(Peer):
     def _sweep(self, kernel: Any, order: str) -> Any:
         t = np.zeros(self.count)
         x, r = np.asarray(self.x, order=order), np.asarray(self.r, order=order)
+        self._out = np.empty(x.shape, order=order)  # kept, as heyoka's is
 
         def sweep() -> None:
-            self._out, failed = kernel.evaluate(t, x, r, self.p)
-            assert not failed.any()
+            _, self._failed = kernel.evaluate(t, x, r, self.p, self._out)
 
         return sweep
 
@@ -54,6 +54,7 @@ class Ours(Peer):
         return self._sweep(self.build(lanes=8), "F")  # a column per variable, as heyoka has it
 
     def values(self) -> np.ndarray:
+        assert not self._failed.any()
         return self._out
 
 

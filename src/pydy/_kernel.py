@@ -12,7 +12,7 @@ from pydy._graph.program import Program
 
 __all__ = ["Kernel", "KernelCall"]
 
-Sweep = Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
 
 
@@ -27,7 +27,8 @@ class Kernel:
         ``sweep(t, x, r, p) -> (out, failed)`` over m samples; t (m,), x (m, n), r (m, s) or (1, s)
         for all samples alike, p (k,), all of them float64, t and p contiguous. `failed` marks the
         samples whose linear solve was singular. Kernels of several lanes take an x whose columns
-        are contiguous fastest, and return the same order.
+        are contiguous fastest, and return the same order. Native ones also take the array to write
+        to, contiguous in the order of x, as a fifth argument.
     call : callable
         ``call(x, t, r, p, out) -> int`` for one state, without any checking beyond what keeps it
         safe: −1 asks the caller to convert its arguments and call again, otherwise the bit mask
@@ -68,10 +69,15 @@ class Kernel:
         return None if self.settled is None else self.settled()
 
     def evaluate(
-        self, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+        self,
+        t: np.ndarray,
+        x: np.ndarray,
+        r: np.ndarray,
+        p: np.ndarray,
+        out: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Evaluate m samples; see `sweep`."""
-        return self.sweep(t, x, r, p)
+        """Evaluate m samples, into `out` where the Kernel is native; see `sweep`."""
+        return self.sweep(t, x, r, p) if out is None else self.sweep(t, x, r, p, out)
 
 
 @dataclass(frozen=True, eq=False)

@@ -33,11 +33,11 @@ def definite(rng, m, n):
 
 
 def small(residual, matrix, x, right):
-    """Backward error within a modest multiple of rounding."""
+    """Backward error within a modest multiple of rounding: what a guard lets through."""
     n = matrix.shape[-1]
     scale = np.linalg.norm(matrix, axis=(1, 2)) * np.linalg.norm(x, axis=1)
     scale += np.linalg.norm(right, axis=1)
-    assert (np.linalg.norm(residual, axis=1) <= 8 * n * 2.0**-53 * scale).all()
+    assert (np.linalg.norm(residual, axis=1) <= 64 * n * 2.0**-53 * scale).all()
 
 
 every_way = pytest.mark.parametrize("way", WAYS)

@@ -19,6 +19,7 @@ __all__ = [
     "sincos_declarations",
     "sincos_functions",
     "sincos_names",
+    "sincos_together",
 ]
 
 LIMIT = 1e5
@@ -86,8 +87,8 @@ class _Arithmetic:
         return self.fma(self.fma(high, z2, middle), z2, low)
 
 
-def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
-    """Write sin(x) and cos(x) and return their names."""
+def _near(f: Function, x: str, lanes: int) -> tuple[str, str, str]:
+    """Write sin(x) and cos(x) up to the limit, and which lanes are within it."""
     m = _Arithmetic(f, lanes)
     v, bits, flag = m.v, vector_type("i64", lanes), vector_type("i1", lanes)
     # The quadrant, as a number and as an integer.
@@ -131,15 +132,56 @@ def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
         as_bits = f.let(f"bitcast {v} {value} to {bits}")
         return f.let(f"bitcast {bits} {f.let(f'xor {bits} {as_bits}, {flip}')} to {v}")
 
-    fast = signed(sin_core, sin_sign), signed(cos_core, cos_sign)
-    # −0 must stay −0, and tiny arguments lose nothing: head is then x itself.
+    # -0 must stay -0, and tiny arguments lose nothing: head is then x itself.
     size = f.let(f"call {v} @llvm.fabs.{m.suffix}({v} {x})")
     near = f.let(f"fcmp ole {v} {size}, {m.number(LIMIT)}")
+    return signed(sin_core, sin_sign), signed(cos_core, cos_sign), near
+
+
+def _every(f: Function, near: str, lanes: int) -> str:
+    """Write whether all lanes are."""
     if lanes == 1:
-        every = near
-    else:
-        word = f.let(f"bitcast {flag} {near} to i{lanes}")
-        every = f.let(f"icmp eq i{lanes} {word}, -1")
+        return near
+    word = f.let(f"bitcast {vector_type('i1', lanes)} {near} to i{lanes}")
+    return f.let(f"icmp eq i{lanes} {word}, -1")
+
+
+def sincos_together(f: Function, angles: list[str], lanes: int) -> list[tuple[str, str]]:
+    """Write sines and cosines of several angles with one branch to libm for all of them.
+
+    Nothing but these results is kept in registers across that branch, whose calls would clobber
+    what is.
+    """
+    v, flag = vector_type("double", lanes), vector_type("i1", lanes)
+    quick = []
+    near = ""
+    for x in angles:
+        sine, cosine, here = _near(f, x, lanes)
+        quick += [sine, cosine]
+        near = f.let(f"and {flag} {near}, {here}") if near else here
+    slow, join = f.name("far"), f.name("angles")
+    room = f.slot(v, len(quick))
+    before = f.current
+    f.do(f"br i1 {_every(f, near, lanes)}, label {join}, label {slow}, !prof !1")
+    f.label(slow)
+    for k, x in enumerate(angles):
+        f.do(f"call void @pydy_sincos_{lanes}({v} {x}, ptr {f.at(room, str(2 * k), v)})")
+    slower = [f.load(v, room, str(k)) for k in range(len(quick))]
+    f.do(f"br label {join}")
+    f.label(join)
+    both = [
+        f.let(f"phi {v} [ {a}, %{before} ], [ {b}, {slow} ]")
+        for a, b in zip(quick, slower, strict=True)
+    ]
+    return list(zip(both[::2], both[1::2], strict=True))
+
+
+def sincos(f: Function, x: str, lanes: int) -> tuple[str, str]:
+    """Write sin(x) and cos(x) and return their names."""
+    v, flag = vector_type("double", lanes), vector_type("i1", lanes)
+    sine, cosine, near = _near(f, x, lanes)
+    fast = sine, cosine
+    every = _every(f, near, lanes)
     slow, join = f.name("far"), f.name("angle")
     before = f.current
     f.do(f"br i1 {every}, label {join}, label {slow}, !prof !1")

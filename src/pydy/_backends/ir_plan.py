@@ -6,95 +6,139 @@ Which products go into sums, which values wait in memory, and what they are call
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 from pydy._backends.ir import Function
 from pydy._graph.node import COMPARISONS
 from pydy._graph.program import Program, operands
 
-__all__ = ["BLOCK", "TRUTHS", "Names", "Place", "fusion", "needed_later"]
+__all__ = ["BLOCK", "TRUTHS", "Place", "Registers", "fusion", "readers"]
 
 TRUTHS = frozenset({*COMPARISONS, "and", "or", "not"})
 
-# Operations in one basic block. LLVM's time grows faster than a block's length; values that are
-# needed in a later block wait in memory, so that no register has to be kept for them meanwhile.
-BLOCK = 200
+# Operations in one basic block. LLVM's time grows faster than a block's length.
+BLOCK = 60
 
 Place = str | tuple[str, int]
 
 
-class Names:
-    """What values are called in the block that is being written, and where in memory they wait."""
+class Registers:
+    """Which values are at hand, what they are called, and where in memory the others wait.
 
-    def __init__(self, f: Function, v: str) -> None:
+    LLVM spills about twice as many values of straight-line code as it must, and writing wide
+    vectors to memory is what limits kernels of many lanes. Here the value whose next use is
+    farthest away leaves first, which needs the fewest (Belady, IBM Systems Journal 5, 1966,
+    78-101), and what lies in memory anyway is never written a second time. Values that come back
+    do so, as a rule, in a later basic block, where LLVM cannot undo it.
+
+    Parameters
+    ----------
+    f : Function
+    v : str
+        The type of a number.
+    capacity : int
+        How many values may be at hand.
+    uses : dict of int to list of int
+        The operations, in the order they are written, that read a value.
+    """
+
+    def __init__(self, f: Function, v: str, capacity: int, uses: dict[int, list[int]]) -> None:
         self._f = f
         self._v = v
-        self._known: dict[int, tuple[str, int]] = {}  # name, and the block it was made in
+        self._capacity = capacity
+        self._uses = {node: places[::-1] for node, places in uses.items()}  # the next one last
+        self._fixed: dict[int, str] = {}
+        self._names: dict[int, str] = {}
         self._homes: dict[int, tuple[str, int]] = {}
-        self._needed_later: set[int] = set()
-        self._block = 0
+        self.steps: dict[str, str] = {}  # the distance between items, where it is no constant
 
-    def keep(self, nodes: set[int]) -> None:
-        """Say which values are needed in a later block than the one they are made in."""
-        self._needed_later = nodes
+    def fix(self, node: int, name: str) -> None:
+        """Name what takes no register of this kind: a literal, a truth value."""
+        self._fixed[node] = name
 
-    def new_block(self) -> None:
-        """Forget the names of all values that wait in memory."""
-        self._block += 1
+    def home(self, node: int, pointer: str, index: int) -> None:
+        """Say where in memory a value lies."""
+        self._homes.setdefault(node, (pointer, index))
 
-    def at(self, node: int, place: Place) -> None:
-        """Name a value, or say where in memory it lies."""
-        if isinstance(place, tuple):
-            self._homes[node] = place
-        else:
-            self[node] = place
+    def lies_at(self, node: int, pointer: str, index: int) -> bool:
+        """Return whether a value is in that place of memory."""
+        return self._homes.get(node) == (pointer, index)
+
+    def last_use(self, node: int) -> int:
+        """Return the last operation that has yet to read a value, or -1."""
+        uses = self._uses.get(node)
+        return uses[0] if uses else -1
 
     def __contains__(self, node: int) -> bool:
-        return node in self._known or node in self._homes
+        return node in self._names or node in self._homes or node in self._fixed
 
     def __setitem__(self, node: int, name: str) -> None:
-        self._known[node] = (name, self._block)
-        if node in self._needed_later and node not in self._homes:
-            slot = self._f.slot(self._v)
-            self._f.store(self._v, name, slot)
-            self._homes[node] = (slot, 0)
+        self._names[node] = name
 
     def __getitem__(self, node: int) -> str:
-        name, block = self._known.get(node, ("", -1))
-        home = self._homes.get(node)
-        if home is not None and block != self._block:
-            name = self._f.load(self._v, home[0], str(home[1]))
-            self._known[node] = (name, self._block)
+        name = self._fixed.get(node) or self._names.get(node)
+        if name is None:
+            name = self._names[node] = self._f.load(self._v, self.place(*self._homes[node]))
         return name
 
+    def place(self, pointer: str, index: int) -> str:
+        """Return the address of an item."""
+        if index == 0:
+            return pointer
+        if pointer in self.steps:
+            distance = self._f.let(f"mul i64 {self.steps[pointer]}, {index}")
+            return self._f.at(pointer, distance)
+        return self._f.at(pointer, str(index), self._v)
 
-def needed_later(program: Program, swallowed: set[int], setup: bool) -> set[int]:
-    """Return the numbers of a stage that are used in a later block than their own.
+    def leave(self, position: int, room: int = 0) -> None:
+        """Let values go once the operation at `position` is written, until `room` more fit in."""
+        known = self._names
+        for node in list(known):
+            uses = self._uses.get(node)
+            while uses and uses[-1] <= position:
+                uses.pop()
+            if not uses:
+                del known[node]
+        while len(known) > self._capacity - room:
+            node = max(known, key=lambda k: self._uses[k][-1])
+            if node not in self._homes:
+                slot = self._f.slot(self._v)
+                self._f.store(self._v, known[node], slot)
+                self._homes[node] = (slot, 0)
+            del known[node]
 
-    A fallback is a block of its own; so is, between its lines, each of its operations.
+    @contextmanager
+    def aside(self) -> Iterator[None]:
+        """Forget afterwards what is loaded meanwhile, on a way that is not always taken."""
+        names, homes, fixed = dict(self._names), dict(self._homes), dict(self._fixed)
+        yield
+        self._names, self._homes, self._fixed = names, homes, fixed
+
+
+def readers(program: Program, swallowed: set[int], setup: bool) -> dict[int, list[int]]:
+    """Return which operations of a stage read each value, in order.
+
+    What only a guard's fallback needs is read by the guard, and a product that goes into a sum
+    is read, with its factors, by the sum. A matrix that is kept for a fallback is not read.
     """
-    put_off = {k for nodes in program.fallback.values() for k in nodes}
-    block = {}
-    count = 0
-    later: set[int] = set()
-    for k, op in enumerate(program.ops):
-        if program.setup[k] != setup or op in ("const", "bool", "input") or k in swallowed:
-            continue
-        if k in put_off:
-            later.update(operands(op, program.args[k]))
-            continue
-        block[k] = count // BLOCK
-        count += 1
-        stack = list(operands(op, program.args[k]))
-        while stack:
-            other = stack.pop()
-            if other in swallowed and other not in put_off:
-                stack.extend(program.args[other])
-            elif other in block and block[other] != block[k]:
-                later.add(other)
-    if not setup:
-        later.update(k for k in program.outputs if k in block and block[k] != count // BLOCK)
-    kinds = TRUTHS | {"factor", "solve", "guard"}
-    return {k for k in later if k in block and k not in swallowed and program.ops[k] not in kinds}
+    guards = {k: guard for guard, nodes in program.fallback.items() for k in nodes}
+    uses: dict[int, list[int]] = {}
+
+    def read(node: int, reader: int) -> None:
+        op, args = program.ops[node], program.args[node]
+        for other in (*args[2], args[3], *args[4]) if op == "guard" else operands(op, args):
+            if other in swallowed:
+                read(other, reader)
+            else:
+                # What is not put off itself must be at hand when the guard is reached.
+                position = reader if other in guards else guards.get(reader, reader)
+                uses.setdefault(other, []).append(position)
+
+    for k in range(len(program.ops)):
+        if program.setup[k] == setup and k not in swallowed:
+            read(k, k)
+    return {node: sorted(places) for node, places in uses.items()}
 
 
 def fusion(program: Program) -> tuple[set[int], set[int]]:

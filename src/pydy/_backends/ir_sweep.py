@@ -1,8 +1,9 @@
 """Sweeps over many states in LLVM IR: how samples reach a kernel's lanes and results come back.
 
 A kernel takes a state as ``[item][lane]``. With one lane that is a row of an ordinary (m, n) array,
-which is passed as it lies. With more lanes, an array whose columns are contiguous needs whole
-vectors only; one whose rows are contiguous is turned four columns at a time in registers::
+which is passed as it lies. With more lanes, an array whose columns are contiguous is passed as it
+lies too, to the kernel's strided form; one whose rows are contiguous is turned four columns at a
+time in registers::
 
     row 0 | a0 a1 a2 a3      a0 b0 c0 d0 …  column 0
     row 1 | b0 b1 b2 b3  →   a1 b1 c1 d1 …  column 1
@@ -12,28 +13,33 @@ vectors only; one whose rows are contiguous is turned four columns at a time in 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 from pydy._backends.ir import Function, vector_type
 
 __all__ = [
     "SWEEP_GATE",
+    "WORDS",
     "row_sweep_function",
+    "scratch_size",
     "sweep_gate_function",
     "sweep_module",
     "sweep_name",
 ]
 
 SWEEP_GATE = "pydy_sweep_gate"
-# What the gate reads in an array of integers. A step is 0 where one row of specifieds serves all
+# What a sweep reads in an array of integers. `r_step` is 0 where one row of specifieds serves all
 # samples; `by_columns` says how x, r and out lie.
-_WORDS = (
-    *("kernel", "prepare", "sweep", "m"),
-    *("n", "s", "outputs", "r_step", "by_columns"),
+WORDS = (
+    *("kernel", "prepare", "strided", "sweep"),
+    *("n", "s", "k", "carried", "outputs"),
+    *("m", "r_step", "by_columns"),
 )
+_POINTERS = WORDS[:4]
 # The arrays that follow it.
-_ARRAYS = ("t", "x", "r", "c", "out", "failed", "scratch", "p")
-_PARAMETERS = "ptr %words, ptr %t, ptr %x, ptr %r, ptr %c, ptr %out, ptr %failed, ptr %scratch"
+_ARRAYS = ("t", "x", "r", "p", "out", "failed", "scratch")
+_PARAMETERS = ", ".join(f"ptr %{name}" for name in ("words", *_ARRAYS))
 
 
 def sweep_name(lanes: int) -> str:
@@ -41,19 +47,27 @@ def sweep_name(lanes: int) -> str:
     return f"pydy_sweep_{lanes}"
 
 
+def scratch_size(lanes: int, n: int, s: int, k: int, carried: int, outputs: int) -> int:
+    """Return how many numbers of scratch memory a sweep needs."""
+    if lanes == 1:
+        return carried
+    # Columns move in blocks of up to four, whole ones; the memory's beginning is rounded up.
+    return (n + s + 1 + k + carried + outputs + 12) * lanes + 8
+
+
 def _word(f: Function, name: str) -> str:
-    kind = "ptr" if name in ("kernel", "prepare", "sweep") else "i64"
-    return f.load(kind, "%words", str(_WORDS.index(name)))
+    kind = "ptr" if name in _POINTERS else "i64"
+    return f.load(kind, "%words", str(WORDS.index(name)))
 
 
 def _opened(f: Function) -> dict[str, str]:
     """Return what a sweep works with, by name."""
-    arrays = {name: f"%{name}" for name in _ARRAYS[:-1]}
-    return arrays | {k: _word(f, k) for k in _WORDS}
+    arrays = {name: f"%{name}" for name in _ARRAYS}
+    return arrays | {k: _word(f, k) for k in WORDS}
 
 
 def sweep_gate_function() -> str:
-    """Return a C function of Python's interface: binds the constants and sweeps.
+    """Return a C function of Python's interface: the sweep that the words name.
 
     Its arguments are NumPy arrays of the right kinds, which its caller has made; it takes their
     data and gives up the interpreter's lock for the work.
@@ -64,11 +78,8 @@ def sweep_gate_function() -> str:
         array = f.load("ptr", "%args", str(k))
         data.append(f.load("ptr", f.at(array, "16", "i8")))  # see `native`
     state = f.let("call ptr @PyEval_SaveThread()")
-    words, *arrays, p = data
-    prepare, sweep = (f.load("ptr", words, str(_WORDS.index(k))) for k in ("prepare", "sweep"))
-    f.do(f"call void {prepare}(ptr {p}, ptr {arrays[_ARRAYS.index('c')]})")
-    given = ", ".join(f"ptr {a}" for a in (words, *arrays))
-    f.do(f"call void {sweep}({given})")
+    sweep = f.load("ptr", data[0], str(WORDS.index("sweep")))
+    f.do(f"call void {sweep}({', '.join(f'ptr {a}' for a in data)})")
     f.do(f"call void @PyEval_RestoreThread(ptr {state})")
     f.do(f"ret ptr {f.let('call ptr @PyLong_FromLong(i64 0)')}")
     return "declare ptr @PyEval_SaveThread()\ndeclare void @PyEval_RestoreThread(ptr)\n" + f.text()
@@ -78,12 +89,14 @@ def row_sweep_function() -> str:
     """Return the sweep for one lane."""
     f = Function(sweep_name(1), "void", _PARAMETERS, "|nounwind")
     w = _opened(f)
+    c = w["scratch"]
+    f.do(f"call void {w['prepare']}(ptr {w['p']}, ptr {c})")
     with f.loop("0", w["m"]) as i:
         t = f.at(w["t"], i)
         x = f.at(w["x"], f.let(f"mul i64 {i}, {w['n']}"))
         r = f.at(w["r"], f.let(f"mul i64 {i}, {w['r_step']}"))
         out = f.at(w["out"], f.let(f"mul i64 {i}, {w['outputs']}"))
-        arguments = f"ptr {t}, ptr {x}, ptr {r}, ptr {w['c']}, ptr {out}"
+        arguments = f"ptr {t}, ptr {x}, ptr {r}, ptr {c}, ptr {out}"
         status = f.let(f"call i32 {w['kernel']}({arguments})")
         f.store("i8", f.let(f"trunc i32 {status} to i8"), w["failed"], i)
     f.do("ret void")
@@ -97,6 +110,8 @@ def sweep_module(lanes: int) -> str:
     declarations = [
         f"declare {rows} @llvm.masked.load.v{c}f64.p0(ptr, i32, {flags}, {rows})",
         f"declare void @llvm.masked.store.v{c}f64.p0({rows}, ptr, i32, {flags})",
+        "declare i64 @llvm.smin.i64(i64, i64)",
+        "declare i64 @llvm.smax.i64(i64, i64)",
         "",
     ]
     f = Function(sweep_name(lanes), "void", _PARAMETERS, "|nounwind")
@@ -104,21 +119,32 @@ def sweep_module(lanes: int) -> str:
     m = w["m"]
     by_columns = f.let(f"icmp ne i64 {w['by_columns']}, 0")
     alone = f.let(f"icmp eq i64 {w['r_step']}, 0")
-    # Blocks of columns are stored whole: up to `c` − 1 items beyond the last one.
-    xs = w["scratch"]
-    room = [f.let(f"mul i64 {f.let(f'add i64 {w[k]}, {c}')}, {lanes}") for k in ("n", "s")]
-    rs = f.at(xs, room[0])
-    ts = f.at(rs, room[1])
-    outs = f.at(ts, str(lanes))
-    with f.when(alone), f.loop("0", w["s"]) as j:
-        value = f.load("double", w["r"], j)
-        first = f.let(f"insertelement {v} poison, double {value}, i32 0")
-        splat = f.let(f"shufflevector {v} {first}, {v} poison, <{lanes} x i32> zeroinitializer")
-        f.store(v, splat, rs, j)
+    # Vectors that are written and read again must not lie across two lines of the cache.
+    begin = f.let(f"ptrtoint ptr {w['scratch']} to i64")
+    even = f.let(f"and i64 {f.let(f'add i64 {begin}, 63')}, -64")
+    free = f.let(f"inttoptr i64 {even} to ptr")
+    parts = {}
+    for name in ("p", "c", "t", "x", "r", "out"):
+        parts[name] = free
+        count = {"p": w["k"], "c": w["carried"], "t": "1", "x": w["n"], "r": w["s"]}.get(name)
+        if count is not None:
+            # Blocks of columns are stored whole: up to `c` - 1 items beyond the last one.
+            beyond = c if name in ("x", "r") else 0
+            items = f.let(f"add i64 {count}, {beyond}")
+            free = f.at(free, f.let(f"mul i64 {items}, {lanes}"))
+    ts, xs, rs, outs = (parts[name] for name in ("t", "x", "r", "out"))
+    _splat(f, lanes, w["p"], w["k"], parts["p"])
+    f.do(f"call void {w['prepare']}(ptr {parts['p']}, ptr {parts['c']})")
+    with f.when(alone):
+        _splat(f, lanes, w["r"], w["s"], rs)
     several = f.let(f"xor i1 {alone}, true")
+    steps = f.slot("i64", 3)
+    f.store("i64", m, steps)
+    f.store("i64", f.let(f"select i1 {alone}, i64 {lanes}, i64 {m}"), steps, "1")
+    f.store("i64", m, steps, "2")
 
     def call() -> str:
-        arguments = f"ptr {ts}, ptr {xs}, ptr {rs}, ptr {w['c']}, ptr {outs}"
+        arguments = f"ptr {ts}, ptr {xs}, ptr {rs}, ptr {parts['c']}, ptr {outs}"
         return f.let(f"call i32 {w['kernel']}({arguments})")
 
     def report(status: str, start: str, count: str) -> None:
@@ -128,47 +154,73 @@ def sweep_module(lanes: int) -> str:
             sample = f.let(f"add i64 {start}, {lane}")
             f.store("i8", f.let(f"trunc i32 {bit} to i8"), w["failed"], sample)
 
-    whole = f.let(f"and i64 {m}, {-lanes}")
-    with f.loop("0", whole, str(lanes)) as start:
-        f.store(v, f.load(v, f.at(w["t"], start)), ts)
-        _either(
-            f,
-            by_columns,
-            lambda: _columns(f, lanes, m, w["x"], start, w["n"], xs, inward=True),
-            lambda: _rows(f, lanes, w["x"], start, w["n"], xs, inward=True),
-        )
-        with f.when(several):
-            _either(
-                f,
-                by_columns,
-                lambda: _columns(f, lanes, m, w["r"], start, w["s"], rs, inward=True),
-                lambda: _rows(f, lanes, w["r"], start, w["s"], rs, inward=True),
-            )
-        report(call(), start, str(lanes))
-        _either(
-            f,
-            by_columns,
-            lambda: _columns(f, lanes, m, w["out"], start, w["outputs"], outs, inward=False),
-            lambda: _rows(f, lanes, w["out"], start, w["outputs"], outs, inward=False),
-        )
-    # What remains is filled up with copies of the last sample, which every lane can evaluate.
-    left = f.let(f"sub i64 {m}, {whole}")
-    last = f.let(f"sub i64 {m}, 1")
-    with f.when(f.let(f"icmp sgt i64 {left}, 0")):
+    whole = f.let(f"icmp sge i64 {m}, {lanes}")
+    last = f.let(f"sub i64 {m}, {lanes}")
+
+    @contextmanager
+    def blocks(first: str) -> Iterator[str]:
+        """Write a loop over the samples at which a block begins: 0, first, first + lanes, ... last.
+
+        Blocks overlap, so that all are whole and most begin where they should.
+        """
+        rest = f.let(f"sub i64 {last}, {first}")
+        rest = f.let(f"call i64 @llvm.smax.i64(i64 {rest}, i64 0)")
+        more = f.let(f"sdiv i64 {f.let(f'add i64 {rest}, {2 * lanes - 1}')}, {lanes}")
+        alone = f.let(f"icmp eq i64 {last}, 0")
+        with f.loop(
+            "0", f.let(f"select i1 {alone}, i64 1, i64 {f.let(f'add i64 {more}, 1')}")
+        ) as k:
+            step = f.let(f"mul i64 {f.let(f'sub i64 {k}, 1')}, {lanes}")
+            place = f.let(f"add i64 {first}, {step}")
+            place = f.let(f"call i64 @llvm.smin.i64(i64 {place}, i64 {last})")
+            yield f.let(f"select i1 {f.let(f'icmp eq i64 {k}, 0')}, i64 0, i64 {place}")
+
+    def sweep_columns() -> None:
+        # Columns that NumPy made begin alike: the states' second block, and with it most vectors,
+        # begins where a line of the cache does.
+        address = f.let(f"ptrtoint ptr {w['x']} to i64")
+        gone = f.let(f"and i64 {f.let(f'lshr i64 {address}, 3')}, {lanes - 1}")
+        with blocks(f.let(f"sub i64 {lanes}, {gone}")) as start:
+            t, x, out = (f.at(w[name], start) for name in ("t", "x", "out"))
+            r = f.let(f"select i1 {alone}, ptr {rs}, ptr {f.at(w['r'], start)}")
+            arguments = f"ptr {t}, ptr {x}, ptr {r}, ptr {parts['c']}, ptr {out}, ptr {steps}"
+            report(f.let(f"call i32 {w['strided']}({arguments})"), start, str(lanes))
+
+    def sweep_rows() -> None:
+        with blocks(str(lanes)) as start:
+            f.store(v, f.load(v, f.at(w["t"], start)), ts)
+            _rows(f, lanes, w["x"], start, w["n"], xs, inward=True)
+            with f.when(several):
+                _rows(f, lanes, w["r"], start, w["s"], rs, inward=True)
+            report(call(), start, str(lanes))
+            _rows(f, lanes, w["out"], start, w["outputs"], outs, inward=False)
+
+    def sweep_few() -> None:
+        # Filled up with copies of the last sample, which every lane can evaluate.
+        end = f.let(f"sub i64 {m}, 1")
         with f.loop("0", str(lanes)) as lane:
-            place = f.let(f"add i64 {whole}, {lane}")
-            beyond = f.let(f"icmp sgt i64 {place}, {last}")
-            i = f.let(f"select i1 {beyond}, i64 {last}, i64 {place}")
+            i = f.let(f"call i64 @llvm.smin.i64(i64 {lane}, i64 {end})")
             f.store("double", f.load("double", w["t"], i), ts, lane)
             _one(f, lanes, m, by_columns, w["x"], i, w["n"], xs, lane, inward=True)
             with f.when(several):
                 _one(f, lanes, m, by_columns, w["r"], i, w["s"], rs, lane, inward=True)
-        report(call(), whole, left)
-        with f.loop("0", left) as lane:
-            i = f.let(f"add i64 {whole}, {lane}")
-            _one(f, lanes, m, by_columns, w["out"], i, w["outputs"], outs, lane, inward=False)
+        report(call(), "0", m)
+        with f.loop("0", m) as i:
+            _one(f, lanes, m, by_columns, w["out"], i, w["outputs"], outs, i, inward=False)
+
+    with f.when(f.let(f"icmp sgt i64 {m}, 0")):
+        _either(f, whole, lambda: _either(f, by_columns, sweep_columns, sweep_rows), sweep_few)
     f.do("ret void")
     return "\n".join(declarations) + f.text()
+
+
+def _splat(f: Function, lanes: int, numbers: str, count: str, buffer: str) -> None:
+    """Write each number into all lanes."""
+    v = vector_type("double", lanes)
+    with f.loop("0", count) as j:
+        first = f.let(f"insertelement {v} poison, double {f.load('double', numbers, j)}, i32 0")
+        everywhere = f"shufflevector {v} {first}, {v} poison, <{lanes} x i32> zeroinitializer"
+        f.store(v, f.let(everywhere), buffer, j)
 
 
 def _block(lanes: int) -> int:
@@ -182,19 +234,6 @@ def _either(f: Function, condition: str, yes: Callable[[], None], no: Callable[[
         yes()
     with f.when(f.let(f"xor i1 {condition}, true")):
         no()
-
-
-def _columns(
-    f: Function, lanes: int, m: str, data: str, start: str, items: str, buffer: str, *, inward: bool
-) -> None:
-    """Copy whole vectors between columns of m samples and ``[item][lane]``."""
-    v = vector_type("double", lanes)
-    with f.loop("0", items) as j:
-        place = f.at(data, f.let(f"add i64 {f.let(f'mul i64 {j}, {m}')}, {start}"))
-        if inward:
-            f.store(v, f.load(v, place), buffer, j)
-        else:
-            f.store(v, f.load(v, buffer, j), place)
 
 
 def _rows(

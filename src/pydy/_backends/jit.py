@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import platform
 import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -15,7 +16,7 @@ from llvmlite import binding
 
 from pydy._backends import background, cache
 
-__all__ = ["Code", "Source", "find", "load", "load_quickly"]
+__all__ = ["Code", "Source", "find", "load", "load_quickly", "registers"]
 
 # Linking uses LLVM's global state; compiling does not.
 _LOCK = threading.RLock()
@@ -55,6 +56,18 @@ def _circumstances() -> bytes:
     for source in sorted(Path(__file__).parent.glob("*.py")):
         sha.update(source.read_bytes())
     return sha.digest()
+
+
+def registers(lanes: int) -> int:
+    """Return how many vectors of that many doubles the processor's registers hold."""
+    features = _host()[2].split(",")
+    if "+avx512vl" in features:
+        count, width = 32, 8
+    elif platform.machine().lower() in ("arm64", "aarch64"):
+        count, width = 32, 2
+    else:
+        count, width = 16, 4 if "+avx" in features else 2
+    return count // max(lanes // width, 1)
 
 
 def _target_machine(quick: bool = False) -> Any:

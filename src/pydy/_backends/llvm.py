@@ -14,7 +14,6 @@ from pydy._backends import background, jit
 from pydy._backends.ir import HEAP_DECLARATIONS, MALLOC, Function, vector_type
 from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, Emitter
 from pydy._backends.ir_math import sincos_declarations, sincos_functions, sincos_names
-from pydy._backends.ir_plan import TRUTHS
 from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
@@ -54,7 +53,7 @@ class LLVMBackend:
         source = jit.Source(
             f"kernel {program.digest} {lanes}",
             lambda brief: kernel_text(program, lanes, brief),
-            ("kernel", "prepare"),
+            ("kernel", "prepare", "strided")[: 2 + (lanes > 1)],
         )
         calls = bool((_SOLVES | _ANGLES) & set(program.ops))
         routines = _routines(lanes, at_best=lanes > 1) if calls else None
@@ -66,7 +65,9 @@ class LLVMBackend:
         if quick:
             entry.better = background.Task(lambda: _improve(entry, source, calls))
             background.submit(entry.better)
-        return native_kernel(program, entry, lanes, compile_program, ("llvm", self.options))
+        recipe = ("llvm", self.options)
+        strided = code.addresses.get("strided", 0)
+        return native_kernel(program, entry, lanes, compile_program, recipe, strided)
 
 
 def _improve(entry: Entry, source: jit.Source, calls: bool) -> None:
@@ -184,54 +185,45 @@ def _lane_by_lane(name: str, lanes: int) -> str:
 
 def _prepare(program: Program, lanes: int, brief: bool) -> str:
     f = Function("prepare", "void", "ptr noalias readonly %p, ptr noalias %c", "|nounwind")
-    e = Emitter(f, program, lanes, brief)
-    e.constants()
-    e.blocks(True, "%p")
-    carried = {node: index for index, node in enumerate(program.carried)}
-    for k, op in enumerate(program.ops):
-        if not program.setup[k] or op in ("const", "bool"):
-            continue
-        if op == "input":
-            e.load(k, "%p", program.args[k][1])
-        else:
-            e.node(k)
-        if k in carried:
-            value = e.names[k]
-            if op in TRUTHS:
-                value = f.let(f"uitofp {e.b} {value} to {e.v}")
-            f.store(e.v, value, "%c", str(carried[k]))
+    Emitter(f, program, lanes, jit.registers(lanes), True, brief).stage()
     f.do("ret void")
     f.label("%bail")
     f.do("ret void")
     return f.text()
 
 
+_PARAMETERS = ", ".join(f"ptr noalias readonly %{name}" for name in "txrc") + ", ptr noalias %out"
+
+
 def _kernel(program: Program, lanes: int, brief: bool) -> str:
-    f = Function(
-        "kernel",
-        "i32",
-        "ptr noalias readonly %t, ptr noalias readonly %x, ptr noalias readonly %r, "
-        "ptr noalias readonly %c, ptr noalias %out",
-        "|nounwind",
-    )
-    e = Emitter(f, program, lanes, brief)
-    e.constants()
-    e.blocks(False, "%t")
-    e.reserve()
-    e.status = f.variable("i32", "0")
-    e.carried = {node: index for index, node in enumerate(program.carried)}
-    for k, op in enumerate(program.ops):
-        if program.setup[k] or op in ("const", "bool"):
-            continue
-        if op == "input":
-            group, index = program.args[k]
-            e.load(k, f"%{group}", index)
-        else:
-            e.node(k)
-    for index, k in enumerate(program.outputs):
-        e.load_carried(k)
-        f.store(e.v, e.names[k], "%out", str(index))
-    f.do(f"ret i32 {f.get('i32', e.status)}")
+    """Return the function of the second stage; wide ones take items at any distance.
+
+    Their last argument points to the distances between two items of x, r and out. The `kernel` of
+    the package's signature passes the number of lanes.
+    """
+    name, parameters = "kernel", _PARAMETERS
+    if lanes > 1:
+        name, parameters = "strided", f"{_PARAMETERS}, ptr noalias readonly %steps"
+    f = Function(name, "i32", parameters, "|nounwind")
+    e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+    if lanes > 1:
+        for place, group in enumerate(("%x", "%r", "%out")):
+            e.names.steps[group] = f.load("i64", "%steps", str(place))
+    e.solves.status = f.variable("i32", "0")
+    e.stage()
+    f.do(f"ret i32 {f.get('i32', e.solves.status)}")
     f.label("%bail")
     f.do("ret i32 0")
-    return "\n".join([f.text(), *BRANCH_WEIGHTS, ""])
+    parts = [f.text(), *BRANCH_WEIGHTS, ""]
+    if lanes > 1:
+        parts.append(_packed_kernel(lanes))
+    return "\n".join(parts)
+
+
+def _packed_kernel(lanes: int) -> str:
+    """Return the `kernel` that hands ``[item][lane]`` to its strided form."""
+    f = Function("kernel", "i32", _PARAMETERS, "|nounwind")
+    arguments = ", ".join(f"ptr %{name}" for name in ("t", "x", "r", "c", "out"))
+    f.do(f"ret i32 {f.let(f'tail call i32 @strided({arguments}, ptr @packed)')}")
+    steps = ", ".join([f"i64 {lanes}"] * 3)
+    return f"@packed = private constant [3 x i64] [{steps}]\n" + f.text()

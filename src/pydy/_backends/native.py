@@ -20,7 +20,7 @@ import ctypes
 import sysconfig
 from collections.abc import Callable
 from functools import cache, partial
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
@@ -30,7 +30,9 @@ from pydy._backends.base import strict
 from pydy._backends.ir import Function
 from pydy._backends.ir_sweep import (
     SWEEP_GATE,
+    WORDS,
     row_sweep_function,
+    scratch_size,
     sweep_gate_function,
     sweep_module,
     sweep_name,
@@ -85,10 +87,14 @@ def native_kernel(
     lanes: int,
     rebuild: Callable[..., Kernel],
     recipe: tuple[Any, ...],
+    strided: int = 0,
 ) -> Kernel:
-    """Wrap native functions of the package's signature as a Kernel."""
+    """Wrap native functions of the package's signature as a Kernel.
+
+    `strided` is the address of the form that takes items at any distance; see `ir_sweep`.
+    """
     runtime = _runtime()
-    sweep = _make_sweep(program, entry, lanes, runtime)
+    sweep = _make_sweep(program, entry, lanes, strided, runtime)
     call = _make_call(program, entry, lanes, sweep, runtime)
     return Kernel(program, sweep, call, rebuild, recipe, entry.settled, lanes, (entry, runtime))
 
@@ -136,39 +142,39 @@ def _runtime() -> _Runtime:
 
 
 def _make_sweep(
-    program: Program, entry: Entry, lanes: int, runtime: _Runtime
+    program: Program, entry: Entry, lanes: int, strided: int, runtime: _Runtime
 ) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
-    n, s = program.num_states, program.num_specifieds
-    carried, outputs = len(program.carried), len(program.outputs)
+    n, s, outputs = program.num_states, program.num_specifieds, len(program.outputs)
+    sizes = (n, s, program.num_constants, len(program.carried), outputs)
     native = runtime.code.addresses[sweep_name(1)] if lanes == 1 else _wide_sweep(lanes)
-    # A wide sweep moves items in blocks of up to four, whole ones.
-    room = (n + s + 1 + outputs + 12) * lanes if lanes > 1 else 0
+    room = scratch_size(lanes, *sizes)
+    run, columns = runtime.sweep, lanes > 1
+    template = np.array([0, 0, strided, native, *sizes, 0, 0, 0], np.int64)
+    m_at, r_step_at, by_columns_at = map(WORDS.index, ("m", "r_step", "by_columns"))
 
     def sweep(
-        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+        t: np.ndarray,
+        x: np.ndarray,
+        r: np.ndarray,
+        p: np.ndarray,
+        out: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
         m = len(t)
-        constants = np.repeat(p, lanes) if lanes > 1 else p
-        by_columns = lanes > 1 and x.flags.f_contiguous and not x.flags.c_contiguous
-        order: Literal["F", "C"] = "F" if by_columns else "C"
-        out = np.empty((m, outputs), order=order)
+        words = template.copy()
+        words[:2] = entry.addresses
+        words[m_at] = m
+        if len(r) > 1:
+            words[r_step_at] = s
+        if columns and m > 1 and n > 1 and x.flags.f_contiguous:
+            words[by_columns_at] = 1
+            r = np.asfortranarray(r)
+            values = np.empty((m, outputs), order="F") if out is None else out
+        else:
+            x, r = np.ascontiguousarray(x), np.ascontiguousarray(r)
+            values = np.empty((m, outputs)) if out is None else out
         failed = np.zeros(m, dtype=np.bool_)
-        one_r = len(r) == 1
-        words = np.array(
-            [*entry.addresses, native, m, n, s, outputs, 0 if one_r else s, by_columns], np.int64
-        )
-        runtime.sweep(
-            words,
-            t,
-            np.asarray(x, order=order),
-            np.asarray(r, order=order),
-            np.empty(carried * lanes),
-            out,
-            failed,
-            np.empty(room),
-            constants,
-        )
-        return out, failed
+        run(words, t, x, r, p, values, failed, np.empty(room))
+        return values, failed
 
     return sweep
 
