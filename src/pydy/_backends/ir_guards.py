@@ -255,7 +255,8 @@ class Solves:
         moving = {node: k for k, node in enumerate(self._moving(stored))}
         matrix, room = self._kept[guard], ""
         work = n * n + 3 * n
-        if len(stored) <= _SPARSE * len(moving):
+        sparse = len(stored) > _SPARSE * len(moving)
+        if not sparse:
             scratch = f.slot(v, work) if symmetric else ""
         else:
             count = len(stored) + work
@@ -271,7 +272,11 @@ class Solves:
                     value = f.load(v, self._kept[guard], str(moving[node]))
                     f.store(v, value, matrix, str(place))
         for place, node in enumerate(stored):
-            if node not in moving:
+            done = node in moving or (sparse and self._is_zero(node))
+            if not done:
                 self.e.load_carried(node)
                 f.store(v, self.names[node], matrix, str(place))
         return matrix, scratch, room
+
+    def _is_zero(self, node: int) -> bool:
+        return self.program.ops[node] == "const" and self.program.args[node][0] == 0.0

@@ -54,7 +54,8 @@ class UnrolledLDL:
         self.sound = tape.make("bool", True)
         for j in range(n):
             pivot = cell[j][j]
-            for k in range(j):
+            row = [k for k in range(j) if scaled[j][k] != zero]
+            for k in row:
                 pivot = self._minus(pivot, lower[j][k], scaled[j][k])
             # A pivot is judged by its own diagonal entry: units do not matter.
             limit = zero if pivot == cell[j][j] else tape.mul(tolerance, cell[j][j])
@@ -63,10 +64,11 @@ class UnrolledLDL:
             self.inverse.append(inverse)
             for i in range(j + 1, n):
                 value = cell[i][j]
-                for k in range(j):
+                for k in row:
                     value = self._minus(value, lower[i][k], scaled[j][k])
-                scaled[i][j] = value
-                lower[i][j] = tape.mul(value, inverse)
+                if value != zero:
+                    scaled[i][j] = value
+                    lower[i][j] = tape.mul(value, inverse)
         self.lower = lower
 
     def _require(self, condition: int) -> None:

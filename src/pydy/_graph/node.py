@@ -361,8 +361,8 @@ class Graph:
         seen = set(roots)
         stack = list(seen)
         while stack:
-            new = [n for n in operands(stack.pop()) if n not in seen]
-            seen.update(new)
+            new = set(operands(stack.pop())) - seen
+            seen |= new
             stack += new
         return sorted(seen)
 
