@@ -38,8 +38,8 @@ class OurSolvers(SolverPeer):
         if method == "odeint":
             return odeint_solver(f, self, args, tolerance)
         start, times = self.scenario.start, [0.0, self.scenario.horizon]
-        solve = NATIVE[method]
-        return lambda: solve(f, start, times, args=args, rtol=tolerance, atol=tolerance)[-1]
+        run = NATIVE[method].prepare(f, start, times, args, rtol=tolerance, atol=tolerance)
+        return lambda: run(start)[-1]
 
 
 if __name__ == "__main__":

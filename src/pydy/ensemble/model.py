@@ -190,7 +190,7 @@ def _run_one_by_one(
 ) -> Results:
     """Integrate with the solver of single trajectories."""
     from pydy._errors import IntegrationError
-    from pydy.solvers.integration import integrate
+    from pydy.solvers.integration import Integration
 
     m, n = x.shape
     kernel = _kernel(model.rates, 1)
@@ -211,9 +211,9 @@ def _run_one_by_one(
             None if jacobian is None else lambda: _kernel(jacobian, 1),
         )
         try:
-            found, info = integrate(
-                model.method, _Rates(call), x[k], times, (r[k], p[k]), model.options
-            )
+            one = Integration(model.method, _Rates(call), n, times, (r[k], p[k]), model.options)
+            found = one.run(x[k])
+            info = one.info()
             stopped_early = str(info["status"]).startswith("terminated")
             results.status[k] = 5 if stopped_early else 0
         except IntegrationError as error:

@@ -15,6 +15,6 @@ it takes. Nothing here loads numba before a solver runs.
 from __future__ import annotations
 
 from pydy.solvers.events import Event
-from pydy.solvers.solver import Solver, dop853, radau, rk4, tsit5, vern9
+from pydy.solvers.solver import Prepared, Solver, dop853, radau, rk4, tsit5, vern9
 
-__all__ = ["Event", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]
+__all__ = ["Event", "Prepared", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from pydy.solvers.compiled import compiled, inlined
-from pydy.solvers.finishing import finish_step, write_start
+from pydy.solvers.entrance import opened
+from pydy.solvers.finishing import finish_step, write_reached
 from pydy.solvers.intrinsics import address_of
 from pydy.solvers.layout import (
     ACTIVE,
@@ -49,7 +50,7 @@ from pydy.solvers.projecting import project
 from pydy.solvers.rates import rates
 from pydy.solvers.runge_kutta import error_of_step, prepare_interpolant, take_step
 
-__all__ = ["advance"]
+__all__ = ["advance", "project_start"]
 
 
 @inlined(reassociate=True)
@@ -89,9 +90,8 @@ def _first_size(method, problem, memory, run, t):
     return min(h, run.state[LARGEST])
 
 
-@compiled
-def advance(method, problem, memory, run, constraints, watch):
-    """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
+@inlined
+def _advance(method, problem, memory, run, constraints, watch):
     length = memory.x.size
     state, count, times, control = run.state, run.counts, run.times, method.control
     stages, held = method.shape[STAGES], constraints.words[ACTIVE] == 1
@@ -107,7 +107,7 @@ def advance(method, problem, memory, run, constraints, watch):
             return CALLBACK if code < 0 else UNDERFLOW
         count[STARTED] = 1
         state[LAST_ERROR], state[GROWTH] = 1e-4, control[GROW]
-        if write_start(problem, memory, run):
+        if write_reached(problem, memory.x, run):
             return FINISHED
         if h == 0.0:
             h = _first_size(method, problem, memory, run, t)
@@ -170,7 +170,9 @@ def advance(method, problem, memory, run, constraints, watch):
             continue
         count[STEPS] += 1
         state[TIME], state[LAST_SIZE] = after, size
-        if watch.words[EVENTS] > 0 or times[count[NEXT]] <= after:
+        if times[count[NEXT]] == after and watch.words[EVENTS] == 0 and not held:
+            write_reached(problem, memory.new, run)
+        elif watch.words[EVENTS] > 0 or times[count[NEXT]] <= after:
             code = prepare_interpolant(method, problem, memory, run, t, size)
             if code != 0:
                 count[FAILURE] = SINGULAR
@@ -194,6 +196,14 @@ def advance(method, problem, memory, run, constraints, watch):
 
 
 @compiled
-def project_state(problem, run, constraints, t, x):
-    """Move one state onto the constraints."""
-    return project(problem, run, constraints, t, x)
+def advance(table, flat):
+    """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
+    method, problem, memory, run, constraints, watch = opened(table, flat)
+    return _advance(method, problem, memory, run, constraints, watch)
+
+
+@compiled
+def project_start(table, flat):
+    """Move the initial state onto the constraints."""
+    _, problem, memory, run, constraints, _ = opened(table, flat)
+    return project(problem, run, constraints, run.state[TIME], memory.x)

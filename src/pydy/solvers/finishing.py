@@ -17,17 +17,17 @@ from pydy.solvers.projecting import project
 from pydy.solvers.runge_kutta import copy_vector, interpolate
 from pydy.solvers.watching import scan_events
 
-__all__ = ["finish_step", "write_start"]
+__all__ = ["finish_step", "write_reached"]
 
 
 @inlined
-def write_start(problem, memory, run):
-    """Write the outputs wanted at the start or before; tell whether those were all."""
+def write_reached(problem, x, run):
+    """Write the outputs wanted at the time of the state x or before; tell whether those are all."""
     n, times = problem.words[STATES], run.times
     k = run.counts[NEXT]
     while k < times.size and times[k] <= run.state[TIME]:
         for i in range(n):
-            run.flat[k * n + i] = memory.x[i]
+            run.flat[k * n + i] = x[i]
         k += 1
     run.counts[NEXT] = k
     return k == times.size

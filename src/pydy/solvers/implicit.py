@@ -12,7 +12,8 @@ import math
 import numpy as np
 
 from pydy.solvers.compiled import compiled, inlined
-from pydy.solvers.finishing import finish_step, write_start
+from pydy.solvers.entrance import opened, opened_newton
+from pydy.solvers.finishing import finish_step, write_reached
 from pydy.solvers.intrinsics import address_of
 from pydy.solvers.layout import (
     ACTIVE,
@@ -206,8 +207,15 @@ def _first_size(problem, memory, run, t):
 
 
 @compiled
-def advance_implicit(method, problem, memory, run, constraints, watch, newton):
+def advance_implicit(table, flat, newton_table):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
+    method, problem, memory, run, constraints, watch = opened(table, flat)
+    newton = opened_newton(newton_table, problem.words[STATES])
+    return _advance(method, problem, memory, run, constraints, watch, newton)
+
+
+@inlined
+def _advance(method, problem, memory, run, constraints, watch, newton):
     n = problem.words[STATES]
     state, count, times = run.state, run.counts, run.times
     held = constraints.words[ACTIVE] == 1
@@ -229,7 +237,7 @@ def advance_implicit(method, problem, memory, run, constraints, watch, newton):
         state[LAST_ERROR] = 0.0
         words[WANTED] = words[FIRST] = 1
         sizes[PREDICTING] = 0.0
-        if write_start(problem, memory, run):
+        if write_reached(problem, memory.x, run):
             return FINISHED
         if h == 0.0:
             h = _first_size(problem, memory, run, t)

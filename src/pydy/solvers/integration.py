@@ -7,7 +7,7 @@ can move; at events that change the state; and when it cannot go on.
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import cache
 from time import perf_counter
 from typing import Any
 from warnings import warn
@@ -25,14 +25,16 @@ from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
 from pydy.solvers.complaints import complaint
 from pydy.solvers.constraints import CompiledConstraints
+from pydy.solvers.entrance import rows_of, table_of
 from pydy.solvers.events import CompiledEvents, EventRecord
 from pydy.solvers.interrupts import Interrupts
-from pydy.solvers.layout import Constraints, Memory, Problem, Run, Watch
+from pydy.solvers.layout import Constraints, Memory, Method, Problem, Run, Watch
 from pydy.solvers.methods import IMPLICIT, method_arrays, tableau_of
 from pydy.solvers.options import Options
 from pydy.solvers.problem import (
     BLOCK,
     Callback,
+    address,
     bind_constants,
     blocks,
     callback_problem,
@@ -40,7 +42,7 @@ from pydy.solvers.problem import (
     watch_arrays,
 )
 
-__all__ = ["integrate"]
+__all__ = ["Integration"]
 
 _TOLD: WeakSet[Kernel] = WeakSet()  # whose dependent constraints have been told of
 
@@ -53,6 +55,12 @@ _EPS = np.finfo(float).eps
 # Compiled code neither reads nor writes these any further.
 _NO_CONSTRAINTS = Constraints(np.zeros(7, dtype=np.int64), np.zeros(1), np.zeros(1))
 _NO_EVENTS = watch_arrays(0, np.zeros(1), (), (), 1, 0)
+_NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
+
+
+@cache
+def _method_rows(method: str, length: int) -> list[tuple[int, int]]:
+    return rows_of(method_arrays(method, length))
 
 
 def _first_budget(method: str, calls_python: bool) -> int:
@@ -62,51 +70,108 @@ def _first_budget(method: str, calls_python: bool) -> int:
     return 4 if method == IMPLICIT else 100
 
 
-def integrate(
-    method: str,
-    f: Callable[..., Any],
-    x0: np.ndarray,
-    times: np.ndarray,
-    args: tuple[Any, ...],
-    options: Options,
-) -> tuple[np.ndarray, dict[str, Any]]:
-    """Integrate; see `pydy.solvers.Solver`."""
-    integration = _Integration(method, f, x0, times, args, options)
-    states = integration.run()
-    return states, integration.info() if options.full_output else {}
+class Integration:
+    """An integration that can be run again and again, from other states.
 
+    Parameters
+    ----------
+    method : str
+    f : callable
+    n : int
+        Number of states.
+    times : ndarray
+    args : tuple
+    options : Options
+    """
 
-class _Integration:
     def __init__(
         self,
         method: str,
         f: Callable[..., Any],
-        x0: np.ndarray,
+        n: int,
         times: np.ndarray,
         args: tuple[Any, ...],
         options: Options,
     ) -> None:
+        from pydy.solvers.explicit import advance
+
         self.name = method
         self.options = options
         self.interrupts = Interrupts()
         self.callbacks: list[Callback] = []
-        self.records: list[EventRecord] = []
-        self.status = "finished"
         native = getattr(f, "native", None)
         self.call: KernelCall | None = None if native is None else native(args)
-        n = len(x0)
         self.n = n
         self.problem = self._bind(f, args)
-        self.memory = self._reserve(x0)
+        self.method, self.memory = self._reserve()
+        self._tight = self._nearly_exact()
         self.constraints = self._hold()
         self.watch = self._look_out()
+        self.span = float(times[-1] - times[0])
+        self._size = options.first_step or options.step or 0.0
         state, count = np.zeros(6), np.zeros(12, dtype=np.int64)
         state[at.TIME], state[at.LARGEST] = times[0], options.max_step
-        state[at.SIZE] = options.first_step or options.step or 0.0
+        state[at.SIZE] = self._size
         count[at.LIMIT] = options.max_steps
-        flat = np.empty(len(times) * n + BLOCK)
-        self.progress = Run(state, count, np.ascontiguousarray(times), flat)
-        self.span = float(times[-1] - times[0])
+        self._beginning = state.copy(), count.copy()
+        self.progress = Run(state, count, np.ascontiguousarray(times), np.zeros(0))
+        self._states = np.zeros((0, n))
+        self._table = table_of(
+            _method_rows(method, len(self.memory.x)),
+            rows_of(self.problem),
+            self._memory_rows,
+            rows_of(self.progress),
+            _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
+            _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
+        )
+        self._advance, self._more = advance, ()
+        if method == IMPLICIT:
+            self._advance, self._more = self._implicit()
+        # Whether Python has more to do than to wait for the end.
+        parts = (options.constraints, options.events)
+        wanted = any(p is not None for p in parts) or options.progress
+        self._attended = wanted or bool(self.callbacks)
+
+    def run(self, x0: np.ndarray) -> np.ndarray:
+        """Run to the end and return the states.
+
+        Raises
+        ------
+        ValueError
+            When `x0` is not finite.
+        """
+        m, n = len(self.progress.times), self.n
+        self.memory.x[:n] = self._x0 = x0
+        self.progress.state[:], self.progress.counts[:] = self._beginning
+        flat = np.empty(m * n + BLOCK)
+        self._flat = flat
+        self._states = flat[: m * n].reshape(m, n)
+        self.status = "finished"
+        self.records: list[EventRecord] = []
+        if self._tight:
+            self._check_tolerances()
+        try:
+            code = at.PAUSED
+            if not self._attended:  # most of these end in their first slice
+                code = self._slice(_first_budget(self.name, False))
+            if code == at.PAUSED:
+                with self.interrupts:
+                    self._start()
+                    self._run()
+            elif code != at.FINISHED:
+                self._fail(code)
+        except KeyboardInterrupt:
+            self._empty_log()
+            self._stop(
+                "was interrupted",
+                "What was computed is in the attributes of this error.",
+                IntegrationInterrupted,
+            )
+        self._empty_log()
+        reached = self.progress.counts[at.NEXT]
+        if reached < m:
+            self._states[reached:] = np.nan
+        return self._states
 
     # -- arrays for compiled code -----------------------------------------------------------------
 
@@ -137,35 +202,31 @@ class _Integration:
         callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs)
         return callback.address, np.zeros(1)
 
-    def _reserve(self, x0: np.ndarray) -> Memory:
+    def _reserve(self) -> tuple[Method, Memory]:
         n = self.n
         length = BLOCK * blocks(n)
-        self.method = method_arrays(self.name, length)
-        stages, depth = max(1, len(self.method.nodes)), int(self.method.shape[at.DEPTH])
+        method = method_arrays(self.name, length)
+        stages, depth = max(1, len(method.nodes)), int(method.shape[at.DEPTH])
+        counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
+        # One block of memory for all vectors.
+        vectors = np.zeros((sum(counts), length))
+        start, first = address(vectors), 0
+        arrays, self._memory_rows = [], []
+        for name, count in zip(Memory._fields, counts, strict=True):
+            size = BLOCK if name in ("step", "theta") else count * length
+            arrays.append(vectors[first : first + count].reshape(-1)[:size])
+            self._memory_rows.append((start + 8 * first * length, size))
+            first += count
+        memory = Memory(*arrays)
         try:
-            tolerances = np.empty((2, n))
-            tolerances[0], tolerances[1] = self.options.rtol, self.options.atol
+            memory.rtol[:n], memory.atol[:n] = self.options.rtol, self.options.atol
         except ValueError:
             raise ValueError(
                 f"`rtol` and `atol` must be numbers or have the shape ({n},), got the shapes "
                 f"{np.shape(self.options.rtol)} and {np.shape(self.options.atol)}."
             ) from None
-        np.maximum(tolerances[1], 1e-300, out=tolerances[1])  # 0 / 0 would be no error
-        vectors = np.zeros((6 + stages + depth, length))  # one block of memory for all of them
-        vectors[0, :n] = x0
-        return Memory(
-            x=vectors[0],
-            new=vectors[1],
-            trial=vectors[2],
-            step=np.zeros(BLOCK),
-            theta=np.zeros(BLOCK),
-            zero=vectors[3],
-            errors=vectors[4:6].ravel(),
-            stages=vectors[6 : 6 + stages].ravel(),
-            interpolant=vectors[6 + stages :].ravel(),
-            rtol=tolerances[0],
-            atol=tolerances[1],
-        )
+        np.maximum(memory.atol, 1e-300, out=memory.atol)  # 0 / 0 would be no error
+        return method, memory
 
     def _hold(self) -> Constraints:
         wanted = self.options.constraints
@@ -185,77 +246,12 @@ class _Integration:
         if wanted is None:
             return _NO_EVENTS
         number = len(wanted.names)
-        address, c = self._bind_kernel(wanted.values)
+        place, c = self._bind_kernel(wanted.values)
         stops = zip(wanted.terminal, wanted.resets, strict=True)
         acting = [end or reset is not None for end, reset in stops]
-        return watch_arrays(address, c, wanted.directions, acting, self.n, _LOG if number else 0)
+        return watch_arrays(place, c, wanted.directions, acting, self.n, _LOG if number else 0)
 
-    # -- running ----------------------------------------------------------------------------------
-
-    def run(self) -> np.ndarray:
-        """Run to the end and return the states."""
-        self._check_tolerances()
-        bar = self._bar()
-        try:
-            with self.interrupts:
-                self._start()
-                self._run(bar)
-        except KeyboardInterrupt:
-            self._empty_log()
-            self._stop(
-                "was interrupted",
-                "What was computed is in the attributes of this error.",
-                IntegrationInterrupted,
-            )
-        finally:
-            if bar is not None:
-                bar.close()
-        self._empty_log()
-        states = self._states()
-        states[self.progress.counts[at.NEXT] :] = np.nan
-        return states
-
-    def _run(self, bar: Any) -> None:
-        advance = self._stepper()
-        state, count = self.progress.state, self.progress.counts
-        budget = _first_budget(self.name, bool(self.callbacks))
-        while True:
-            self.interrupts.check()
-            count[at.BUDGET] = budget
-            start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
-            code = advance()
-            self._raise_callback()
-            elapsed = perf_counter() - start
-            if bar is not None:
-                bar.update(state[at.TIME] - bar.n - bar.start)
-            if code == at.FINISHED:
-                return
-            if code == at.EVENT:
-                if self._act():
-                    return
-                state[at.SIZE] = self.options.step or 0.0
-            elif code == at.LOG_FULL:
-                self._empty_log()
-                state[at.SIZE] = self.options.step or 0.0
-            elif code != at.PAUSED:
-                self._fail(code)
-            taken = count[at.STEPS] + count[at.REJECTED] - taken
-            if code == at.PAUSED and elapsed > 0.0:
-                budget = int(min(max(1.0, taken * _SLICE / elapsed), 4.0 * budget))
-
-    def _stepper(self) -> Callable[[], int]:
-        parts: tuple[Any, ...] = (
-            self.method,
-            self.problem,
-            self.memory,
-            self.progress,
-            self.constraints,
-            self.watch,
-        )
-        if self.name != IMPLICIT:
-            from pydy.solvers.explicit import advance
-
-            return partial(advance, *parts)
+    def _implicit(self) -> tuple[Callable[..., int], tuple[Any, ...]]:
         from pydy.solvers.implicit import advance_implicit
         from pydy.solvers.newton import Newton
 
@@ -263,7 +259,7 @@ class _Integration:
         words, c = np.zeros(5, dtype=np.int64), np.zeros(1)
         if call is not None and call.jacobian is not None:
             words[0], c = self._bind_kernel(call.jacobian())
-        newton = Newton(
+        self._newton = Newton(
             words=words,
             sizes=np.zeros(2),
             c=c,
@@ -277,7 +273,46 @@ class _Integration:
             slopes=np.zeros((3, n)),
             last=np.zeros((4, n)),
         )
-        return partial(advance_implicit, *parts, newton)
+        return advance_implicit, (table_of(rows_of(self._newton)),)
+
+    # -- running ----------------------------------------------------------------------------------
+
+    def _slice(self, budget: int) -> int:
+        """Take some steps; returns the code of why it stopped."""
+        self.progress.counts[at.BUDGET] = budget
+        code: int = self._advance(self._table, self._flat, *self._more)
+        return code
+
+    def _run(self) -> None:
+        state, count = self.progress.state, self.progress.counts
+        budget = _first_budget(self.name, bool(self.callbacks))
+        bar = self._bar()
+        try:
+            while True:
+                self.interrupts.check()
+                start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
+                code = self._slice(budget)
+                self._raise_callback()
+                elapsed = perf_counter() - start
+                if bar is not None:
+                    bar.update(state[at.TIME] - bar.n - bar.start)
+                if code == at.FINISHED:
+                    return
+                if code == at.EVENT:
+                    if self._act():
+                        return
+                    state[at.SIZE] = self.options.step or 0.0
+                elif code == at.LOG_FULL:
+                    self._empty_log()
+                    state[at.SIZE] = self.options.step or 0.0
+                elif code != at.PAUSED:
+                    self._fail(code)
+                taken = count[at.STEPS] + count[at.REJECTED] - taken
+                if code == at.PAUSED and elapsed > 0.0:
+                    budget = int(min(max(1.0, taken * _SLICE / elapsed), 4.0 * budget))
+        finally:
+            if bar is not None:
+                bar.close()
 
     def _bar(self) -> Any:
         if not self.options.progress:
@@ -293,10 +328,15 @@ class _Integration:
         bar.start = float(self.progress.state[at.TIME])
         return bar
 
-    def _check_tolerances(self) -> None:
-        rtol, atol, x = self.memory.rtol, self.memory.atol, self.memory.x[: self.n]
+    def _nearly_exact(self) -> bool:
+        """Return whether some tolerance may be too small for double precision."""
         if self.name != IMPLICIT and tableau_of(self.name).error_order is None:
-            return
+            return False
+        return bool(self.memory.rtol[: self.n].min(initial=1.0) < 10.0 * _EPS)
+
+    def _check_tolerances(self) -> None:
+        n = self.n
+        rtol, atol, x = self.memory.rtol[:n], self.memory.atol[:n], self.memory.x[:n]
         k = int(np.argmin(rtol))
         if rtol[k] < 10.0 * _EPS and atol[k] < 10.0 * _EPS * max(abs(x[k]), 1.0):
             self._stop(
@@ -333,12 +373,11 @@ class _Integration:
 
     def _project_start(self) -> None:
         """Move the initial state onto the constraints, unless it is far from them."""
-        from pydy.solvers.explicit import project_state
+        from pydy.solvers.explicit import project_start
 
         x = self.memory.x
         before = x.copy()
-        t = float(self.progress.state[at.TIME])
-        code = project_state(self.problem, self.progress, self.constraints, t, x)
+        code = project_start(self._table, self._flat)
         self._raise_callback()
         moved = np.abs(x - before)
         if code != 0 or (moved > 1e-3 * (1.0 + np.abs(before))).any():
@@ -432,10 +471,6 @@ class _Integration:
 
     # -- results ----------------------------------------------------------------------------------
 
-    def _states(self) -> np.ndarray:
-        times, flat = self.progress.times, self.progress.flat
-        return flat[: len(times) * self.n].reshape(len(times), self.n)
-
     def info(self) -> dict[str, Any]:
         """Return the statistics."""
         state, count = self.progress.state, self.progress.counts
@@ -465,6 +500,8 @@ class _Integration:
 
     def _fail(self, code: int) -> None:
         """Raise the error of a code with which compiled code gave up."""
+        if not np.isfinite(self._x0).all():
+            raise ValueError(f"`x0` must be finite, got {self._x0}.")
         failure = int(self.progress.counts[at.FAILURE])
         size = float(self.progress.state[at.SIZE])
         self._stop(*complaint(code, failure, size, self.options.max_steps))
@@ -483,7 +520,7 @@ class _Integration:
         raise kind(
             f"`{self.name}` {what} at t = {t!r} in the state {shown}{more}. {remedy}",
             self.progress.times[:reached].copy(),
-            self._states()[:reached].copy(),
+            self._states[:reached].copy(),
             t,
             x,
             self.info(),

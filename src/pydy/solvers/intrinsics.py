@@ -10,7 +10,18 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic as _intrinsic
 
-__all__ = ["BLOCK", "address_of", "call_kernel", "call_prepare", "combine", "copy_items", "nested"]
+__all__ = [
+    "BLOCK",
+    "address_of",
+    "call_kernel",
+    "call_prepare",
+    "combine",
+    "complex_matrix",
+    "copy_items",
+    "nested",
+    "real_matrix",
+    "word_matrix",
+]
 
 BLOCK = 8
 """Vectors are worked on in blocks of so many numbers, padded with zeros."""
@@ -237,3 +248,39 @@ def address_of(typingctx, array, index):
         return builder.add(start, builder.mul(arguments[1], _INT(8)))
 
     return types.intp(array, types.intp), codegen
+
+
+def _array_intrinsic(number: Any, size: int) -> Any:
+    """Return what makes a matrix of an address and its shape, in compiled code.
+
+    numba's own `carray` needs functions that return arrays, which ours, without reference counts,
+    cannot be.
+    """
+    kind = types.Array(number, 2, "C")
+
+    @intrinsic
+    def array_at(typingctx, place, rows, columns):
+        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            from numba.np.arrayobj import make_array, populate_array
+
+            place, *shape = arguments
+            array = make_array(kind)(context, builder)
+            item = context.get_constant(types.intp, size)
+            populate_array(
+                array,
+                data=builder.inttoptr(place, array.data.type),
+                shape=shape,
+                strides=[builder.mul(shape[1], item), item],
+                itemsize=item,
+                meminfo=None,
+            )
+            return array._getvalue()
+
+        return kind(types.intp, types.intp, types.intp), codegen
+
+    return array_at
+
+
+real_matrix = _array_intrinsic(types.float64, 8)
+word_matrix = _array_intrinsic(types.int64, 8)
+complex_matrix = _array_intrinsic(types.complex128, 16)
