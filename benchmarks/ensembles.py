@@ -14,7 +14,7 @@ from harness.driver import ROOT, Worker, in_turn
 from harness.report import pairwise, save, table
 
 REFERENCE = 1e-13
-OURS = (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)
+OURS = (1e-6, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 3e-10, 1e-10, 1e-11)
 THEIRS = (1e-6, 1e-7, 1e-9)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from math import prod
-from threading import Event
+from threading import Event, Lock
 from typing import Any
 
 import numpy as np
@@ -52,12 +52,14 @@ class Ensemble:
     def run(self) -> Any:
         """Return the Dataset, computed on threads."""
         whole: dict[str, Variable] = {}
+        lock = Lock()
 
-        def take(block: Block, found: dict[str, Variable]) -> None:
-            for name, v in found.items():
-                if name not in whole:
-                    shape = (*self.samples.shape, *v.values.shape[len(block) :])
-                    whole[name] = Variable(v.dims, np.empty(shape, v.values.dtype), v.attrs)
+        def do(block: Block, stop: Callable[[], bool]) -> None:
+            for name, v in self.work(self.samples.of(block), stop).items():
+                with lock:
+                    if name not in whole:
+                        shape = (*self.samples.shape, *v.values.shape[len(block) :])
+                        whole[name] = Variable(v.dims, np.empty(shape, v.values.dtype), v.attrs)
                 whole[name].values[block] = v.values
 
         # Small enough that all threads end at about the same time; sizes decide no bit.
@@ -65,7 +67,7 @@ class Ensemble:
         number = max(_LEAST, min(prod(self.sizes), share))
         sizes = block_sizes(self.samples.dims, number, number)
         blocks = [block for _, block in self.samples.blocks(sizes)]
-        self._on_threads(blocks, lambda samples, stop: self.work(samples, stop), take)
+        self._on_threads(blocks, do)
         return self._dataset(whole)
 
     def _threads(self) -> int:
@@ -81,25 +83,23 @@ class Ensemble:
     def _on_threads(
         self,
         blocks: Sequence[Block],
-        work: Callable[[Samples, Callable[[], bool]], Any],
-        take: Callable[[Block, Any], None],
+        do: Callable[[Block, Callable[[], bool]], None],
     ) -> None:
-        """Do some work for each block, and take its result in this thread."""
+        """Call ``do(block, stop)`` for each block; it ends soon when ``stop()`` is true."""
         stop, bar = Event(), self._bar(blocks)
         workers = self._threads()
         todo = iter(blocks)
-        running: dict[Future[Any], Block] = {}
+        running: dict[Future[None], Block] = {}
         with ThreadPoolExecutor(max_workers=workers, thread_name_prefix="ensemble") as pool:
             try:
                 while True:
                     while len(running) < 2 * workers and (block := next(todo, None)) is not None:
-                        future = pool.submit(work, self.samples.of(block), stop.is_set)
-                        running[future] = block
+                        running[pool.submit(do, block, stop.is_set)] = block
                     if not running:
                         break
                     for future in wait(running, return_when=FIRST_COMPLETED).done:
                         block = running.pop(future)
-                        take(block, _result(future, block, self.samples))
+                        _check(future, block, self.samples)
                         if bar is not None:
                             bar.update(prod(s.stop - s.start for s in block))
             finally:
@@ -172,8 +172,9 @@ class Ensemble:
         if scheduler is None:
             self._on_threads(
                 left,
-                lambda samples, stop: self.work(samples, stop),
-                lambda block, found: stores.write(path, block, found),
+                lambda block, stop: stores.write(
+                    path, block, self.work(self.samples.of(block), stop)
+                ),
             )
         elif left:
             dask = require("dask", "ensemble", "`store`")
@@ -207,9 +208,10 @@ def _compute_and_write(work: Work, samples: Samples, path: str, block: Block) ->
     stores.write(path, block, work(samples))
 
 
-def _result(future: Future[Any], block: Block, samples: Samples) -> Any:
+def _check(future: Future[None], block: Block, samples: Samples) -> None:
+    """Raise what a block met, with its place."""
     try:
-        return future.result()
+        future.result()
     except Exception as error:
         where = ", ".join(
             f"{dim} {s.start} to {s.stop - 1}" for dim, s in zip(samples.dims, block, strict=True)

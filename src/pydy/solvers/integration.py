@@ -39,6 +39,7 @@ from pydy.solvers.problem import (
     blocks,
     callback_problem,
     kernel_problem,
+    lined_up,
     watch_arrays,
 )
 
@@ -209,7 +210,7 @@ class Integration:
         stages, depth = max(1, len(method.nodes)), int(method.shape[at.DEPTH])
         counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
         # One block of memory for all vectors.
-        vectors = np.zeros((sum(counts), length))
+        vectors = lined_up(sum(counts), length)
         start, first = address(vectors), 0
         arrays, self._memory_rows = [], []
         for name, count in zip(Memory._fields, counts, strict=True):

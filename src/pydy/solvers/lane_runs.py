@@ -17,7 +17,7 @@ from pydy.solvers.lane_layout import LaneProblem, Lanes, Queue
 from pydy.solvers.layout import Memory
 from pydy.solvers.methods import method_arrays
 from pydy.solvers.options import Options
-from pydy.solvers.problem import tables_of
+from pydy.solvers.problem import lined_up, tables_of
 
 __all__ = ["LANES", "LaneResult", "evaluate_samples", "integrate_samples"]
 
@@ -77,13 +77,13 @@ def integrate_samples(
     length = BLOCK * n
     arrays = method_arrays(method, length)
     stages, depth = len(arrays.nodes), int(arrays.shape[layout.DEPTH])
-    vectors = np.zeros((6 + stages + depth, length))
+    vectors = lined_up(6 + stages + depth, length)
     memory = Memory(
         x=vectors[0],
         new=vectors[1],
         trial=vectors[2],
-        step=np.zeros(BLOCK),
-        theta=np.zeros(BLOCK),
+        step=lined_up(BLOCK),
+        theta=lined_up(BLOCK),
         zero=vectors[3],
         errors=vectors[4:6].ravel(),
         stages=vectors[6 : 6 + stages].ravel(),
@@ -91,13 +91,13 @@ def integrate_samples(
         rtol=np.broadcast_to(np.asarray(options.rtol, dtype=float), (n,)).copy(),
         atol=np.maximum(np.broadcast_to(np.asarray(options.atol, dtype=float), (n,)), 1e-300),
     )
-    lanes = Lanes(**{name: np.zeros(BLOCK) for name in Lanes._fields})._replace(
+    lanes = Lanes(**{name: lined_up(BLOCK) for name in Lanes._fields})._replace(
         samples=np.full(BLOCK, at.VACANT), next=np.zeros(BLOCK, dtype=np.int64)
     )
     queue = Queue(
         state=np.array([0, 0, options.max_steps], dtype=np.int64),
         numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),
-        times=np.ascontiguousarray(times),
+        times=np.append(times, np.zeros(BLOCK))[: len(times)],  # read in whole blocks
         x=np.ascontiguousarray(x),
         r=np.ascontiguousarray(r),
         p=np.ascontiguousarray(p),
@@ -136,9 +136,9 @@ def evaluate_samples(
     n, m, number = states.shape
     out = np.empty((len(kernel.program.outputs), m, number))
     if out.size:
-        x = np.zeros(max(1, n) * BLOCK)
+        x = lined_up(max(1, n) * BLOCK)
         r, p, times = (np.ascontiguousarray(a) for a in (r, p, times))
-        buffer = np.zeros(len(out) * BLOCK)
+        buffer = lined_up(len(out) * BLOCK)
         evaluate_lanes(_problem(kernel, sampled), x, buffer, r, p, times, states, out)
     return out
 
@@ -151,11 +151,11 @@ def _problem(kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]]) -> LaneP
     tables, knots, cubics = tables_of(sampled)
 
     def room(items: int) -> np.ndarray:
-        return np.zeros(max(1, items) * BLOCK)
+        return lined_up(max(1, items) * BLOCK)
 
     return LaneProblem(
         words=np.array([*addresses, *sizes]),
-        clock=np.zeros(BLOCK),
+        clock=lined_up(BLOCK),
         r=room(program.num_specifieds),
         p=room(program.num_constants),
         c=room(len(program.carried)),

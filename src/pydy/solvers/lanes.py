@@ -17,7 +17,6 @@ from pydy.solvers.intrinsics import (
     call_kernel,
     call_prepare,
     copy_items,
-    nested,
 )
 from pydy.solvers.lane_layout import (
     BUDGET,
@@ -64,6 +63,7 @@ from pydy.solvers.vectors import (
     bits,
     ceiling,
     load,
+    load_at,
     mask_of,
     maximum,
     minimum,
@@ -71,6 +71,7 @@ from pydy.solvers.vectors import (
     root,
     splat,
     store,
+    store_at,
     where,
 )
 
@@ -320,29 +321,44 @@ def _prepare_interpolant(method, problem, memory, t, size):
 
 
 @inlined(always=True)
-def _write_outputs(method, problem, memory, lanes, queue, within, at_end, t, size):
-    """Write one output for each lane that has one due within its step, or at its end."""
-    n, times = problem.words[STATES], queue.times
-    store(memory.theta, 0, where(within, (load(lanes.due, 0) - t) / size, 0.0))
-    nested(
-        address_of(memory.trial, 0),
-        address_of(memory.x, 0),
-        address_of(memory.interpolant, 0),
-        memory.x.size,
-        method.shape[DEPTH],
-        address_of(memory.theta, 0),
-        n,
-    )
-    if bits(at_end) != 0:
-        for i in range(n):
-            store(memory.trial, i, where(at_end, load(memory.new, i), load(memory.trial, i)))
-    wanted = bits(within | at_end)
+def _write_outputs(method, problem, memory, lanes, queue, wanted):
+    """Write the outputs due within the step of each lane named by `wanted`, or at its end.
+
+    The ends are in ``memory.theta``. Eight outputs of one sample at a time: they lie side by side.
+    """
+    n, depth, length = problem.words[STATES], method.shape[DEPTH], memory.x.size
+    times, states = queue.times, queue.states
+    number = times.size
     for lane in range(BLOCK):
-        if (wanted >> lane) & 1 == 1:
-            sample, k = lanes.samples[lane], lanes.next[lane]
-            _copy_out(problem, memory.trial, queue, lane, sample, k)
-            lanes.next[lane] = k + 1
-            lanes.due[lane] = times[k + 1] if k + 1 < times.size else np.inf
+        if (wanted >> lane) & 1 == 0:
+            continue
+        sample, k, end = lanes.samples[lane], lanes.next[lane], memory.theta[lane]
+        while k < number and times[k] < end:
+            near = (load_at(times, k) - lanes.time[lane]) / memory.step[lane]
+            far = 1.0 - near
+            count = 1
+            while count < BLOCK and k + count < number and times[k + count] < end:
+                count += 1
+            for i in range(n):
+                place = i * BLOCK + lane
+                total = splat(0.0)
+                for level in range(depth - 1, -1, -1):
+                    total = total + memory.interpolant[level * length + place]
+                    total = total * far if level & 1 == 1 else total * near
+                value = total + memory.x[place]
+                if k + BLOCK <= number:  # what is beyond `count` is written again later
+                    store_at(states, (i * len(queue.x) + sample) * number + k, value)
+                else:
+                    store(memory.trial, 0, value)
+                    for j in range(count):
+                        states[i, sample, k + j] = memory.trial[j]
+            k += count
+        while k < number and times[k] == end:
+            for i in range(n):
+                states[i, sample, k] = memory.new[i * BLOCK + lane]
+            k += 1
+        lanes.next[lane] = k
+        lanes.due[lane] = times[k] if k < number else np.inf
 
 
 @compiled
@@ -423,10 +439,9 @@ def step_lanes(method, problem, memory, lanes, queue):
                 vacant = True
                 good = good & mask_of(working)
                 within, at_end = within & good, at_end & good
-        while bits(within | at_end) != 0:
-            _write_outputs(method, problem, memory, lanes, queue, within, at_end, t, size)
-            due = load(lanes.due, 0)
-            within, at_end = good & (due < after), good & (due == after)
+        if bits(within | at_end) != 0:
+            store(memory.theta, 0, after)
+            _write_outputs(method, problem, memory, lanes, queue, bits(within | at_end))
 
         bad = active & ~good
         store(lanes.steps, 0, load(lanes.steps, 0) + where(good, 1.0, 0.0))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 from collections.abc import Callable, Sequence
 from functools import lru_cache
 from typing import Any
@@ -20,6 +21,7 @@ __all__ = [
     "bind_constants",
     "callback_problem",
     "kernel_problem",
+    "lined_up",
     "tables_of",
     "watch_arrays",
 ]
@@ -49,6 +51,14 @@ def bind_constants(kernel: Kernel, p: np.ndarray) -> tuple[int, np.ndarray]:
 def address(array: np.ndarray) -> int:
     """Return where an array's numbers lie: `ndarray.ctypes`, without its object."""
     return int(array.__array_interface__["data"][0])
+
+
+def lined_up(*shape: int) -> np.ndarray:
+    """Return zeros that begin where a line of the cache does: blocks must not lie across two."""
+    size = math.prod(shape)
+    room = np.zeros(size + BLOCK)
+    first = -address(room) % 64 // 8
+    return room[first : first + size].reshape(shape)
 
 
 @lru_cache(maxsize=256)

@@ -29,6 +29,7 @@ __all__ = [
     "bits",
     "ceiling",
     "load",
+    "load_at",
     "mask_of",
     "maximum",
     "minimum",
@@ -36,6 +37,7 @@ __all__ = [
     "root",
     "splat",
     "store",
+    "store_at",
     "where",
 ]
 
@@ -133,35 +135,45 @@ _define(operator.invert, mask, ((mask,),), lambda b, x: b.not_(x))
 # -- functions ------------------------------------------------------------------------------------
 
 
-def _block_of(context: Any, builder: Any, kind: Any, array: Any, index: Any) -> Any:
+def _block_at(context: Any, builder: Any, kind: Any, array: Any, place: Any) -> Any:
     data = make_array(kind)(context, builder, array).data
-    blocks = builder.bitcast(data, _DOUBLES.as_pointer())
-    return builder.gep(blocks, [index])
+    return builder.bitcast(builder.gep(data, [place]), _DOUBLES.as_pointer())
 
 
-@intrinsic
-def load(typingctx, array, k):
-    """Return block k of a contiguous array."""
+def _load_intrinsic(step: int, doc: str) -> Any:
+    def read(typingctx, array, k):
+        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            array, k = arguments
+            place = builder.mul(k, k.type(step))
+            value = builder.load(_block_at(context, builder, signature.args[0], array, place))
+            value.align = 8
+            return value
 
-    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        value = builder.load(_block_of(context, builder, signature.args[0], *arguments))
-        value.align = 8
-        return value
+        return block(array, types.intp), codegen
 
-    return block(array, types.intp), codegen
+    read.__doc__ = doc
+    return intrinsic(read)
 
 
-@intrinsic
-def store(typingctx, array, k, value):
-    """Write block k of a contiguous array."""
+def _store_intrinsic(step: int, doc: str) -> Any:
+    def write(typingctx, array, k, value):
+        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            array, k, value = arguments
+            place = builder.mul(k, k.type(step))
+            where = _block_at(context, builder, signature.args[0], array, place)
+            builder.store(value, where).align = 8
+            return context.get_dummy_value()
 
-    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        array, k, value = arguments
-        where = _block_of(context, builder, signature.args[0], array, k)
-        builder.store(value, where).align = 8
-        return context.get_dummy_value()
+        return types.void(array, types.intp, block), codegen
 
-    return types.void(array, types.intp, block), codegen
+    write.__doc__ = doc
+    return intrinsic(write)
+
+
+load = _load_intrinsic(BLOCK, "Return block k of a contiguous array.")
+load_at = _load_intrinsic(1, "Return the eight numbers from place k on of a contiguous array.")
+store = _store_intrinsic(BLOCK, "Write block k of a contiguous array.")
+store_at = _store_intrinsic(1, "Write eight numbers from place k on of a contiguous array.")
 
 
 @intrinsic
