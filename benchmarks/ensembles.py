@@ -14,7 +14,9 @@ from harness.driver import ROOT, Worker, in_turn
 from harness.report import pairwise, save, table
 
 REFERENCE = 1e-13
-OURS = (1e-6, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9, 3e-10, 1e-10, 1e-11)
+OURS = [("dop853", tol) for tol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10)]
+OURS += [("vern9", tol) for tol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)]
+SCALED = ("vern9", 1e-8)  # for threads and the loop
 THEIRS = (1e-6, 1e-7, 1e-9)
 
 
@@ -52,27 +54,29 @@ def _compare(links: int, options: Any) -> dict[str, Any]:
             worker.ask("save", path=path, count=checked)
             return np.load(path)
 
-        ours.ask("loop", tol=REFERENCE, count=checked)
+        ours.ask("loop", method="vern9", tol=REFERENCE, count=checked)
         reference = states(ours)
 
         def error(worker: Worker) -> float:
             return float(np.median(np.abs(states(worker) - reference).max(axis=(1, 2))))
 
         measures = {
-            f"lanes {tol:g}": (ours, {"do": "lanes", "tol": tol, "threads": 1}) for tol in OURS
-        }
-        measures |= {
-            f"lanes {tol:g}, {threads} threads": (
-                free,
-                {"do": "lanes", "tol": tol, "threads": threads},
+            f"lanes {method} {tol:g}": (
+                ours,
+                {"do": "lanes", "method": method, "tol": tol, "threads": 1},
             )
-            for tol in OURS[2:3]
+            for method, tol in OURS
+        }
+        method, tol = SCALED
+        measures |= {
+            f"lanes {method} {tol:g}, {threads} threads": (
+                free,
+                {"do": "lanes", "method": method, "tol": tol, "threads": threads},
+            )
             for threads in (1, 2)
         }
-        measures |= {
-            f"loop {tol:g}": (ours, {"do": "loop", "tol": tol, "count": min(count, 1000)})
-            for tol in OURS[2:3]
-        }
+        request = {"do": "loop", "method": method, "tol": tol, "count": min(count, 1000)}
+        measures[f"loop {method} {tol:g}"] = (ours, request)
         measures |= {
             f"heyoka {tol:g}{' 512 bits' if wide else ''}": (
                 peer,
@@ -116,7 +120,7 @@ def _compare(links: int, options: Any) -> dict[str, Any]:
         ("", "a second", "median error", "lanes are faster by"),
         rows,
     )
-    one, two = (seconds[f"lanes {OURS[2]:g}, {k} threads"] for k in (1, 2))
+    one, two = (seconds[f"lanes {SCALED[0]} {SCALED[1]:g}, {k} threads"] for k in (1, 2))
     print(f"  two threads: {pairwise(one, two):.2f}; the bare kernel {bare[0] / bare[1]:.2f}")
     return {"seconds": seconds, "errors": errors, "kernel": bare}
 

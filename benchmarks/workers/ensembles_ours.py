@@ -29,10 +29,12 @@ class Ours:
         self.x, self.p = samples(links, count)
         self.r = np.zeros((1, self.program.num_specifieds))
 
-    def _ensemble(self, options: dict[str, Any], threads: int, reduce: Any, count: int) -> Ensemble:
+    def _ensemble(
+        self, method: str, options: dict[str, Any], threads: int, reduce: Any, count: int
+    ) -> Ensemble:
         names = tuple(f"x{k}" for k in range(self.x.shape[1]))
-        read = read_options("dop853", True, options)
-        model = Model(self.program, None, names, (), "dop853", read, TIMES)
+        read = read_options(method, True, options)
+        model = Model(self.program, None, names, (), method, read, TIMES)
         work = Work(model, read_reductions(reduce, model, str), {})
         dims = {"sample": count}
         rows = (np.resize(self.x, (count, len(names))), np.resize(self.p, (count, len(self.p[0]))))
@@ -42,9 +44,9 @@ class Ours:
             Work(model, work.reductions, {}), Samples(dims, x, r, p), (2048,), {}, threads
         )
 
-    def lanes(self, tol: float, threads: int) -> dict[str, Any]:
+    def lanes(self, method: str, tol: float, threads: int) -> dict[str, Any]:
         """Time the ensemble; the states come from the Dataset."""
-        ensemble = self._ensemble({"rtol": tol, "atol": tol}, threads, None, len(self.x))
+        ensemble = self._ensemble(method, {"rtol": tol, "atol": tol}, threads, None, len(self.x))
         ensemble.run()
         start = time.perf_counter()
         dataset = ensemble.run()
@@ -52,10 +54,10 @@ class Ours:
         self.states = np.stack([dataset[f"x{k}"].values for k in range(self.x.shape[1])], axis=-1)
         return {"seconds": taken, "steps": float(dataset.steps.mean())}
 
-    def loop(self, tol: float, count: int) -> dict[str, Any]:
+    def loop(self, method: str, tol: float, count: int) -> dict[str, Any]:
         """Time the solver for one in a loop over some samples."""
         kernel = compile_program(self.program, "llvm", {})
-        solver = SOLVERS["dop853"]
+        solver = SOLVERS[method]
 
         def f(x: Any, t: Any, r: Any, p: Any) -> None: ...
 
@@ -97,7 +99,7 @@ class Ours:
         if limit is not None:
             size = int(limit * 2**30)
             resource.setrlimit(resource.RLIMIT_AS, (size, size))
-        ensemble = self._ensemble({"rtol": tol, "atol": tol}, threads, "final", count)
+        ensemble = self._ensemble("dop853", {"rtol": tol, "atol": tol}, threads, "final", count)
         start = time.perf_counter()
         ensemble.run()
         taken = time.perf_counter() - start

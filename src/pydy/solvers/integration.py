@@ -210,15 +210,14 @@ class Integration:
         stages, depth = max(1, len(method.nodes)), int(method.shape[at.DEPTH])
         counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
         # One block of memory for all vectors.
-        vectors = lined_up(sum(counts), length)
-        start, first = address(vectors), 0
-        arrays, self._memory_rows = [], []
+        flat = lined_up(sum(counts) * length)
+        first, places = 0, []
         for name, count in zip(Memory._fields, counts, strict=True):
-            size = BLOCK if name in ("step", "theta") else count * length
-            arrays.append(vectors[first : first + count].reshape(-1)[:size])
-            self._memory_rows.append((start + 8 * first * length, size))
-            first += count
-        memory = Memory(*arrays)
+            places.append((first, BLOCK if name in ("step", "theta") else count * length))
+            first += count * length
+        memory = Memory(*[flat[place : place + size] for place, size in places])
+        start = address(flat)
+        self._memory_rows = [(start + 8 * place, size) for place, size in places]
         try:
             memory.rtol[:n], memory.atol[:n] = self.options.rtol, self.options.atol
         except ValueError:

@@ -83,7 +83,10 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
     if not options.max_steps >= 1:
         raise ValueError(f"`max_steps` must be at least 1, got {options.max_steps!r}.")
     for name in given.keys() & {"rtol", "atol"}:
-        value = real_array(given[name], f"`{name}`")
+        value = given[name]
+        if type(value) is float and 0.0 <= value < np.inf:
+            continue
+        value = real_array(value, f"`{name}`")
         if not (np.isfinite(value).all() and (value >= 0.0).all()):
             raise ValueError(f"`{name}` must be finite and not negative, got {value}.")
     return options

@@ -136,7 +136,7 @@ class Solver:
             raise ValueError(f"`t` must be one-dimensional, got the shape {times.shape}.")
         if not np.isfinite(times).all():
             raise ValueError("`t` must be finite.")
-        if (times[1:] < times[:-1]).any():
+        if times.size > 1 and not (times[1:] >= times[:-1]).all():
             k = int(np.argmax(times[1:] < times[:-1]))
             raise ValueError(
                 f"`t` must be ascending, got {times[k + 1]} after {times[k]} at index {k + 1}."
