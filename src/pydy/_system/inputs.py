@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -86,7 +87,10 @@ def check_values(
                 f"`{argument}` has the key `{key}`, which is not one of the {what} of the system: "
                 f"{describe(symbols)}."
             )
-        array[place[key]] = number(value, f"`{argument}[{key}]`", finite=True)
+        # SymPy takes longer to print a name than many a model to integrate.
+        if not (type(value) is float and isfinite(value)):
+            value = number(value, f"`{argument}[{key}]`", finite=True)
+        array[place[key]] = value
     return array
 
 
