@@ -113,6 +113,7 @@ def inlined(
     *,
     reassociate: bool = False,
     always: bool = False,
+    pasted: bool = False,
     allocates: bool = False,
 ) -> Any:
     """Compile a function that other compiled functions call.
@@ -126,10 +127,15 @@ def inlined(
         It becomes a part of each caller. A call that hands over the tuples of `layout` passes a
         hundred numbers, which takes longer than many a function; LLVM leaves it at that where a
         function is long or has several callers.
+    pasted : bool
+        Its code becomes a part of each caller before it is compiled: for long functions that have
+        one caller, which would be compiled twice.
     allocates : bool
         It makes arrays.
     """
     flags = {"contract", "reassoc", "nsz"} if reassociate else False
     options = {**_OPTIONS, "_nrt": allocates}
-    decorate = numba.njit(**options, fastmath=flags, forceinline=always)
+    if pasted:
+        options["inline"] = "always"
+    decorate: Any = numba.njit(**options, fastmath=flags, forceinline=always)
     return decorate if function is None else decorate(function)

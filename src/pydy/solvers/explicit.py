@@ -90,8 +90,10 @@ def _first_size(method, problem, memory, run, t):
     return min(h, run.state[LARGEST])
 
 
-@inlined
-def _advance(method, problem, memory, run, constraints, watch):
+@compiled
+def advance(table, flat):
+    """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
+    method, problem, memory, run, constraints, watch = opened(table, flat)
     length = memory.x.size
     state, count, times, control = run.state, run.counts, run.times, method.control
     stages, held = method.shape[STAGES], constraints.words[ACTIVE] == 1
@@ -193,13 +195,6 @@ def _advance(method, problem, memory, run, constraints, watch):
         if count[NEXT] == times.size:
             state[SIZE] = h
             return FINISHED
-
-
-@compiled
-def advance(table, flat):
-    """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
-    method, problem, memory, run, constraints, watch = opened(table, flat)
-    return _advance(method, problem, memory, run, constraints, watch)
 
 
 @compiled

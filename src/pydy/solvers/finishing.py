@@ -33,7 +33,7 @@ def write_reached(problem, x, run):
     return k == times.size
 
 
-@inlined
+@inlined(pasted=True)
 def _write_outputs(method, problem, memory, run, constraints, t, h, end):
     n, times = problem.words[STATES], run.times
     held = constraints.words[ACTIVE] == 1
@@ -49,7 +49,7 @@ def _write_outputs(method, problem, memory, run, constraints, t, h, end):
     return 0
 
 
-@inlined
+@inlined(pasted=True)
 def finish_step(method, problem, memory, run, constraints, watch, t, h):
     """Look for events, then write the outputs due, up to the event that ends the step if one does.
 

@@ -211,11 +211,6 @@ def advance_implicit(table, flat, newton_table):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
     method, problem, memory, run, constraints, watch = opened(table, flat)
     newton = opened_newton(newton_table, problem.words[STATES])
-    return _advance(method, problem, memory, run, constraints, watch, newton)
-
-
-@inlined
-def _advance(method, problem, memory, run, constraints, watch, newton):
     n = problem.words[STATES]
     state, count, times = run.state, run.counts, run.times
     held = constraints.words[ACTIVE] == 1
