@@ -63,7 +63,7 @@ def _norm(a, b, memory, n):
     return math.sqrt(total / n)
 
 
-@inlined
+@inlined(pasted=True)
 def _first_size(method, problem, memory, run, t):
     """Guess the first step: Hairer, Nørsett, Wanner, Solving ODEs I, II.4."""
     n = problem.words[STATES]

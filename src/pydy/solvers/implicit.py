@@ -70,7 +70,7 @@ _T, _TI, _P = np.array(T), np.array(TI), np.array(INTERPOLANT)
 _REAL, _COMPLEX = REAL, COMPLEX
 
 
-@inlined
+@inlined(pasted=True)
 def _factorise_pair(newton, n, h):
     """Factorise (μ / h) I − J for both eigenvalues μ."""
     for i in range(n):
@@ -82,7 +82,7 @@ def _factorise_pair(newton, n, h):
     return factorise(newton.real, newton.real_order) and factorise(newton.pair, newton.pair_order)
 
 
-@inlined
+@inlined(pasted=True)
 def _predict(memory, newton, n, h, last_size):
     """Continue the last step's polynomial to the new stages; zero without one."""
     z, last = newton.stages, newton.last
@@ -179,7 +179,7 @@ def _estimate(problem, memory, run, newton, t, h, first):
     return 0, norm(error, memory.x, memory.new, memory.rtol, memory.atol)
 
 
-@inlined
+@inlined(pasted=True)
 def _set_interpolant(memory, newton, n):
     """Write the collocation polynomial in the nested form, and keep it for the next prediction."""
     z, length = newton.stages, memory.x.size
@@ -194,7 +194,7 @@ def _set_interpolant(memory, newton, n):
             newton.last[1 + k, i] = memory.interpolant[k * length + i]
 
 
-@inlined
+@inlined(pasted=True)
 def _first_size(problem, memory, run, t):
     """A cautious first step: a small part of the time in which the state changes by itself."""
     n = problem.words[STATES]

@@ -39,7 +39,7 @@ class Newton(NamedTuple):
     last: np.ndarray  # (4, n): state and interpolant of the step before
 
 
-@inlined
+@inlined(pasted=True)
 def set_jacobian(problem, memory, run, newton, t):
     """Evaluate ∂f/∂x at ``memory.x``, whose derivative is the first of ``memory.stages``."""
     n = problem.words[STATES]

@@ -50,7 +50,7 @@ def combine_row(method, problem, memory, row, y, x):
     )
 
 
-@inlined
+@inlined(pasted=True)
 def take_step(method, problem, memory, run, t, h):
     """Compute ``memory.new`` from ``memory.x``. Not zero: what the right-hand side complained."""
     length = memory.x.size
@@ -84,7 +84,7 @@ def _square_sums(memory, n):
     return first, second
 
 
-@inlined
+@inlined(pasted=True)
 def error_of_step(method, problem, memory):
     """Return the norm of the step's error: 1 is just good enough."""
     length, n = memory.x.size, problem.words[STATES]
@@ -100,7 +100,7 @@ def error_of_step(method, problem, memory):
     return math.sqrt(first / n)
 
 
-@inlined
+@inlined(pasted=True)
 def prepare_interpolant(method, problem, memory, run, t, h):
     """Compute ``memory.interpolant`` for the step just taken, the end's derivative included."""
     length = memory.x.size

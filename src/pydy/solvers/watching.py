@@ -69,7 +69,7 @@ def _locate(method, problem, memory, watch, t, h, low, high, event):
     return high
 
 
-@inlined
+@inlined(pasted=True)
 def scan_events(method, problem, memory, run, watch, t, h):
     """Look for events in the step just taken.
 
