@@ -36,6 +36,11 @@ def test_runs_give_the_bits_of_calls_in_any_order(pendulum, solver):
         assert prepared.info == info
 
 
+def test_what_has_not_run_says_so(pendulum):
+    info = dop853.prepare(*arguments(pendulum)).info
+    assert (info["status"], info["steps"], info["events"]) == ("not run", 0, [])
+
+
 def test_results_are_arrays_of_their_own(pendulum):
     prepared = dop853.prepare(*arguments(pendulum))
     first = prepared(prepared.x0)

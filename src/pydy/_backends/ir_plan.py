@@ -26,8 +26,8 @@ Place = str | tuple[str, int]
 class Registers:
     """Which values are at hand, what they are called, and where in memory the others wait.
 
-    LLVM spills about twice as many values of straight-line code as it must, and writing wide
-    vectors to memory is what limits kernels of many lanes. Here the value whose next use is
+    LLVM writes more values of straight-line code to memory than it must, and writing wide vectors
+    to memory limits kernels of many lanes. Here the value whose next use is
     farthest away leaves first, which needs the fewest (Belady, IBM Systems Journal 5, 1966,
     78-101), and what lies in memory anyway is never written a second time. Values that come back
     do so, as a rule, in a later basic block, where LLVM cannot undo it.

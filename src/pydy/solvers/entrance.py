@@ -11,17 +11,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from pydy.solvers.compiled import inlined
-from pydy.solvers.intrinsics import complex_matrix, real_matrix, word_matrix
+from pydy.solvers.intrinsics import complex_matrix, numbers, real_matrix, word_matrix, words
 from pydy.solvers.layout import Constraints, Memory, Method, Problem, Run, Watch
 from pydy.solvers.newton import Newton
 from pydy.solvers.problem import address
 
-__all__ = ["PLACES", "opened", "opened_newton", "rows_of", "table_of"]
-
-_PARTS = (Method, Problem, Memory, Run, Constraints, Watch)
-_FIRST = np.cumsum([0, *(len(part._fields) for part in _PARTS)])
-# Where in a table each part lies.
-PLACES = {part: slice(*_FIRST[k : k + 2]) for k, part in enumerate(_PARTS)}
+__all__ = ["opened", "opened_newton", "rows_of", "table_of"]
 
 
 def rows_of(arrays: Sequence[np.ndarray]) -> list[tuple[int, int]]:
@@ -38,59 +33,59 @@ def table_of(*parts: Sequence[tuple[int, int]]) -> np.ndarray:
 def opened(table, flat):
     """Return the tuples of `layout`; `flat` is the array of a `Run` that results go to."""
     method = Method(
-        word_matrix(table[0, 0], 1, table[0, 1])[0],
-        word_matrix(table[1, 0], 1, table[1, 1])[0],
-        word_matrix(table[2, 0], 1, table[2, 1])[0],
-        real_matrix(table[3, 0], 1, table[3, 1])[0],
-        real_matrix(table[4, 0], 1, table[4, 1])[0],
-        real_matrix(table[5, 0], 1, table[5, 1])[0],
+        words(table, 0),
+        words(table, 1),
+        words(table, 2),
+        numbers(table, 3),
+        numbers(table, 4),
+        numbers(table, 5),
     )
     problem = Problem(
-        word_matrix(table[6, 0], 1, table[6, 1])[0],
-        real_matrix(table[7, 0], 1, table[7, 1])[0],
-        real_matrix(table[8, 0], 1, table[8, 1])[0],
-        real_matrix(table[9, 0], 1, table[9, 1])[0],
-        word_matrix(table[10, 0], table[10, 1], 4),
-        real_matrix(table[11, 0], 1, table[11, 1])[0],
-        real_matrix(table[12, 0], table[12, 1], 4),
+        words(table, 6),
+        numbers(table, 7),
+        numbers(table, 8),
+        numbers(table, 9),
+        word_matrix(table, 10, 4),
+        numbers(table, 11),
+        real_matrix(table, 12, 4),
     )
     memory = Memory(
-        real_matrix(table[13, 0], 1, table[13, 1])[0],
-        real_matrix(table[14, 0], 1, table[14, 1])[0],
-        real_matrix(table[15, 0], 1, table[15, 1])[0],
-        real_matrix(table[16, 0], 1, table[16, 1])[0],
-        real_matrix(table[17, 0], 1, table[17, 1])[0],
-        real_matrix(table[18, 0], 1, table[18, 1])[0],
-        real_matrix(table[19, 0], 1, table[19, 1])[0],
-        real_matrix(table[20, 0], 1, table[20, 1])[0],
-        real_matrix(table[21, 0], 1, table[21, 1])[0],
-        real_matrix(table[22, 0], 1, table[22, 1])[0],
-        real_matrix(table[23, 0], 1, table[23, 1])[0],
+        numbers(table, 13),
+        numbers(table, 14),
+        numbers(table, 15),
+        numbers(table, 16),
+        numbers(table, 17),
+        numbers(table, 18),
+        numbers(table, 19),
+        numbers(table, 20),
+        numbers(table, 21),
+        numbers(table, 22),
+        numbers(table, 23),
     )
     run = Run(
-        real_matrix(table[24, 0], 1, table[24, 1])[0],
-        word_matrix(table[25, 0], 1, table[25, 1])[0],
-        real_matrix(table[26, 0], 1, table[26, 1])[0],
+        numbers(table, 24),
+        words(table, 25),
+        numbers(table, 26),
         flat,
     )
     constraints = Constraints(
-        word_matrix(table[28, 0], 1, table[28, 1])[0],
-        real_matrix(table[29, 0], 1, table[29, 1])[0],
-        real_matrix(table[30, 0], 1, table[30, 1])[0],
+        words(table, 28),
+        numbers(table, 29),
+        numbers(table, 30),
     )
     n = problem.words[1]
     watch = Watch(
-        word_matrix(table[31, 0], 1, table[31, 1])[0],
-        real_matrix(table[32, 0], 1, table[32, 1])[0],
-        word_matrix(table[33, 0], 1, table[33, 1])[0],
-        word_matrix(table[34, 0], 1, table[34, 1])[0],
-        word_matrix(table[35, 0], 1, table[35, 1])[0],
-        word_matrix(table[36, 0], 1, table[36, 1])[0],
-        real_matrix(table[37, 0], 1, table[37, 1])[0],
-        real_matrix(table[38, 0], 1, table[38, 1])[0],
-        real_matrix(table[39, 0], 1, table[39, 1])[0],
-        word_matrix(table[40, 0], 1, table[40, 1])[0],
-        real_matrix(table[41, 0], table[41, 1], n),
+        words(table, 31),
+        numbers(table, 32),
+        words(table, 33),
+        words(table, 34),
+        words(table, 35),
+        words(table, 36),
+        numbers(table, 37),
+        numbers(table, 38),
+        numbers(table, 39),
+        words(table, 40),
+        real_matrix(table, 41, n),
     )
     return method, problem, memory, run, constraints, watch
 
@@ -99,16 +94,16 @@ def opened(table, flat):
 def opened_newton(table, n):
     """Return the arrays of an implicit step."""
     return Newton(
-        word_matrix(table[0, 0], 1, table[0, 1])[0],
-        real_matrix(table[1, 0], 1, table[1, 1])[0],
-        real_matrix(table[2, 0], 1, table[2, 1])[0],
-        real_matrix(table[3, 0], 1, table[3, 1])[0],
-        real_matrix(table[4, 0], n, n),
-        complex_matrix(table[5, 0], n, n),
-        word_matrix(table[6, 0], 1, table[6, 1])[0],
-        word_matrix(table[7, 0], 1, table[7, 1])[0],
-        real_matrix(table[8, 0], 3, n),
-        real_matrix(table[9, 0], 3, n),
-        real_matrix(table[10, 0], 3, n),
-        real_matrix(table[11, 0], 4, n),
+        words(table, 0),
+        numbers(table, 1),
+        numbers(table, 2),
+        numbers(table, 3),
+        real_matrix(table, 4, n),
+        complex_matrix(table, 5, n),
+        words(table, 6),
+        words(table, 7),
+        real_matrix(table, 8, n),
+        real_matrix(table, 9, n),
+        real_matrix(table, 10, n),
+        real_matrix(table, 11, n),
     )

@@ -100,6 +100,8 @@ class Integration:
         self.options = options
         self.interrupts = Interrupts()
         self.callbacks: list[Callback] = []
+        self.status = "not run"
+        self.records: list[EventRecord] = []
         native = getattr(f, "native", None)
         self.call: KernelCall | None = None if native is None else native(args)
         self.n = n
@@ -109,10 +111,9 @@ class Integration:
         self.constraints = self._hold()
         self.watch = self._look_out()
         self.span = float(times[-1] - times[0])
-        self._size = options.first_step or options.step or 0.0
         state, count = np.zeros(6), np.zeros(12, dtype=np.int64)
         state[at.TIME], state[at.LARGEST] = times[0], options.max_step
-        state[at.SIZE] = self._size
+        state[at.SIZE] = options.first_step or options.step or 0.0
         count[at.LIMIT] = options.max_steps
         self._beginning = state.copy(), count.copy()
         self.progress = Run(state, count, np.ascontiguousarray(times), np.zeros(0))
@@ -148,7 +149,7 @@ class Integration:
         self._flat = flat
         self._states = flat[: m * n].reshape(m, n)
         self.status = "finished"
-        self.records: list[EventRecord] = []
+        self.records = []
         if self._tight:
             self._check_tolerances()
         try:

@@ -19,8 +19,10 @@ __all__ = [
     "complex_matrix",
     "copy_items",
     "nested",
+    "numbers",
     "real_matrix",
     "word_matrix",
+    "words",
 ]
 
 BLOCK = 8
@@ -250,37 +252,70 @@ def address_of(typingctx, array, index):
     return types.intp(array, types.intp), codegen
 
 
-def _array_intrinsic(number: Any, size: int) -> Any:
-    """Return what makes a matrix of an address and its shape, in compiled code.
+def _row_of(builder: Any, context: Any, kind: Any, table: Any, k: Any) -> tuple[Any, Any]:
+    """Return both numbers of row k of a table: an address and a length."""
+    from numba.np.arrayobj import make_array
 
-    numba's own `carray` needs functions that return arrays, which ours, without reference counts,
+    data = make_array(kind)(context, builder, table).data
+    first = builder.mul(k, _INT(2))
+    place, count = (builder.gep(data, [builder.add(first, _INT(j))]) for j in range(2))
+    return builder.load(place), builder.load(count)
+
+
+def _array(kind: Any, size: int, place: Any, shape: Any, context: Any, builder: Any) -> Any:
+    """Return the array at an address.
+
+    numba's `carray` needs functions that return arrays, which ours, without reference counts,
     cannot be.
     """
+    from numba.np.arrayobj import make_array, populate_array
+
+    array = make_array(kind)(context, builder)
+    steps = [_INT(size)]
+    if len(shape) == 2:
+        steps.insert(0, builder.mul(shape[1], _INT(size)))
+    populate_array(
+        array,
+        data=builder.inttoptr(place, array.data.type),
+        shape=shape,
+        strides=steps,
+        itemsize=_INT(size),
+        meminfo=None,
+    )
+    return array._getvalue()
+
+
+def _vector_intrinsic(number: Any, doc: str) -> Any:
+    kind = types.Array(number, 1, "C")
+
+    def vector(typingctx, table, k):
+        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            place, count = _row_of(builder, context, signature.args[0], *arguments)
+            return _array(kind, 8, place, [count], context, builder)
+
+        return kind(table, types.intp), codegen
+
+    vector.__doc__ = doc
+    return intrinsic(vector)
+
+
+def _matrix_intrinsic(number: Any, size: int, doc: str) -> Any:
     kind = types.Array(number, 2, "C")
 
-    @intrinsic
-    def array_at(typingctx, place, rows, columns):
+    def matrix(typingctx, table, k, columns):
         def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            from numba.np.arrayobj import make_array, populate_array
+            table, k, columns = arguments
+            place, rows = _row_of(builder, context, signature.args[0], table, k)
+            return _array(kind, size, place, [rows, columns], context, builder)
 
-            place, *shape = arguments
-            array = make_array(kind)(context, builder)
-            item = context.get_constant(types.intp, size)
-            populate_array(
-                array,
-                data=builder.inttoptr(place, array.data.type),
-                shape=shape,
-                strides=[builder.mul(shape[1], item), item],
-                itemsize=item,
-                meminfo=None,
-            )
-            return array._getvalue()
+        return kind(table, types.intp, types.intp), codegen
 
-        return kind(types.intp, types.intp, types.intp), codegen
-
-    return array_at
+    matrix.__doc__ = doc
+    return intrinsic(matrix)
 
 
-real_matrix = _array_intrinsic(types.float64, 8)
-word_matrix = _array_intrinsic(types.int64, 8)
-complex_matrix = _array_intrinsic(types.complex128, 16)
+numbers = _vector_intrinsic(types.float64, "Return the floats of row k of a table of addresses.")
+words = _vector_intrinsic(types.int64, "Return the integers of row k of a table of addresses.")
+real_matrix = _matrix_intrinsic(types.float64, 8, "Return a matrix of floats by its row k.")
+word_matrix = _matrix_intrinsic(types.int64, 8, "Return a matrix of integers by its row k.")
+complex_matrix = _matrix_intrinsic(types.complex128, 16, "Return a complex matrix by its row k.")
