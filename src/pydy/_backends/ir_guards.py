@@ -141,7 +141,6 @@ class Solves:
                 "pivots": pivots,
                 "scales": scales,
                 "mask": every,
-                "n": str(n),
             }
             return
         spd = self._buffer(entries)
@@ -151,7 +150,7 @@ class Solves:
         pivots, scales, bad = self._lu(a, n, need)
         self._report(bad)
         self._factors[node] = {
-            "a": a, "pivots": pivots, "scales": scales, "mask": need, "n": str(n),
+            "a": a, "pivots": pivots, "scales": scales, "mask": need,
             "spd": spd, "inverse": inverse,
         }  # fmt: skip
 
