@@ -15,7 +15,8 @@ from harness.report import pairwise, save, table
 
 REFERENCE = 1e-13
 OURS = [("dop853", tol) for tol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10)]
-OURS += [("vern9", tol) for tol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)]
+OURS += [("vern9", k * tol) for tol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10) for k in (1, 0.5, 0.25)]
+OURS += [("vern9", 1e-11)]
 SCALED = ("vern9", 1e-8)  # for threads and the loop
 THEIRS = (1e-6, 1e-7, 1e-9)
 

@@ -84,7 +84,10 @@ def defects(row, A, order, theta=1.0):
 def interpolant(name, theta):
     """The weights of the stages at θ."""
     tableau = tableau_of(name)
-    rows = full((tableau.weights, *tableau.interpolant), len(matrix(name)))
+    step, *further = full((tableau.weights, *tableau.interpolant), len(matrix(name)))
+    start, end = np.eye(len(step))[[0, len(tableau.stages)]]
+    first = start - step
+    rows = np.array([step, first, step - first - end, *further])
     total = np.zeros(rows.shape[1])
     for level in range(len(rows) - 1, -1, -1):
         total = (theta if level % 2 == 0 else 1.0 - theta) * (rows[level] + total)

@@ -53,14 +53,27 @@ class Ensemble:
         """Return the Dataset, computed on threads."""
         whole: dict[str, Variable] = {}
         lock = Lock()
+        shape, model = self.samples.shape, self.work.model
+        states = None
+        if not self.work.reductions:  # each block writes its states where they belong
+            states = np.empty((len(model.states), self.samples.size, len(model.times)))
+        placed = {} if states is None else dict(zip(model.states, states, strict=True))
 
         def do(block: Block, stop: Callable[[], bool]) -> None:
-            for name, v in self.work(self.samples.of(block), stop).items():
+            part = self.samples.of(block)
+            here = None
+            if states is not None:  # blocks are runs of samples: see `block_sizes`
+                first = int(np.ravel_multi_index([s.start for s in block], shape)) if block else 0
+                here = states[:, first : first + part.size]
+            for name, v in self.work(part, stop, here).items():
+                sizes = (*shape, *v.values.shape[len(block) :])
                 with lock:
                     if name not in whole:
-                        shape = (*self.samples.shape, *v.values.shape[len(block) :])
-                        whole[name] = Variable(v.dims, np.empty(shape, v.values.dtype), v.attrs)
-                whole[name].values[block] = v.values
+                        known = placed.get(name)
+                        values = np.empty(sizes, v.values.dtype) if known is None else known
+                        whole[name] = Variable(v.dims, values.reshape(sizes), v.attrs)
+                if name not in placed:
+                    whole[name].values[block] = v.values
 
         # Small enough that all threads end at about the same time; sizes decide no bit.
         share = -(-self.samples.size // (4 * self._threads()))

@@ -120,18 +120,21 @@ def run(
     p: np.ndarray,
     times: np.ndarray,
     stopped: Callable[[], bool],
+    states: np.ndarray | None = None,
 ) -> Results:
-    """Integrate m samples: x (m, n), r (m, s), p (m, k)."""
+    """Integrate m samples: x (m, n), r (m, s), p (m, k); into `states` (n, m, times) if given."""
+    if states is None:
+        states = np.empty((x.shape[1], len(x), len(times)))
     if not model.in_lanes:
-        return _run_one_by_one(model, x, r, p, times, stopped)
+        return _run_one_by_one(model, x, r, p, times, stopped, states)
     from pydy.solvers.lane_runs import integrate_samples
 
     kernel = _kernel(model.rates, _LANES)
     found = integrate_samples(
-        kernel, model.method, x, r, p, model.sampled, times, model.options, stopped
+        kernel, model.method, x, r, p, model.sampled, times, model.options, states, stopped
     )
     steps, rejected, evaluations, status = (np.array(c) for c in found.counts.T)
-    return Results(found.states, steps, rejected, evaluations, status, found.reached)
+    return Results(states, steps, rejected, evaluations, status, found.reached)
 
 
 def evaluate_outputs(
@@ -187,6 +190,7 @@ def _run_one_by_one(
     p: np.ndarray,
     times: np.ndarray,
     stopped: Callable[[], bool],
+    states: np.ndarray,
 ) -> Results:
     """Integrate with the solver of single trajectories."""
     from pydy._errors import IntegrationError
@@ -195,7 +199,7 @@ def _run_one_by_one(
     m, n = x.shape
     kernel = _kernel(model.rates, 1)
     counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
-    states = np.full((n, m, len(times)), np.nan)
+    states[:] = np.nan
     results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
     jacobian = model.jacobian
     for k in range(m):

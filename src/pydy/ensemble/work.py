@@ -117,14 +117,20 @@ class Work:
         return (*self.model.states, *self.model.output_names)
 
     def __call__(
-        self, samples: Samples, stopped: Callable[[], bool] = lambda: False
+        self,
+        samples: Samples,
+        stopped: Callable[[], bool] = lambda: False,
+        states: np.ndarray | None = None,
     ) -> dict[str, Variable]:
-        """Return the results for some samples, dimensions of samples first."""
+        """Return the results for some samples, dimensions of samples first.
+
+        The states of all times lie in the array `states` (n, m, times), if there is one.
+        """
         model, times = self.model, self.model.times
         if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
             times = times[[0, -1]]  # steps do not depend on the outputs
         x, r, p = samples.rows()
-        results = run(model, x, r, p, times, stopped)
+        results = run(model, x, r, p, times, stopped, states)
         found = self._reduced(results, times, samples, r, p)
         for name in ("steps", "rejected", "evaluations", "status"):
             found[name] = Variable((), getattr(results, name))

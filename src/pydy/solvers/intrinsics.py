@@ -18,8 +18,10 @@ __all__ = [
     "combine",
     "complex_matrix",
     "copy_items",
+    "lowest_bit",
     "nested",
     "numbers",
+    "put",
     "real_matrix",
     "word_matrix",
     "words",
@@ -137,24 +139,31 @@ def _nested_function(module: ir.Module) -> ir.Function:
     parts = _pointer(builder, parts, _DOUBLE)
     totals = [cgutils.alloca_once(builder, _BLOCK) for _ in range(_TOGETHER)]
 
+    three = ir.FunctionType(_BLOCK, [_BLOCK] * 3)
+    fma = cgutils.get_or_insert_function(module, three, f"llvm.fma.v{BLOCK}f64")
+
     def write(first: Any, number: int) -> None:
         start = builder.mul(first, _INT(BLOCK))
-        for total in totals[:number]:
-            builder.store(ir.Constant(_BLOCK, [0.0] * BLOCK), total)
-        with cgutils.for_range(builder, depth) as inner:
-            level = builder.sub(builder.sub(depth, _INT(1)), inner.index)
-            where = builder.gep(parts, [builder.add(builder.mul(level, length), start)])
-            where = builder.bitcast(where, _BLOCK.as_pointer())
-            weight = builder.select(builder.trunc(level, ir.IntType(1)), far, near)
+
+        def part(level: Any, k: int) -> Any:
+            place = builder.add(builder.mul(level, length), start)
+            where = builder.bitcast(builder.gep(parts, [place]), _BLOCK.as_pointer())
+            return _load(builder, builder.gep(where, [_INT(k)]))
+
+        last = builder.sub(depth, _INT(1))
+        for k, total in enumerate(totals[:number]):
+            builder.store(part(last, k), total)
+        with cgutils.for_range(builder, last) as inner:
+            level = builder.sub(builder.sub(last, _INT(1)), inner.index)
+            weight = builder.select(builder.trunc(level, ir.IntType(1)), near, far)
             for k, total in enumerate(totals[:number]):
-                part = builder.fadd(
-                    _load(builder, builder.gep(where, [_INT(k)])), builder.load(total)
+                builder.store(
+                    builder.call(fma, [weight, builder.load(total), part(level, k)]), total
                 )
-                builder.store(builder.fmul(weight, part), total)
         for k, total in enumerate(totals[:number]):
             begin = builder.add(start, _INT(BLOCK * k))
             base = _load(builder, _block_at(builder, x, begin))
-            result = builder.fadd(base, builder.load(total))
+            result = builder.call(fma, [near, builder.load(total), base])
             builder.store(result, _block_at(builder, y, begin)).align = 8
 
     _in_groups(builder, blocks, write)
@@ -191,6 +200,32 @@ def _copy_function(module: ir.Module) -> ir.Function:
         builder.store(value, builder.gep(y, [builder.mul(loop.index, y_step)]))
     builder.ret_void()
     return function
+
+
+@intrinsic
+def put(typingctx, place, value):
+    """Write a number at an address.
+
+    The store is atomic, which costs nothing, so that LLVM leaves loops of such stores alone: for a
+    few numbers far apart, scatters are slower.
+    """
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        place, value = arguments
+        builder.store_atomic(value, _pointer(builder, place, _DOUBLE), "unordered", 8)
+        return context.get_dummy_value()
+
+    return types.void(types.intp, types.float64), codegen
+
+
+@intrinsic
+def lowest_bit(typingctx, bits):
+    """Return the place of the lowest bit of an integer that is not zero."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return builder.cttz(arguments[0], ir.IntType(1)(1))
+
+    return types.intp(types.int64), codegen
 
 
 @intrinsic

@@ -17,7 +17,7 @@ __all__ = ["LaneProblem", "Lanes", "Queue"]
 # LaneProblem.words
 KERNEL, PREPARE, STATES, SPECIFIEDS, CONSTANTS = range(5)
 # Queue.state
-HEAD, BUDGET, LIMIT = range(3)
+HEAD, BUDGET, LIMIT, PLACE, DISTANCE = range(5)
 # Queue.numbers
 LARGEST, FIRST = range(2)
 # Queue.counts, for each sample
@@ -52,24 +52,28 @@ class Lanes(NamedTuple):
     size: np.ndarray
     last_error: np.ndarray
     growth: np.ndarray
-    due: np.ndarray  # the time of the next output
+    next: np.ndarray  # the number of the next output
+    due: np.ndarray  # its time
     steps: np.ndarray
     rejected: np.ndarray
     evaluations: np.ndarray
     reason: np.ndarray  # a status: what the last rejected step met
     samples: np.ndarray  # int64
-    next: np.ndarray  # int64: the number of the next output
+    place: np.ndarray  # int64: the address of the next output
 
 
 class Queue(NamedTuple):
-    """The samples, and what became of them."""
+    """The samples, and what became of them.
+
+    Output k of state i of sample j goes to the address
+    ``state[PLACE] + 8 (i state[DISTANCE] + j number + k)``, where `number` is that of times.
+    """
 
     state: np.ndarray  # int64
     numbers: np.ndarray
-    times: np.ndarray
+    times: np.ndarray  # and infinity
     x: np.ndarray  # (m, states)
     r: np.ndarray  # (m, specifieds)
     p: np.ndarray  # (m, constants)
-    states: np.ndarray  # (states, m, times)
     counts: np.ndarray  # int64 (m, 4)
     reached: np.ndarray  # (m,): the time up to which the sample was integrated

@@ -17,7 +17,7 @@ from pydy.solvers.lane_layout import LaneProblem, Lanes, Queue
 from pydy.solvers.layout import Memory
 from pydy.solvers.methods import method_arrays
 from pydy.solvers.options import Options
-from pydy.solvers.problem import lined_up, tables_of
+from pydy.solvers.problem import address, lined_up, tables_of
 
 __all__ = ["LANES", "LaneResult", "evaluate_samples", "integrate_samples"]
 
@@ -31,15 +31,12 @@ class LaneResult:
 
     Attributes
     ----------
-    states : ndarray, shape (n, m, times)
-        NaN from where a sample failed.
     counts : ndarray of int64, shape (m, 4)
         Steps, rejected ones, evaluations, and how it ended: a status of `lane_layout`.
     reached : ndarray, shape (m,)
         The time up to which each was integrated.
     """
 
-    states: np.ndarray
     counts: np.ndarray
     reached: np.ndarray
 
@@ -53,6 +50,7 @@ def integrate_samples(
     sampled: Sequence[tuple[np.ndarray, Any]],
     times: np.ndarray,
     options: Options,
+    states: np.ndarray,
     stopped: Callable[[], bool] = lambda: False,
 ) -> LaneResult:
     """Integrate m samples, `LANES` at a time.
@@ -68,6 +66,9 @@ def integrate_samples(
         The places in r that samples in time take, the same for all.
     times : ndarray
     options : Options
+    states : ndarray, shape (n, m, times)
+        Where the states go, NaN from where a sample failed. Those of one sample lie side by side,
+        and the next sample's follow.
     stopped : callable
         Asked now and then; True ends the work with KeyboardInterrupt.
     """
@@ -92,16 +93,15 @@ def integrate_samples(
         atol=np.maximum(np.broadcast_to(np.asarray(options.atol, dtype=float), (n,)), 1e-300),
     )
     lanes = Lanes(**{name: lined_up(BLOCK) for name in Lanes._fields})._replace(
-        samples=np.full(BLOCK, at.VACANT), next=np.zeros(BLOCK, dtype=np.int64)
+        samples=np.full(BLOCK, at.VACANT), place=np.zeros(BLOCK, dtype=np.int64)
     )
     queue = Queue(
-        state=np.array([0, 0, options.max_steps], dtype=np.int64),
+        state=np.array([0, 0, options.max_steps, address(states), states.strides[0] // 8]),
         numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),
-        times=np.append(times, np.zeros(BLOCK))[: len(times)],  # read in whole blocks
+        times=np.append(times, np.inf),
         x=np.ascontiguousarray(x),
         r=np.ascontiguousarray(r),
         p=np.ascontiguousarray(p),
-        states=np.empty((n, m, len(times))),
         counts=np.zeros((m, 4), dtype=np.int64),
         reached=np.full(m, times[0]),
     )
@@ -112,7 +112,7 @@ def integrate_samples(
         start = perf_counter()
         code = step_lanes(arrays, problem, memory, lanes, queue)
         if code == at.EMPTY:
-            return LaneResult(queue.states, queue.counts, queue.reached)
+            return LaneResult(queue.counts, queue.reached)
         if stopped():
             raise KeyboardInterrupt
         elapsed = max(perf_counter() - start, 1e-6)

@@ -17,10 +17,14 @@ from pydy.solvers.intrinsics import (
     call_kernel,
     call_prepare,
     copy_items,
+    lowest_bit,
+    nested,
+    put,
 )
 from pydy.solvers.lane_layout import (
     BUDGET,
     CONSTANTS,
+    DISTANCE,
     EMPTY,
     EVALUATIONS,
     FINISHED,
@@ -32,6 +36,7 @@ from pydy.solvers.lane_layout import (
     LIMIT,
     NOT_FINITE,
     PAUSED,
+    PLACE,
     PREPARE,
     REJECTED,
     RESTING,
@@ -62,8 +67,8 @@ from pydy.solvers.vectors import (
     absolute,
     bits,
     ceiling,
+    gather,
     load,
-    load_at,
     mask_of,
     maximum,
     minimum,
@@ -71,7 +76,6 @@ from pydy.solvers.vectors import (
     root,
     splat,
     store,
-    store_at,
     where,
 )
 
@@ -133,20 +137,32 @@ def _copy_over(buffer, items, source, target):
 
 
 @inlined(always=True)
-def _copy_out(problem, x, queue, lane, sample, k):
-    """Write a lane's state as output k of a sample."""
-    m, number = len(queue.x), queue.times.size
-    target = address_of(queue.states, sample * number + k)
-    copy_items(target, m * number, address_of(x, lane), BLOCK, problem.words[STATES])
+def _write(problem, lanes, queue, values, which):
+    """Write a vector as the next output of the lanes named by `which`, and count it."""
+    distance, n = 8 * queue.state[DISTANCE], problem.words[STATES]
+    left = which
+    while left != 0:
+        lane = lowest_bit(left)
+        left &= left - 1
+        place = lanes.place[lane]
+        lanes.place[lane] = place + 8
+        for i in range(n):
+            put(place, values[i * BLOCK + lane])
+            place += distance
+    following = load(lanes.next, 0) + where(mask_of(which), 1.0, 0.0)
+    store(lanes.next, 0, following)
+    store(lanes.due, 0, gather(queue.times, following))
 
 
 @inlined(always=True)
-def _retire(lanes, queue, lane, status):
+def _retire(problem, lanes, queue, lane, status):
     """Write down how a lane's sample ended, and give the lane free."""
-    sample = lanes.samples[lane]
-    for k in range(lanes.next[lane], queue.times.size):
-        for i in range(queue.states.shape[0]):
-            queue.states[i, sample, k] = np.nan
+    sample, distance = lanes.samples[lane], 8 * queue.state[DISTANCE]
+    for k in range(queue.times.size - 1 - np.int64(lanes.next[lane])):
+        place = lanes.place[lane] + 8 * k
+        for _ in range(problem.words[STATES]):
+            put(place, np.nan)
+            place += distance
     counts = queue.counts[sample]
     counts[STEPS], counts[REJECTED] = lanes.steps[lane], lanes.rejected[lane]
     counts[EVALUATIONS], counts[STATUS] = lanes.evaluations[lane], status
@@ -237,27 +253,28 @@ def _start(method, problem, memory, lanes, queue, fresh):
     store(lanes.evaluations, 0, where(new, evaluations, load(lanes.evaluations, 0)))
     store(lanes.reason, 0, where(new, float(INACCURATE), load(lanes.reason, 0)))
     for lane in range(BLOCK):
-        if (fresh >> lane) & 1 == 0:
-            continue
-        k, sample = 0, lanes.samples[lane]
-        bad = (failed >> lane) & 1 == 1
-        while not bad and k < times.size and times[k] <= times[0]:
-            _copy_out(problem, memory.x, queue, lane, sample, k)
-            k += 1
-        lanes.next[lane] = k
-        lanes.due[lane] = times[k] if k < times.size else np.inf
-        if bad:
-            _retire(lanes, queue, lane, SINGULAR)
-        elif k == times.size:
-            _retire(lanes, queue, lane, FINISHED)
+        if (fresh >> lane) & 1 == 1:
+            lanes.next[lane], lanes.due[lane] = 0.0, times[0]
+            first = lanes.samples[lane] * (times.size - 1)
+            lanes.place[lane] = queue.state[PLACE] + 8 * first
+    well = fresh & ~failed
+    while well != 0:  # the first time may be asked for more than once
+        _write(problem, lanes, queue, memory.x, well)
+        well &= bits(load(lanes.due, 0) == times[0])
+    for lane in range(BLOCK):
+        if (failed >> lane) & 1 == 1:
+            _retire(problem, lanes, queue, lane, SINGULAR)
+        elif (fresh >> lane) & 1 == 1 and lanes.due[lane] == np.inf:
+            _retire(problem, lanes, queue, lane, FINISHED)
 
 
 @inlined(always=True)
-def _retire_some(lanes, queue, which, tired):
+def _retire_some(problem, lanes, queue, which, tired):
     for lane in range(BLOCK):
         if (which >> lane) & 1 == 1:
             stuck = (tired >> lane) & 1 == 0
-            _retire(lanes, queue, lane, np.int64(lanes.reason[lane]) if stuck else TOO_MANY)
+            status = np.int64(lanes.reason[lane]) if stuck else TOO_MANY
+            _retire(problem, lanes, queue, lane, status)
 
 
 # -- one step -------------------------------------------------------------------------------------
@@ -312,8 +329,13 @@ def _prepare_interpolant(method, problem, memory, t, size):
         failed |= _rates(problem, t + method.nodes[stage] * size, trial, out)
         row += 1
     for i in range(n):
-        store(memory.interpolant, i, load(memory.new, i) - load(memory.x, i))
-    for k in range(1, method.shape[DEPTH]):
+        increment = load(memory.new, i) - load(memory.x, i)
+        first = size * load(memory.stages, i) - increment
+        store(memory.interpolant, i, increment)
+        store(memory.interpolant, n + i, first)
+        second = increment - first - size * load(memory.stages, stages * n + i)
+        store(memory.interpolant, 2 * n + i, second)
+    for k in range(3, method.shape[DEPTH]):
         out = address_of(memory.interpolant, k * length)
         combine_row(method, problem, memory, row, out, zero)
         row += 1
@@ -321,44 +343,23 @@ def _prepare_interpolant(method, problem, memory, t, size):
 
 
 @inlined(always=True)
-def _write_outputs(method, problem, memory, lanes, queue, wanted):
-    """Write the outputs due within the step of each lane named by `wanted`, or at its end.
-
-    The ends are in ``memory.theta``. Eight outputs of one sample at a time: they lie side by side.
-    """
-    n, depth, length = problem.words[STATES], method.shape[DEPTH], memory.x.size
-    times, states = queue.times, queue.states
-    number = times.size
-    for lane in range(BLOCK):
-        if (wanted >> lane) & 1 == 0:
-            continue
-        sample, k, end = lanes.samples[lane], lanes.next[lane], memory.theta[lane]
-        while k < number and times[k] < end:
-            near = (load_at(times, k) - lanes.time[lane]) / memory.step[lane]
-            far = 1.0 - near
-            count = 1
-            while count < BLOCK and k + count < number and times[k + count] < end:
-                count += 1
-            for i in range(n):
-                place = i * BLOCK + lane
-                total = splat(0.0)
-                for level in range(depth - 1, -1, -1):
-                    total = total + memory.interpolant[level * length + place]
-                    total = total * far if level & 1 == 1 else total * near
-                value = total + memory.x[place]
-                if k + BLOCK <= number:  # what is beyond `count` is written again later
-                    store_at(states, (i * len(queue.x) + sample) * number + k, value)
-                else:
-                    store(memory.trial, 0, value)
-                    for j in range(count):
-                        states[i, sample, k + j] = memory.trial[j]
-            k += count
-        while k < number and times[k] == end:
-            for i in range(n):
-                states[i, sample, k] = memory.new[i * BLOCK + lane]
-            k += 1
-        lanes.next[lane] = k
-        lanes.due[lane] = times[k] if k < number else np.inf
+def _write_outputs(method, problem, memory, lanes, queue, within, end):
+    """Write the outputs due within the step of the lanes named by `within`, in turns."""
+    t, shorter = load(lanes.time, 0), 1.0 / load(memory.step, 0)
+    left = within
+    while left != 0:
+        store(memory.theta, 0, (load(lanes.due, 0) - t) * shorter)
+        nested(
+            address_of(memory.trial, 0),
+            address_of(memory.x, 0),
+            address_of(memory.interpolant, 0),
+            memory.x.size,
+            method.shape[DEPTH],
+            address_of(memory.theta, 0),
+            problem.words[STATES],
+        )
+        _write(problem, lanes, queue, memory.trial, left)
+        left &= bits(load(lanes.due, 0) < end)
 
 
 @compiled
@@ -366,7 +367,7 @@ def step_lanes(method, problem, memory, lanes, queue):
     """Step until the queue is empty, or ``BUDGET`` steps are taken."""
     n, control, shape = problem.words[STATES], method.control, method.shape
     length, state = memory.x.size, queue.state
-    last, largest = queue.times[queue.times.size - 1], queue.numbers[LARGEST]
+    last, largest = queue.times[queue.times.size - 2], queue.numbers[LARGEST]
     end = address_of(memory.stages, shape[STAGES] * length)
     end_block, adaptive = shape[STAGES] * n, shape[ESTIMATES] > 0
     reuse_end = shape[END_IN_ESTIMATE] == 1
@@ -407,7 +408,7 @@ def step_lanes(method, problem, memory, lanes, queue):
         tired = load(lanes.steps, 0) + load(lanes.rejected, 0) >= limit
         stopped = bits((tired | ~going) & active)
         if stopped != 0:
-            _retire_some(lanes, queue, stopped, bits(tired))
+            _retire_some(problem, lanes, queue, stopped, bits(tired))
             vacant = True
             continue
 
@@ -426,7 +427,7 @@ def step_lanes(method, problem, memory, lanes, queue):
         store(lanes.evaluations, 0, evaluations)
 
         due = load(lanes.due, 0)
-        within, at_end = good & (due < after), good & (due == after)
+        within = good & (due < after)
         if bits(within) != 0:
             broken = _prepare_interpolant(method, problem, memory, t, size) & bits(within)
             extra = where(within, float(shape[DENSE_STAGES]), 0.0)
@@ -434,14 +435,16 @@ def step_lanes(method, problem, memory, lanes, queue):
             if broken != 0:
                 for lane in range(BLOCK):
                     if (broken >> lane) & 1 == 1:
-                        _retire(lanes, queue, lane, SINGULAR)
+                        _retire(problem, lanes, queue, lane, SINGULAR)
                 working &= ~broken
                 vacant = True
                 good = good & mask_of(working)
-                within, at_end = within & good, at_end & good
-        if bits(within | at_end) != 0:
-            store(memory.theta, 0, after)
-            _write_outputs(method, problem, memory, lanes, queue, bits(within | at_end))
+                within = within & good
+            _write_outputs(method, problem, memory, lanes, queue, bits(within), after)
+        at_end = bits(good & (load(lanes.due, 0) == after))
+        while at_end != 0:
+            _write(problem, lanes, queue, memory.new, at_end)
+            at_end &= bits(load(lanes.due, 0) == after)
 
         bad = active & ~good
         store(lanes.steps, 0, load(lanes.steps, 0) + where(good, 1.0, 0.0))
@@ -476,7 +479,7 @@ def step_lanes(method, problem, memory, lanes, queue):
         if finished != 0:
             for lane in range(BLOCK):
                 if (finished >> lane) & 1 == 1:
-                    _retire(lanes, queue, lane, FINISHED)
+                    _retire(problem, lanes, queue, lane, FINISHED)
             vacant = True
 
 

@@ -50,7 +50,7 @@ def method_arrays(name: str, length: int) -> Method:
         stages,
         len(tableau.errors),
         len(tableau.dense_stages),
-        len(tableau.interpolant) + 1,
+        len(tableau.interpolant) + 3,
         any(stages in row for row in tableau.errors),
     )
     exponent = 1.0 / ((tableau.error_order or 0) + 1)

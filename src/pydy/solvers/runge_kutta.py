@@ -116,11 +116,14 @@ def prepare_interpolant(method, problem, memory, run, t, h):
         if code != 0:
             return code
         row += 1
-    interpolant = memory.interpolant
+    interpolant, end = memory.interpolant, stages * length
     for i in range(length):
-        interpolant[i] = memory.new[i] - memory.x[i]
+        increment = memory.new[i] - memory.x[i]
+        first = h * memory.stages[i] - increment
+        interpolant[i], interpolant[length + i] = increment, first
+        interpolant[2 * length + i] = increment - first - h * memory.stages[end + i]
     zero = address_of(memory.zero, 0)
-    for k in range(1, method.shape[DEPTH]):
+    for k in range(3, method.shape[DEPTH]):
         combine_row(method, problem, memory, row, address_of(interpolant, k * length), zero)
         row += 1
     return 0

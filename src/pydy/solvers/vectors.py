@@ -28,8 +28,8 @@ __all__ = [
     "absolute",
     "bits",
     "ceiling",
+    "gather",
     "load",
-    "load_at",
     "mask_of",
     "maximum",
     "minimum",
@@ -37,7 +37,6 @@ __all__ = [
     "root",
     "splat",
     "store",
-    "store_at",
     "where",
 ]
 
@@ -135,45 +134,51 @@ _define(operator.invert, mask, ((mask,),), lambda b, x: b.not_(x))
 # -- functions ------------------------------------------------------------------------------------
 
 
-def _block_at(context: Any, builder: Any, kind: Any, array: Any, place: Any) -> Any:
+def _block_at(context: Any, builder: Any, kind: Any, array: Any, k: Any) -> Any:
     data = make_array(kind)(context, builder, array).data
+    place = builder.mul(k, k.type(BLOCK))
     return builder.bitcast(builder.gep(data, [place]), _DOUBLES.as_pointer())
 
 
-def _load_intrinsic(step: int, doc: str) -> Any:
-    def read(typingctx, array, k):
-        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            array, k = arguments
-            place = builder.mul(k, k.type(step))
-            value = builder.load(_block_at(context, builder, signature.args[0], array, place))
-            value.align = 8
-            return value
+@intrinsic
+def load(typingctx, array, k):
+    """Return block k of a contiguous array."""
 
-        return block(array, types.intp), codegen
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        value = builder.load(_block_at(context, builder, signature.args[0], *arguments))
+        value.align = 8
+        return value
 
-    read.__doc__ = doc
-    return intrinsic(read)
+    return block(array, types.intp), codegen
 
 
-def _store_intrinsic(step: int, doc: str) -> Any:
-    def write(typingctx, array, k, value):
-        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            array, k, value = arguments
-            place = builder.mul(k, k.type(step))
-            where = _block_at(context, builder, signature.args[0], array, place)
-            builder.store(value, where).align = 8
-            return context.get_dummy_value()
+@intrinsic
+def store(typingctx, array, k, value):
+    """Write block k of a contiguous array."""
 
-        return types.void(array, types.intp, block), codegen
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        array, k, value = arguments
+        where = _block_at(context, builder, signature.args[0], array, k)
+        builder.store(value, where).align = 8
+        return context.get_dummy_value()
 
-    write.__doc__ = doc
-    return intrinsic(write)
+    return types.void(array, types.intp, block), codegen
 
 
-load = _load_intrinsic(BLOCK, "Return block k of a contiguous array.")
-load_at = _load_intrinsic(1, "Return the eight numbers from place k on of a contiguous array.")
-store = _store_intrinsic(BLOCK, "Write block k of a contiguous array.")
-store_at = _store_intrinsic(1, "Write eight numbers from place k on of a contiguous array.")
+@intrinsic
+def gather(typingctx, array, places):
+    """Return the numbers at some places, a block of whole floats, of a contiguous array."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        data = make_array(signature.args[0])(context, builder, arguments[0]).data
+        result = ir.Constant(_DOUBLES, ir.Undefined)
+        for k in range(BLOCK):
+            place = builder.fptosi(builder.extract_element(arguments[1], _INT(k)), _LONG)
+            value = builder.load(builder.gep(data, [place]))
+            result = builder.insert_element(result, value, _INT(k))
+        return result
+
+    return block(array, block), codegen
 
 
 @intrinsic

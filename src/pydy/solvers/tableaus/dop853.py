@@ -6,7 +6,7 @@ section II.5 and appendix (code DOP853).
 
 from __future__ import annotations
 
-from pydy.solvers.tableaus.tableau import Row, Tableau, hermite
+from pydy.solvers.tableaus.tableau import Row, Tableau
 
 __all__ = ["DOP853"]
 
@@ -109,5 +109,5 @@ DOP853 = Tableau(
     weights=_WEIGHTS,
     errors=_ERRORS,
     dense_stages=_DENSE_STAGES,
-    interpolant=(*hermite(_WEIGHTS, end=12), *_DENSE),
+    interpolant=_DENSE,
 )

@@ -6,7 +6,7 @@ für Mathematik und Physik 46 (1901) 435–453.
 
 from __future__ import annotations
 
-from pydy.solvers.tableaus.tableau import Tableau, hermite
+from pydy.solvers.tableaus.tableau import Tableau
 
 __all__ = ["RK4"]
 
@@ -21,5 +21,5 @@ RK4 = Tableau(
     weights=_WEIGHTS,
     errors=(),
     dense_stages=(),
-    interpolant=hermite(_WEIGHTS, end=4),
+    interpolant=(),
 )

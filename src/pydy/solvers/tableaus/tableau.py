@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-__all__ = ["Row", "Tableau", "from_monomials", "hermite"]
+__all__ = ["Row", "Tableau", "from_monomials"]
 
 Row = dict[int, float]
 
@@ -37,8 +37,8 @@ class Tableau:
     damping : float
         Exponent of the last error in the choice of the step size; 0 for the plain rule.
     interpolant : tuple of rows
-        F1, F2 … of ``x + θ (F0 + (1 − θ)(F1 + θ (F2 + (1 − θ)(F3 + …))))``, where F0 is the
-        step's increment: the form in which nothing cancels at the ends of the step.
+        F3, F4 … of ``x + θ (F0 + (1 − θ)(F1 + θ (F2 + (1 − θ)(F3 + …))))``: the form in which
+        nothing cancels at the ends of the step. States and derivatives there give F0 to F2.
     """
 
     name: str
@@ -54,7 +54,7 @@ class Tableau:
 
 
 def from_monomials(stages: Mapping[int, str]) -> tuple[Row, ...]:
-    """Return F1, F2 … for polynomials in θ given by the coefficients of θ, θ² … of each stage.
+    """Return F3, F4 … for polynomials in θ given by the coefficients of θ, θ² … of each stage.
 
     The conversion is exact; `stages` holds the coefficients as text.
     """
@@ -70,7 +70,7 @@ def from_monomials(stages: Mapping[int, str]) -> tuple[Row, ...]:
             rows[level][stage] = float(rest[0] if at_zero else sum(rest))
             rest = rest[1:] if at_zero else _divide_at_one(rest)
             level += 1
-    return tuple(rows)
+    return tuple(rows[2:])
 
 
 def _divide_at_one(polynomial: Sequence[Fraction]) -> list[Fraction]:
@@ -81,13 +81,3 @@ def _divide_at_one(polynomial: Sequence[Fraction]) -> list[Fraction]:
         total += coefficient
         quotient.append(-total)
     return quotient[::-1]
-
-
-def hermite(weights: Row, end: int) -> tuple[Row, Row]:
-    """Return F1 and F2 of the cubic through both ends of the step and their derivatives."""
-    first = {stage: -weight for stage, weight in weights.items()}
-    second = {stage: 2.0 * weight for stage, weight in weights.items()}
-    first[0] = first.get(0, 0.0) + 1.0
-    second[0] = second.get(0, 0.0) - 1.0
-    second[end] = second.get(end, 0.0) - 1.0
-    return first, second
