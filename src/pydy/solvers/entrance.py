@@ -11,10 +11,18 @@ from collections.abc import Sequence
 import numpy as np
 
 from pydy.solvers.compiled import inlined
-from pydy.solvers.intrinsics import complex_matrix, numbers, real_matrix, word_matrix, words
-from pydy.solvers.layout import Constraints, Memory, Method, Problem, Run, Watch
+from pydy.solvers.intrinsics import (
+    complex_matrix,
+    flattened,
+    numbers,
+    real_matrix,
+    word_matrix,
+    words,
+)
+from pydy.solvers.layout import STATES, Constraints, Memory, Method, Problem, Run, Watch
 from pydy.solvers.newton import Newton
 from pydy.solvers.problem import address
+from pydy.solvers.runge_kutta import copy_vector
 
 __all__ = ["opened", "opened_newton", "rows_of", "table_of"]
 
@@ -30,8 +38,12 @@ def table_of(*parts: Sequence[tuple[int, int]]) -> np.ndarray:
 
 
 @inlined
-def opened(table, flat):
-    """Return the tuples of `layout`; `flat` is the array of a `Run` that results go to."""
+def opened(table, states, fresh):
+    """Return the tuples of `layout`.
+
+    Results go to `states`, row by row and a block further. Where `fresh` is 1 an integration begins
+    here, from the state in the first row.
+    """
     method = Method(
         words(table, 0),
         words(table, 1),
@@ -66,8 +78,13 @@ def opened(table, flat):
         numbers(table, 24),
         words(table, 25),
         numbers(table, 26),
-        flat,
+        flattened(states),
     )
+    if fresh == 1:
+        for i in range(problem.words[STATES]):
+            memory.x[i] = run.flat[i]
+        copy_vector(numbers(table, 42), run.state)
+        copy_vector(words(table, 43), run.counts)
     constraints = Constraints(
         words(table, 28),
         numbers(table, 29),

@@ -91,9 +91,11 @@ def _first_size(method, problem, memory, run, t):
 
 
 @compiled
-def advance(table, flat):
+def advance(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
-    method, problem, memory, run, constraints, watch = opened(table, flat)
+    method, problem, memory, run, constraints, watch = opened(table, states, fresh)
+    if run.counts[BUDGET] == 0:
+        return PAUSED
     length = memory.x.size
     state, count, times, control = run.state, run.counts, run.times, method.control
     stages, held = method.shape[STAGES], constraints.words[ACTIVE] == 1
@@ -198,7 +200,7 @@ def advance(table, flat):
 
 
 @compiled
-def project_start(table, flat):
+def project_start(table, states):
     """Move the initial state onto the constraints."""
-    _, problem, memory, run, constraints, _ = opened(table, flat)
+    _, problem, memory, run, constraints, _ = opened(table, states, 0)
     return project(problem, run, constraints, run.state[TIME], memory.x)

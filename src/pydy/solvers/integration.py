@@ -115,9 +115,17 @@ class Integration:
         state[at.TIME], state[at.LARGEST] = times[0], options.max_step
         state[at.SIZE] = options.first_step or options.step or 0.0
         count[at.LIMIT] = options.max_steps
-        self._beginning = state.copy(), count.copy()
-        self.progress = Run(state, count, np.ascontiguousarray(times), np.zeros(0))
-        self._states = np.zeros((0, n))
+        # Whether Python has more to do than to wait for the end.
+        parts = (options.constraints, options.events)
+        wanted = any(p is not None for p in parts) or options.progress
+        attended = wanted or bool(self.callbacks) or self._tight
+        count[at.BUDGET] = 0 if attended else _first_budget(method, False)
+        self._beginning = state, count
+        run = Run(state.copy(), count.copy(), np.ascontiguousarray(times), np.zeros(0))
+        self.progress = run
+        # Rows are written in whole blocks.
+        self._room = (len(times) + -(-BLOCK // max(1, n)), n)
+        self._rows = np.zeros(self._room)
         self._table = table_of(
             _method_rows(method, len(self.memory.x)),
             rows_of(self.problem),
@@ -125,14 +133,11 @@ class Integration:
             rows_of(self.progress),
             _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
             _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
+            rows_of(self._beginning),
         )
         self._advance, self._more = advance, ()
         if method == IMPLICIT:
             self._advance, self._more = self._implicit()
-        # Whether Python has more to do than to wait for the end.
-        parts = (options.constraints, options.events)
-        wanted = any(p is not None for p in parts) or options.progress
-        self._attended = wanted or bool(self.callbacks)
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end and return the states.
@@ -142,25 +147,20 @@ class Integration:
         ValueError
             When `x0` is not finite.
         """
-        m, n = len(self.progress.times), self.n
-        self.memory.x[:n] = self._x0 = x0
-        self.progress.state[:], self.progress.counts[:] = self._beginning
-        flat = np.empty(m * n + BLOCK)
-        self._flat = flat
-        self._states = flat[: m * n].reshape(m, n)
+        m = len(self.progress.times)
+        self._rows = rows = np.empty(self._room)
+        rows[0] = self._x0 = x0
         self.status = "finished"
         self.records = []
-        if self._tight:
-            self._check_tolerances()
         try:
-            code = at.PAUSED
-            if not self._attended:  # most of these end in their first slice
-                code = self._slice(_first_budget(self.name, False))
+            code = self._advance(self._table, rows, 1, *self._more)
+            if code == at.FINISHED:  # most end in their first slice
+                return rows[:m]
             if code == at.PAUSED:
                 with self.interrupts:
                     self._start()
                     self._run()
-            elif code != at.FINISHED:
+            else:
                 self._fail(code)
         except KeyboardInterrupt:
             self._empty_log()
@@ -172,8 +172,8 @@ class Integration:
         self._empty_log()
         reached = self.progress.counts[at.NEXT]
         if reached < m:
-            self._states[reached:] = np.nan
-        return self._states
+            rows[reached:m] = np.nan
+        return rows[:m]
 
     # -- arrays for compiled code -----------------------------------------------------------------
 
@@ -281,7 +281,7 @@ class Integration:
     def _slice(self, budget: int) -> int:
         """Take some steps; returns the code of why it stopped."""
         self.progress.counts[at.BUDGET] = budget
-        code: int = self._advance(self._table, self._flat, *self._more)
+        code: int = self._advance(self._table, self._rows, 0, *self._more)
         return code
 
     def _run(self) -> None:
@@ -348,6 +348,8 @@ class Integration:
 
     def _start(self) -> None:
         """See to the initial state."""
+        if self._tight:
+            self._check_tolerances()
         if self.options.constraints is not None:
             self._tell_dependent(self.options.constraints)
             self._project_start()
@@ -378,7 +380,7 @@ class Integration:
 
         x = self.memory.x
         before = x.copy()
-        code = project_start(self._table, self._flat)
+        code = project_start(self._table, self._rows)
         self._raise_callback()
         moved = np.abs(x - before)
         if code != 0 or (moved > 1e-3 * (1.0 + np.abs(before))).any():
@@ -521,7 +523,7 @@ class Integration:
         raise kind(
             f"`{self.name}` {what} at t = {t!r} in the state {shown}{more}. {remedy}",
             self.progress.times[:reached].copy(),
-            self._states[:reached].copy(),
+            self._rows[:reached].copy(),
             t,
             x,
             self.info(),

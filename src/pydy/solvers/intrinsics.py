@@ -18,6 +18,8 @@ __all__ = [
     "combine",
     "complex_matrix",
     "copy_items",
+    "flattened",
+    "get",
     "lowest_bit",
     "nested",
     "numbers",
@@ -219,6 +221,16 @@ def put(typingctx, place, value):
 
 
 @intrinsic
+def get(typingctx, place):
+    """Return the number at an address."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return builder.load(_pointer(builder, arguments[0], _DOUBLE))
+
+    return types.float64(types.intp), codegen
+
+
+@intrinsic
 def lowest_bit(typingctx, bits):
     """Return the place of the lowest bit of an integer that is not zero."""
 
@@ -285,6 +297,22 @@ def address_of(typingctx, array, index):
         return builder.add(start, builder.mul(arguments[1], _INT(8)))
 
     return types.intp(array, types.intp), codegen
+
+
+@intrinsic
+def flattened(typingctx, array):
+    """Return a contiguous matrix of floats as one row of numbers."""
+    kind = types.Array(types.float64, 1, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        from numba.np.arrayobj import make_array
+
+        matrix = make_array(signature.args[0])(context, builder, arguments[0])
+        rows, columns = cgutils.unpack_tuple(builder, matrix.shape, 2)
+        place = builder.ptrtoint(matrix.data, _INT)
+        return _array(kind, 8, place, [builder.mul(rows, columns)], context, builder)
+
+    return kind(array), codegen
 
 
 def _row_of(builder: Any, context: Any, kind: Any, table: Any, k: Any) -> tuple[Any, Any]:

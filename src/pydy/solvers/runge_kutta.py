@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from pydy.solvers.compiled import inlined
-from pydy.solvers.intrinsics import address_of, combine, nested
+from pydy.solvers.intrinsics import address_of, combine, get, nested, put
 from pydy.solvers.layout import (
     BLOCKS,
     DENSE_STAGES,
@@ -50,22 +50,47 @@ def combine_row(method, problem, memory, row, y, x):
     )
 
 
+@inlined(reassociate=True)
+def _combine_latest(method, problem, memory, row, y, h):
+    """Compute y = x + h · (one row of the tableau · stages); y is an address.
+
+    The latest stage comes last and number by number: a kernel has just written it so, and what is
+    written in parts can be read as a whole only much later. It counts where vectors are short.
+    """
+    first, last = method.rows[row], method.rows[row + 1] - 1
+    count = last - first
+    short = problem.words[BLOCKS] == 1
+    combine(
+        y,
+        address_of(memory.x, 0),
+        address_of(memory.step, 0),
+        address_of(memory.stages, 0),
+        address_of(method.offsets, first),
+        address_of(method.weights, first),
+        count if short else count + 1,
+        problem.words[BLOCKS],
+    )
+    if short:
+        weight, source = h * method.weights[last], method.offsets[last]
+        for i in range(problem.words[STATES]):
+            put(y + 8 * i, get(y + 8 * i) + weight * memory.stages[source + i])
+
+
 @inlined(pasted=True)
 def take_step(method, problem, memory, run, t, h):
     """Compute ``memory.new`` from ``memory.x``. Not zero: what the right-hand side complained."""
-    length = memory.x.size
-    x, trial = address_of(memory.x, 0), address_of(memory.trial, 0)
+    length, trial = memory.x.size, address_of(memory.trial, 0)
     for i in range(memory.step.size):
         memory.step[i] = h
     stages = method.shape[STAGES]
     for stage in range(1, stages):
-        combine_row(method, problem, memory, stage, trial, x)
+        _combine_latest(method, problem, memory, stage, trial, h)
         out = address_of(memory.stages, stage * length)
         run.counts[EVALUATIONS] += 1
         code = rates(problem, t + method.nodes[stage] * h, trial, out)
         if code != 0:
             return code
-    combine_row(method, problem, memory, stages, address_of(memory.new, 0), x)
+    _combine_latest(method, problem, memory, stages, address_of(memory.new, 0), h)
     return 0
 
 
