@@ -8,8 +8,6 @@ import numpy as np
 
 __all__ = ["number", "real_array"]
 
-_FLOAT = np.dtype(float)
-
 
 def number(value: Any, what: str, *, finite: bool = False) -> float:
     """Return a value as a float, or say what it was instead."""
@@ -31,8 +29,6 @@ def real_array(value: Any, what: str) -> np.ndarray:
 
     NumPy alone would turn None into NaN and drop imaginary parts.
     """
-    if type(value) is np.ndarray and value.dtype is _FLOAT and value.flags.c_contiguous:
-        return value
     try:
         array = np.asarray(value)
         if array.dtype.kind == "O":

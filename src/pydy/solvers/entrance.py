@@ -109,18 +109,18 @@ def opened(table, states, fresh):
 
 @inlined
 def opened_newton(table, n):
-    """Return the arrays of an implicit step."""
+    """Return the arrays of an implicit step, which follow in its table."""
     return Newton(
-        words(table, 0),
-        numbers(table, 1),
-        numbers(table, 2),
-        numbers(table, 3),
-        real_matrix(table, 4, n),
-        complex_matrix(table, 5, n),
-        words(table, 6),
-        words(table, 7),
-        real_matrix(table, 8, n),
-        real_matrix(table, 9, n),
-        real_matrix(table, 10, n),
-        real_matrix(table, 11, n),
+        words(table, 44),
+        numbers(table, 45),
+        numbers(table, 46),
+        numbers(table, 47),
+        real_matrix(table, 48, n),
+        complex_matrix(table, 49, n),
+        words(table, 50),
+        words(table, 51),
+        real_matrix(table, 52, n),
+        real_matrix(table, 53, n),
+        real_matrix(table, 54, n),
+        real_matrix(table, 55, n),
     )

@@ -186,7 +186,9 @@ def advance(table, states, fresh):
                 return code
         if adaptive:
             error = max(error, 1e-10)
-            factor = control[SAFETY] * error ** -control[ALPHA] * state[LAST_ERROR] ** control[BETA]
+            factor = control[SAFETY] * error ** -control[ALPHA]
+            if control[BETA] != 0.0:
+                factor *= state[LAST_ERROR] ** control[BETA]
             h = size * min(state[GROWTH], max(control[SHRINK], factor))
             state[LAST_ERROR] = max(error, 1e-4)
             state[GROWTH] = control[GROW]

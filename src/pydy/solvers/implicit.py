@@ -207,12 +207,12 @@ def _first_size(problem, memory, run, t):
 
 
 @compiled
-def advance_implicit(table, states, fresh, newton_table):
+def advance_implicit(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
     method, problem, memory, run, constraints, watch = opened(table, states, fresh)
     if run.counts[BUDGET] == 0:
         return PAUSED
-    newton = opened_newton(newton_table, problem.words[STATES])
+    newton = opened_newton(table, problem.words[STATES])
     n = problem.words[STATES]
     state, count, times = run.state, run.counts, run.times
     held = constraints.words[ACTIVE] == 1

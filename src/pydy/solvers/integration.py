@@ -64,6 +64,19 @@ def _method_rows(method: str, length: int) -> list[tuple[int, int]]:
     return rows_of(method_arrays(method, length))
 
 
+@cache
+def _entry(implicit: bool) -> Callable[..., int]:
+    """Return the compiled stepper itself: numba's choice by types takes as long as four steps."""
+    from numba import float64, int64
+
+    if implicit:
+        from pydy.solvers.implicit import advance_implicit as stepper
+    else:
+        from pydy.solvers.explicit import advance as stepper
+    function: Callable[..., int] = stepper.compile((int64[:, ::1], float64[:, ::1], int64))
+    return function
+
+
 def _first_budget(method: str, calls_python: bool) -> int:
     """Return how many steps take a few milliseconds at most; further ones are measured."""
     if calls_python:
@@ -94,8 +107,6 @@ class Integration:
         args: tuple[Any, ...],
         options: Options,
     ) -> None:
-        from pydy.solvers.explicit import advance
-
         self.name = method
         self.options = options
         self.interrupts = Interrupts()
@@ -124,8 +135,11 @@ class Integration:
         run = Run(state.copy(), count.copy(), np.ascontiguousarray(times), np.zeros(0))
         self.progress = run
         # Rows are written in whole blocks.
-        self._room = (len(times) + -(-BLOCK // max(1, n)), n)
+        self._number = len(times)
+        self._room = (self._number + -(-BLOCK // max(1, n)), n)
         self._rows = np.zeros(self._room)
+        further = self._reserve_newton() if method == IMPLICIT else []
+        self._advance = _entry(method == IMPLICIT)
         self._table = table_of(
             _method_rows(method, len(self.memory.x)),
             rows_of(self.problem),
@@ -134,10 +148,8 @@ class Integration:
             _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
             _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
             rows_of(self._beginning),
+            further,
         )
-        self._advance, self._more = advance, ()
-        if method == IMPLICIT:
-            self._advance, self._more = self._implicit()
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end and return the states.
@@ -147,15 +159,14 @@ class Integration:
         ValueError
             When `x0` is not finite.
         """
-        m = len(self.progress.times)
         self._rows = rows = np.empty(self._room)
         rows[0] = self._x0 = x0
         self.status = "finished"
         self.records = []
         try:
-            code = self._advance(self._table, rows, 1, *self._more)
+            code = self._advance(self._table, rows, 1)
             if code == at.FINISHED:  # most end in their first slice
-                return rows[:m]
+                return rows[: self._number]
             if code == at.PAUSED:
                 with self.interrupts:
                     self._start()
@@ -171,9 +182,9 @@ class Integration:
             )
         self._empty_log()
         reached = self.progress.counts[at.NEXT]
-        if reached < m:
-            rows[reached:m] = np.nan
-        return rows[:m]
+        if reached < self._number:
+            rows[reached : self._number] = np.nan
+        return rows[: self._number]
 
     # -- arrays for compiled code -----------------------------------------------------------------
 
@@ -252,8 +263,7 @@ class Integration:
         acting = [end or reset is not None for end, reset in stops]
         return watch_arrays(place, c, wanted.directions, acting, self.n, _LOG if number else 0)
 
-    def _implicit(self) -> tuple[Callable[..., int], tuple[Any, ...]]:
-        from pydy.solvers.implicit import advance_implicit
+    def _reserve_newton(self) -> list[tuple[int, int]]:
         from pydy.solvers.newton import Newton
 
         n, call = self.n, self.call
@@ -274,14 +284,14 @@ class Integration:
             slopes=np.zeros((3, n)),
             last=np.zeros((4, n)),
         )
-        return advance_implicit, (table_of(rows_of(self._newton)),)
+        return rows_of(self._newton)
 
     # -- running ----------------------------------------------------------------------------------
 
     def _slice(self, budget: int) -> int:
         """Take some steps; returns the code of why it stopped."""
         self.progress.counts[at.BUDGET] = budget
-        code: int = self._advance(self._table, self._rows, 0, *self._more)
+        code: int = self._advance(self._table, self._rows, 0)
         return code
 
     def _run(self) -> None:

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 __all__ = ["SOLVERS", "Prepared", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]
 
+_FLOAT = np.dtype(float)
+
 
 class Solver:
     """An integration method in machine code, with the signature of `scipy.integrate.odeint`.
@@ -173,9 +175,10 @@ class Prepared:
         IntegrationError, IntegrationInterrupted
             As for a call of the solver.
         """
-        x0 = real_array(x0, "`x0`")
-        if x0.shape != self._shape:
-            raise ValueError(f"`x0` must have the shape {self._shape}, got {x0.shape}.")
+        if type(x0) is not np.ndarray or x0.dtype is not _FLOAT or x0.shape != self._shape:
+            x0 = real_array(x0, "`x0`")
+            if x0.shape != self._shape:
+                raise ValueError(f"`x0` must have the shape {self._shape}, got {x0.shape}.")
         return self._run(x0)
 
     @property
