@@ -11,17 +11,19 @@ import hashlib
 import logging
 from collections.abc import Callable
 from contextlib import suppress
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
 import llvmlite.binding as llvm
 import numba
+from numba.core import sigutils
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
+from numba.core.ccallback import CFunc
 
 from pydy._cache_folder import folder
 
-__all__ = ["compiled", "inlined"]
+__all__ = ["compiled", "inlined", "part"]
 
 _LOG = logging.getLogger("pydy")
 
@@ -106,6 +108,39 @@ def compiled(function: Callable[..., Any]) -> Any:
     if folder() is not None:
         dispatcher._cache = _Cache(function)  # type: ignore[no-untyped-call]
     return dispatcher
+
+
+class _Part:
+    """A function that compiled code calls by its address."""
+
+    def __init__(self, function: Callable[..., Any], last: str) -> None:
+        self.__doc__ = function.__doc__
+        self._function = function
+        self._signature = f"int64(int64, float64, {last})"
+
+    @cached_property
+    def address(self) -> int:
+        """Where it lies: it is compiled, or loaded, when this is first asked for."""
+        options = {**_OPTIONS, "_nrt": True}
+        arguments = sigutils.normalize_signature(self._signature)
+        native: Any = CFunc(self._function, arguments, locals={}, options=options)
+        if folder() is not None:
+            native._cache = _Cache(self._function)  # type: ignore[no-untyped-call]
+        native.compile()
+        self._native = native  # keeps the code
+        return int(native.address)
+
+
+def part(last: str) -> Callable[[Callable[..., Any]], _Part]:
+    """Compile a function on its own, of what few integrations need, with the first that does.
+
+    Parameters
+    ----------
+    last : str
+        The type of its last argument, after the address of a table of arrays and a time. It returns
+        an integer, and may make arrays.
+    """
+    return lambda function: _Part(function, last)
 
 
 def inlined(

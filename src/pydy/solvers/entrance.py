@@ -1,7 +1,8 @@
 """The way from Python into compiled steppers: all their arrays as one table of addresses.
 
 numba looks at every array of every argument at each call, which takes as long as a hundred steps of
-a pendulum. A table is made once for an integration, and opened by compiled code.
+a pendulum. A table is made once for an integration; compiled code gets its address, and opens what
+it needs of it.
 """
 
 from __future__ import annotations
@@ -24,7 +25,19 @@ from pydy.solvers.newton import Newton
 from pydy.solvers.problem import address
 from pydy.solvers.runge_kutta import copy_vector
 
-__all__ = ["opened", "opened_newton", "rows_of", "table_of"]
+__all__ = [
+    "begin",
+    "opened_constraints",
+    "opened_memory",
+    "opened_method",
+    "opened_newton",
+    "opened_problem",
+    "opened_progress",
+    "opened_run",
+    "opened_watch",
+    "rows_of",
+    "table_of",
+]
 
 
 def rows_of(arrays: Sequence[np.ndarray]) -> list[tuple[int, int]]:
@@ -38,13 +51,9 @@ def table_of(*parts: Sequence[tuple[int, int]]) -> np.ndarray:
 
 
 @inlined
-def opened(table, states, fresh):
-    """Return the tuples of `layout`.
-
-    Results go to `states`, row by row and a block further. Where `fresh` is 1 an integration begins
-    here, from the state in the first row.
-    """
-    method = Method(
+def opened_method(table):
+    """Return the tableau."""
+    return Method(
         words(table, 0),
         words(table, 1),
         words(table, 2),
@@ -52,7 +61,12 @@ def opened(table, states, fresh):
         numbers(table, 4),
         numbers(table, 5),
     )
-    problem = Problem(
+
+
+@inlined
+def opened_problem(table):
+    """Return the right-hand side."""
+    return Problem(
         words(table, 6),
         numbers(table, 7),
         numbers(table, 8),
@@ -61,7 +75,12 @@ def opened(table, states, fresh):
         numbers(table, 11),
         real_matrix(table, 12, 4),
     )
-    memory = Memory(
+
+
+@inlined
+def opened_memory(table):
+    """Return the trajectory's numbers."""
+    return Memory(
         numbers(table, 13),
         numbers(table, 14),
         numbers(table, 15),
@@ -74,24 +93,31 @@ def opened(table, states, fresh):
         numbers(table, 22),
         numbers(table, 23),
     )
-    run = Run(
-        numbers(table, 24),
-        words(table, 25),
-        numbers(table, 26),
-        flattened(states),
-    )
-    if fresh == 1:
-        for i in range(problem.words[STATES]):
-            memory.x[i] = run.flat[i]
-        copy_vector(numbers(table, 42), run.state)
-        copy_vector(words(table, 43), run.counts)
-    constraints = Constraints(
-        words(table, 28),
-        numbers(table, 29),
-        numbers(table, 30),
-    )
-    n = problem.words[1]
-    watch = Watch(
+
+
+@inlined
+def opened_progress(table):
+    """Return ``Run.state`` and ``Run.counts``."""
+    return numbers(table, 24), words(table, 25)
+
+
+@inlined
+def opened_run(table, states):
+    """Return where the integration stands; results go to the matrix `states`."""
+    state, counts = opened_progress(table)
+    return Run(state, counts, numbers(table, 26), flattened(states))
+
+
+@inlined
+def opened_constraints(table):
+    """Return what the projection works with."""
+    return Constraints(words(table, 28), numbers(table, 29), numbers(table, 30))
+
+
+@inlined
+def opened_watch(table, n):
+    """Return the events."""
+    return Watch(
         words(table, 31),
         numbers(table, 32),
         words(table, 33),
@@ -104,7 +130,15 @@ def opened(table, states, fresh):
         words(table, 40),
         real_matrix(table, 41, n),
     )
-    return method, problem, memory, run, constraints, watch
+
+
+@inlined
+def begin(table, problem, memory, run):
+    """Begin an integration, from the state in the first row of the results."""
+    for i in range(problem.words[STATES]):
+        memory.x[i] = run.flat[i]
+    copy_vector(numbers(table, 42), run.state)
+    copy_vector(words(table, 43), run.counts)
 
 
 @inlined

@@ -5,9 +5,17 @@ from __future__ import annotations
 import math
 
 from pydy.solvers.compiled import compiled, inlined
-from pydy.solvers.entrance import opened
+from pydy.solvers.entrance import (
+    begin,
+    opened_constraints,
+    opened_memory,
+    opened_method,
+    opened_problem,
+    opened_run,
+    opened_watch,
+)
 from pydy.solvers.finishing import finish_step, write_reached
-from pydy.solvers.intrinsics import address_of
+from pydy.solvers.intrinsics import address_of, call_part
 from pydy.solvers.layout import (
     ACTIVE,
     ALPHA,
@@ -31,6 +39,7 @@ from pydy.solvers.layout import (
     NEXT,
     NOT_FINITE,
     PAUSED,
+    PROJECT,
     REJECTED,
     SAFETY,
     SHORTEST,
@@ -46,11 +55,10 @@ from pydy.solvers.layout import (
     UNDERFLOW,
     UNPROJECTED,
 )
-from pydy.solvers.projecting import project
 from pydy.solvers.rates import rates
 from pydy.solvers.runge_kutta import error_of_step, prepare_interpolant, take_step
 
-__all__ = ["advance", "project_start"]
+__all__ = ["advance"]
 
 
 @inlined(reassociate=True)
@@ -93,7 +101,11 @@ def _first_size(method, problem, memory, run, t):
 @compiled
 def advance(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
-    method, problem, memory, run, constraints, watch = opened(table, states, fresh)
+    method, problem, memory = opened_method(table), opened_problem(table), opened_memory(table)
+    run, constraints = opened_run(table, states), opened_constraints(table)
+    watch = opened_watch(table, problem.words[STATES])
+    if fresh == 1:
+        begin(table, problem, memory, run)
     if run.counts[BUDGET] == 0:
         return PAUSED
     length = memory.x.size
@@ -151,9 +163,11 @@ def advance(table, states, fresh):
                 for i in range(length):
                     error += 0.0 * memory.new[i]  # NaN where the state is not finite
             if error < 1.0 and (held or method.shape[END_IN_ESTIMATE] == 0):
-                if held and project(problem, run, constraints, after, memory.new) != 0:
-                    state[SIZE] = size
-                    return UNPROJECTED
+                if held:
+                    new = address_of(memory.new, 0)
+                    if call_part(constraints.words[PROJECT], table, after, new) != 0:
+                        state[SIZE] = size
+                        return UNPROJECTED
                 count[EVALUATIONS] += 1
                 code = rates(problem, after, address_of(memory.new, 0), end)
                 if code < 0:
@@ -181,7 +195,7 @@ def advance(table, states, fresh):
             if code != 0:
                 count[FAILURE] = SINGULAR
                 return CALLBACK if code < 0 else UNDERFLOW
-            code = finish_step(method, problem, memory, run, constraints, watch, t, size)
+            code = finish_step(table, method, problem, memory, run, constraints, watch, t, size)
             if code != 0:
                 return code
         if adaptive:
@@ -199,10 +213,3 @@ def advance(table, states, fresh):
         if count[NEXT] == times.size:
             state[SIZE] = h
             return FINISHED
-
-
-@compiled
-def project_start(table, states):
-    """Move the initial state onto the constraints."""
-    _, problem, memory, run, constraints, _ = opened(table, states, 0)
-    return project(problem, run, constraints, run.state[TIME], memory.x)

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from pydy.solvers.compiled import inlined
-from pydy.solvers.intrinsics import address_of
+from pydy.solvers.intrinsics import address_of, call_part
 from pydy.solvers.layout import (
     ACTIVE,
     EVENTS,
+    FOUND,
     NEXT,
+    PROJECT,
+    SCAN,
     SIZE,
     STARTED,
     STATES,
     TIME,
 )
-from pydy.solvers.projecting import project
 from pydy.solvers.runge_kutta import copy_vector, interpolate
-from pydy.solvers.watching import scan_events
 
 __all__ = ["finish_step", "write_reached"]
 
@@ -34,14 +35,15 @@ def write_reached(problem, x, run):
 
 
 @inlined(pasted=True)
-def _write_outputs(method, problem, memory, run, constraints, t, h, end):
+def _write_outputs(table, method, problem, memory, run, constraints, t, h, end):
     n, times = problem.words[STATES], run.times
     held = constraints.words[ACTIVE] == 1
     k = run.counts[NEXT]
     while k < times.size and times[k] <= end:
         interpolate(method, problem, memory, (times[k] - t) / h, address_of(run.flat, k * n))
         if held:
-            code = project(problem, run, constraints, times[k], run.flat[k * n : (k + 1) * n])
+            row = address_of(run.flat, k * n)
+            code = call_part(constraints.words[PROJECT], table, times[k], row)
             if code != 0:
                 return code
         k += 1
@@ -50,7 +52,7 @@ def _write_outputs(method, problem, memory, run, constraints, t, h, end):
 
 
 @inlined(pasted=True)
-def finish_step(method, problem, memory, run, constraints, watch, t, h):
+def finish_step(table, method, problem, memory, run, constraints, watch, t, h):
     """Look for events, then write the outputs due, up to the event that ends the step if one does.
 
     Not zero: why the integration stops here. It is ready to start again, at the event if it was
@@ -58,14 +60,16 @@ def finish_step(method, problem, memory, run, constraints, watch, t, h):
     """
     theta, status = 1.0, 0
     if watch.words[EVENTS] > 0:
-        theta, status = scan_events(method, problem, memory, run, watch, t, h)
+        status = call_part(watch.words[SCAN], table, t, h)
+        theta = run.state[FOUND]
     end = run.state[TIME] if theta == 1.0 else t + theta * h
-    code = _write_outputs(method, problem, memory, run, constraints, t, h, end)
+    code = _write_outputs(table, method, problem, memory, run, constraints, t, h, end)
     if code == 0 and status != 0 and theta < 1.0:
         interpolate(method, problem, memory, theta, address_of(memory.trial, 0))
         copy_vector(memory.trial, memory.new)
         if constraints.words[ACTIVE] == 1:
-            code = project(problem, run, constraints, end, memory.new)
+            new = address_of(memory.new, 0)
+            code = call_part(constraints.words[PROJECT], table, end, new)
     if code != 0:
         run.state[TIME], run.state[SIZE] = t, h
         return code

@@ -12,9 +12,18 @@ import math
 import numpy as np
 
 from pydy.solvers.compiled import compiled, inlined
-from pydy.solvers.entrance import opened, opened_newton
+from pydy.solvers.entrance import (
+    begin,
+    opened_constraints,
+    opened_memory,
+    opened_method,
+    opened_newton,
+    opened_problem,
+    opened_run,
+    opened_watch,
+)
 from pydy.solvers.finishing import finish_step, write_reached
-from pydy.solvers.intrinsics import address_of
+from pydy.solvers.intrinsics import address_of, call_part
 from pydy.solvers.layout import (
     ACTIVE,
     BUDGET,
@@ -33,6 +42,7 @@ from pydy.solvers.layout import (
     NO_CONVERGENCE,
     NOT_FINITE,
     PAUSED,
+    PROJECT,
     REJECTED,
     SHORTEST,
     SINGULAR,
@@ -57,7 +67,6 @@ from pydy.solvers.newton import (
     set_jacobian,
     solve,
 )
-from pydy.solvers.projecting import project
 from pydy.solvers.rates import rates
 from pydy.solvers.tableaus.radau import COMPLEX, ERROR, INTERPOLANT, NODES, REAL, TI, T
 
@@ -209,7 +218,11 @@ def _first_size(problem, memory, run, t):
 @compiled
 def advance_implicit(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
-    method, problem, memory, run, constraints, watch = opened(table, states, fresh)
+    method, problem, memory = opened_method(table), opened_problem(table), opened_memory(table)
+    run, constraints = opened_run(table, states), opened_constraints(table)
+    watch = opened_watch(table, problem.words[STATES])
+    if fresh == 1:
+        begin(table, problem, memory, run)
     if run.counts[BUDGET] == 0:
         return PAUSED
     newton = opened_newton(table, problem.words[STATES])
@@ -299,9 +312,11 @@ def advance_implicit(table, states, fresh):
             h = size * max(0.2, safety * factor) if math.isfinite(error) else 0.25 * size
             words[FIRST], words[WANTED] = 1, 1 - words[FRESH]
             continue
-        if held and project(problem, run, constraints, after, memory.new) != 0:
-            state[SIZE] = size
-            return UNPROJECTED
+        if held:
+            new = address_of(memory.new, 0)
+            if call_part(constraints.words[PROJECT], table, after, new) != 0:
+                state[SIZE] = size
+                return UNPROJECTED
         count[STEPS] += 1
         if state[LAST_ERROR] > 0.0:  # the error changes as it did in the last step
             factor *= min(
@@ -312,7 +327,7 @@ def advance_implicit(table, states, fresh):
         _set_interpolant(memory, newton, n)
         sizes[PREDICTING] = size
         if watch.words[EVENTS] > 0 or times[count[NEXT]] <= after:
-            code = finish_step(method, problem, memory, run, constraints, watch, t, size)
+            code = finish_step(table, method, problem, memory, run, constraints, watch, t, size)
             if code != 0:
                 return code
         t = after

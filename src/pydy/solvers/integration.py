@@ -6,6 +6,7 @@ can move; at events that change the state; and when it cannot go on.
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Callable
 from functools import cache
 from time import perf_counter
@@ -51,11 +52,12 @@ _SLICE = 0.02  # seconds in compiled code, about
 _LOG = 256  # events between two visits in Python
 _CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time are accumulating
 _EPS = np.finfo(float).eps
+_PROJECT = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_double, ctypes.c_int64)
 
 
 # Compiled code neither reads nor writes these any further.
-_NO_CONSTRAINTS = Constraints(np.zeros(7, dtype=np.int64), np.zeros(1), np.zeros(1))
-_NO_EVENTS = watch_arrays(0, np.zeros(1), (), (), 1, 0)
+_NO_CONSTRAINTS = Constraints(np.zeros(8, dtype=np.int64), np.zeros(1), np.zeros(1))
+_NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), 1, 0)
 _NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
 
 
@@ -73,7 +75,7 @@ def _entry(implicit: bool) -> Callable[..., int]:
         from pydy.solvers.implicit import advance_implicit as stepper
     else:
         from pydy.solvers.explicit import advance as stepper
-    function: Callable[..., int] = stepper.compile((int64[:, ::1], float64[:, ::1], int64))
+    function: Callable[..., int] = stepper.compile((int64, float64[:, ::1], int64))
     return function
 
 
@@ -122,7 +124,7 @@ class Integration:
         self.constraints = self._hold()
         self.watch = self._look_out()
         self.span = float(times[-1] - times[0])
-        state, count = np.zeros(6), np.zeros(12, dtype=np.int64)
+        state, count = np.zeros(7), np.zeros(12, dtype=np.int64)
         state[at.TIME], state[at.LARGEST] = times[0], options.max_step
         state[at.SIZE] = options.first_step or options.step or 0.0
         count[at.LIMIT] = options.max_steps
@@ -150,6 +152,7 @@ class Integration:
             rows_of(self._beginning),
             further,
         )
+        self._place = address(self._table)
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end and return the states.
@@ -164,7 +167,7 @@ class Integration:
         self.status = "finished"
         self.records = []
         try:
-            code = self._advance(self._table, rows, 1)
+            code = self._advance(self._place, rows, 1)
             if code == at.FINISHED:  # most end in their first slice
                 return rows[: self._number]
             if code == at.PAUSED:
@@ -244,8 +247,10 @@ class Integration:
         wanted = self.options.constraints
         if wanted is None:
             return _NO_CONSTRAINTS
-        words = np.zeros(7, dtype=np.int64)
-        words[at.ACTIVE] = 1
+        from pydy.solvers.projecting import project
+
+        words = np.zeros(8, dtype=np.int64)
+        words[at.ACTIVE], words[at.PROJECT] = 1, project.address
         words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
         words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
         words[at.COORDINATES], words[at.SPEEDS] = wanted.coordinates, wanted.speeds
@@ -257,11 +262,15 @@ class Integration:
         wanted = self.options.events
         if wanted is None:
             return _NO_EVENTS
+        from pydy.solvers.watching import scan_events
+
         number = len(wanted.names)
         place, c = self._bind_kernel(wanted.values)
         stops = zip(wanted.terminal, wanted.resets, strict=True)
         acting = [end or reset is not None for end, reset in stops]
-        return watch_arrays(place, c, wanted.directions, acting, self.n, _LOG if number else 0)
+        rows = _LOG if number else 0
+        scan = scan_events.address
+        return watch_arrays((place, scan), c, wanted.directions, acting, self.n, rows)
 
     def _reserve_newton(self) -> list[tuple[int, int]]:
         from pydy.solvers.newton import Newton
@@ -291,7 +300,7 @@ class Integration:
     def _slice(self, budget: int) -> int:
         """Take some steps; returns the code of why it stopped."""
         self.progress.counts[at.BUDGET] = budget
-        code: int = self._advance(self._table, self._rows, 0)
+        code: int = self._advance(self._place, self._rows, 0)
         return code
 
     def _run(self) -> None:
@@ -386,11 +395,10 @@ class Integration:
 
     def _project_start(self) -> None:
         """Move the initial state onto the constraints, unless it is far from them."""
-        from pydy.solvers.explicit import project_start
-
         x = self.memory.x
         before = x.copy()
-        code = project_start(self._table, self._rows)
+        t = float(self.progress.state[at.TIME])
+        code = _PROJECT(int(self.constraints.words[at.PROJECT]))(self._place, t, address(x))
         self._raise_callback()
         moved = np.abs(x - before)
         if code != 0 or (moved > 1e-3 * (1.0 + np.abs(before))).any():

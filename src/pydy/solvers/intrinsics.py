@@ -14,6 +14,7 @@ __all__ = [
     "BLOCK",
     "address_of",
     "call_kernel",
+    "call_part",
     "call_prepare",
     "combine",
     "complex_matrix",
@@ -23,6 +24,7 @@ __all__ = [
     "lowest_bit",
     "nested",
     "numbers",
+    "numbers_at",
     "put",
     "real_matrix",
     "word_matrix",
@@ -67,6 +69,18 @@ def call_prepare(typingctx, address, p, c):
         return context.get_dummy_value()
 
     return types.void(*[types.intp] * 3), codegen
+
+
+@intrinsic
+def call_part(typingctx, address, table, t, last):
+    """Call what `compiled.part` compiled: by its address, with that of a table of arrays."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        function, *rest = arguments
+        kind = ir.FunctionType(_INT, [value.type for value in rest])
+        return builder.call(_pointer(builder, function, kind), rest)
+
+    return types.int64(types.intp, types.intp, types.float64, last), codegen
 
 
 _TOGETHER = 4  # sums that grow side by side hide each other's latency, and share the weights
@@ -315,11 +329,9 @@ def flattened(typingctx, array):
     return kind(array), codegen
 
 
-def _row_of(builder: Any, context: Any, kind: Any, table: Any, k: Any) -> tuple[Any, Any]:
+def _row_of(builder: Any, table: Any, k: Any) -> tuple[Any, Any]:
     """Return both numbers of row k of a table: an address and a length."""
-    from numba.np.arrayobj import make_array
-
-    data = make_array(kind)(context, builder, table).data
+    data = _pointer(builder, table, _INT)
     first = builder.mul(k, _INT(2))
     place, count = (builder.gep(data, [builder.add(first, _INT(j))]) for j in range(2))
     return builder.load(place), builder.load(count)
@@ -353,10 +365,10 @@ def _vector_intrinsic(number: Any, doc: str) -> Any:
 
     def vector(typingctx, table, k):
         def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            place, count = _row_of(builder, context, signature.args[0], *arguments)
+            place, count = _row_of(builder, *arguments)
             return _array(kind, 8, place, [count], context, builder)
 
-        return kind(table, types.intp), codegen
+        return kind(types.intp, types.intp), codegen
 
     vector.__doc__ = doc
     return intrinsic(vector)
@@ -368,13 +380,24 @@ def _matrix_intrinsic(number: Any, size: int, doc: str) -> Any:
     def matrix(typingctx, table, k, columns):
         def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
             table, k, columns = arguments
-            place, rows = _row_of(builder, context, signature.args[0], table, k)
+            place, rows = _row_of(builder, table, k)
             return _array(kind, size, place, [rows, columns], context, builder)
 
-        return kind(table, types.intp, types.intp), codegen
+        return kind(types.intp, types.intp, types.intp), codegen
 
     matrix.__doc__ = doc
     return intrinsic(matrix)
+
+
+@intrinsic
+def numbers_at(typingctx, place, count):
+    """Return the floats at an address."""
+    kind = types.Array(types.float64, 1, "C")
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return _array(kind, 8, arguments[0], [arguments[1]], context, builder)
+
+    return kind(types.intp, types.intp), codegen
 
 
 numbers = _vector_intrinsic(types.float64, "Return the floats of row k of a table of addresses.")

@@ -179,17 +179,20 @@ def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Pro
 
 
 def watch_arrays(
-    address: int,
+    addresses: tuple[int, int],
     c: np.ndarray,
     directions: Sequence[int],
     acting: Sequence[bool],
     n: int,
     rows: int,
 ) -> Watch:
-    """Return the arrays for events whose kernel is at `address`, with `rows` places in the log."""
+    """Return the arrays for events, with the addresses of their kernel and of the scan for them.
+
+    There are `rows` places in the log.
+    """
     number = len(directions)
     return Watch(
-        words=np.array([address, number]),
+        words=np.array([addresses[0], number, addresses[1]]),
         c=c,
         directions=np.array(directions, dtype=np.int64),
         acting=np.array(acting, dtype=np.int64),

@@ -13,14 +13,16 @@ import math
 
 import numpy as np
 
-from pydy.solvers.compiled import inlined
-from pydy.solvers.intrinsics import address_of, call_kernel
+from pydy.solvers.compiled import inlined, part
+from pydy.solvers.entrance import opened_constraints, opened_problem, opened_progress
+from pydy.solvers.intrinsics import address_of, call_kernel, numbers_at
 from pydy.solvers.layout import (
     COORDINATES,
     HOLONOMIC,
     PROJECTIONS,
     PROJECTOR,
     SPEEDS,
+    STATES,
     UNPROJECTED,
     VELOCITY,
     WEIGHTED,
@@ -147,9 +149,11 @@ def _negative(values, start, m):
     return vector
 
 
-@inlined(allocates=True)
-def project(problem, run, constraints, t, x):
-    """Move the state `x`, an array, onto the constraints; 0, or UNPROJECTED."""
+@part("int64")
+def project(table, t, place):
+    """Move the state at an address onto the constraints; 0, or UNPROJECTED."""
+    problem, constraints = opened_problem(table), opened_constraints(table)
+    (_, counts), x = opened_progress(table), numbers_at(place, problem.words[STATES])
     words, values = constraints.words, constraints.values
     h, v, q, u = words[HOLONOMIC], words[VELOCITY], words[COORDINATES], words[SPEEDS]
     at_gradient = h + v
@@ -157,7 +161,7 @@ def project(problem, run, constraints, t, x):
     at_velocity = at_kinematics + q * u
     at_mass = at_velocity + v * u
     set_inputs(problem, t)
-    run.counts[PROJECTIONS] += 1
+    counts[PROJECTIONS] += 1
     factor = np.zeros((u, u))
     for i in range(u):
         factor[i, i] = 1.0

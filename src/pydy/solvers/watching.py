@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
-from pydy.solvers.compiled import inlined
+from pydy.solvers.compiled import inlined, part
+from pydy.solvers.entrance import (
+    opened_memory,
+    opened_method,
+    opened_problem,
+    opened_progress,
+    opened_watch,
+)
 from pydy.solvers.intrinsics import address_of, call_kernel
-from pydy.solvers.layout import EVENT, EVENTS, LOG_FULL, LOGGED, STATES, WATCHER
+from pydy.solvers.layout import EVENT, EVENTS, FOUND, LOG_FULL, LOGGED, STATES, WATCHER
 from pydy.solvers.rates import set_inputs
 from pydy.solvers.runge_kutta import interpolate
 
@@ -69,18 +76,21 @@ def _locate(method, problem, memory, watch, t, h, low, high, event):
     return high
 
 
-@inlined(pasted=True)
-def scan_events(method, problem, memory, run, watch, t, h):
+@part("float64")
+def scan_events(table, t, h):
     """Look for events in the step just taken.
 
-    Returns the θ up to which the step counts, and EVENT when an acting event ends it there,
-    LOG_FULL when the log has to be emptied first, or 0.
+    Returns EVENT when an acting event ends it, LOG_FULL when the log has to be emptied first, or 0;
+    ``state[FOUND]`` is the θ up to which the step counts.
     """
+    method, problem, memory = opened_method(table), opened_problem(table), opened_memory(table)
+    watch = opened_watch(table, problem.words[STATES])
+    state, counts = opened_progress(table)
     number, n = watch.words[EVENTS], problem.words[STATES]
     values, sides = watch.values, watch.sides
     left = 0.0
-    for part in range(1, _PARTS + 1):
-        right = part / _PARTS
+    for quarter in range(1, _PARTS + 1):
+        right = quarter / _PARTS
         _evaluate(method, problem, memory, watch, t, h, right, 0)
         while True:
             first = 2.0
@@ -103,18 +113,20 @@ def scan_events(method, problem, memory, run, watch, t, h):
                 watch.fired[event] = 1 if here else 0
                 acting = acting or (here and watch.acting[event] == 1)
             if acting:
-                return first, EVENT
+                state[FOUND] = first
+                return EVENT
             for event in range(number):
                 if watch.fired[event] == 0:
                     continue
-                k = run.counts[LOGGED]
+                k = counts[LOGGED]
                 if k == watch.log_times.size:
-                    return first, LOG_FULL
+                    state[FOUND] = first
+                    return LOG_FULL
                 watch.log_times[k] = t + first * h
                 watch.log_events[k] = event
                 for i in range(n):
                     watch.log_states[k, i] = watch.trial[i]
-                run.counts[LOGGED] = k + 1
+                counts[LOGGED] = k + 1
                 sides[event] = -sides[event]
             left = first
         for event in range(number):
@@ -123,4 +135,5 @@ def scan_events(method, problem, memory, run, watch, t, h):
             elif values[event] < 0.0:
                 sides[event] = -1
         left = right
-    return 1.0, 0
+    state[FOUND] = 1.0
+    return 0
