@@ -20,6 +20,7 @@ import numba
 from numba.core import sigutils
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
 from numba.core.ccallback import CFunc
+from numba.core.runtime.nrt import rtsys
 
 from pydy._cache_folder import folder
 
@@ -69,7 +70,8 @@ class _Implementation(CompileResultCacheImpl):
 
         numba reads from it which functions there are: those stay, without bodies.
         """
-        state, *rest = super().reduce(data)  # type: ignore[no-untyped-call]
+        # The last are functions' modules, for what Python does in them: nothing here.
+        state, *rest, _ = super().reduce(data)  # type: ignore[no-untyped-call]
         name, kind, (machine_code, bitcode) = state
         functions = llvm.parse_bitcode(bitcode).functions
         stubs = [
@@ -78,7 +80,7 @@ class _Implementation(CompileResultCacheImpl):
             if not function.is_declaration
         ]
         bitcode = llvm.parse_assembly("\n".join(stubs)).as_bitcode()
-        return ((name, kind, (machine_code, bitcode)), *rest)
+        return ((name, kind, (machine_code, bitcode)), *rest, ())
 
 
 class _Cache(FunctionCache):
@@ -86,7 +88,10 @@ class _Cache(FunctionCache):
 
     def load_overload(self, signature: Any, target_context: Any) -> Any:
         try:
-            found = super().load_overload(signature, target_context)  # type: ignore[no-untyped-call]
+            # Not `super().load_overload`: that makes numba ready to compile first, which takes ten
+            # times as long as to load. Arrays need its runtime.
+            rtsys.initialize(target_context)
+            found = self._load_overload(signature, target_context)  # type: ignore[no-untyped-call]
         except Exception:  # noqa: BLE001 - whatever a broken entry raises, it is a miss
             found = None
             with suppress(OSError):
