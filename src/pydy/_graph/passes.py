@@ -13,6 +13,8 @@ class Passes:
 
     Attributes
     ----------
+    merge : bool
+        Make nodes that are equal as functions one (`pydy._graph.identities`).
     factor : bool
         Take common factors out of sums of products (`pydy._graph.factor`).
     expand : bool
@@ -26,6 +28,7 @@ class Passes:
         (`pydy._graph.semiseparable`).
     """
 
+    merge: bool = True
     factor: bool = True
     expand: bool = True
     share_products: bool = True

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from pydy._graph.expand import expand_sums
 from pydy._graph.factor import factor_sums
+from pydy._graph.identities import merge_equal
 from pydy._graph.node import Graph
 from pydy._graph.passes import Passes
 
@@ -28,11 +29,16 @@ def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -
     """
     passes = Passes() if passes is None else passes
     nodes = factor_sums(graph, roots) if passes.factor else list(roots)
+    # Among the nodes as they came there are more that are equal, and many more to look at.
+    merged = merge_equal(graph, nodes) if passes.merge else nodes
+    changed = merged != nodes
+    if changed:
+        nodes = factor_sums(graph, merged) if passes.factor else merged
     if passes.expand:
         expanded = expand_sums(graph, nodes)
         if expanded != nodes and operations(graph, expanded) < operations(graph, nodes):
             nodes = expanded
-    return nodes
+    return merge_equal(graph, nodes) if changed else nodes
 
 
 def operations(graph: Graph, roots: Sequence[int]) -> int:

@@ -1,0 +1,153 @@
+"""Nodes that are equal as functions become one: what hash-consing cannot see.
+
+Equations of motion hold the same quantity in several forms: a speed beside the derivatives it was
+defined by, written out; an entry of a matrix and its mirror image; the sum of a squared sine and
+cosine. Every node is evaluated in arithmetic modulo a prime, at a random point, without rounding:
+sums, products and quotients of the inputs that agree there agree everywhere, but for a chance of
+about the degree in 2⁶¹ (J. T. Schwartz, "Fast probabilistic algorithms for verification of
+polynomial identities", Journal of the ACM 27 (1980) 701–717). The sine and cosine of an argument
+are a random point of the unit circle; any other function is a random number for each value of its
+arguments. Angle sums and the like are so not seen, and nothing is that does not hold.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Sequence
+
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import again, replaced
+
+__all__ = ["merge_equal"]
+
+_PRIME = 2**61 - 1
+
+
+def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
+    """Return roots in which equal nodes, or opposite ones, are one: the one that costs least.
+
+    A node is never replaced by one with other denominators or functions than its own, which may be
+    undefined where the node is not.
+    """
+    nodes = graph.reachable(roots)
+    values, poles, costs = _evaluated(graph, nodes)
+    best: dict[int, list[int]] = {}
+    for constant in (graph.zero, graph.one):
+        best[values[constant]] = [constant]
+    stand_in: dict[int, int] = {}
+    # Operands cost less than what is made of them.
+    order = sorted(nodes, key=lambda node: (costs[node], node))
+    for node in order:
+        value = values[node]
+        group = best.setdefault(min(value, _PRIME - value), [])
+        stand_in[node] = node
+        if graph.ops[node] in ("factor", "solve", "bool"):
+            continue
+        for other in group:
+            if poles[other] <= poles[node]:
+                stand_in[node] = other
+                break
+        else:
+            group.append(node)
+    if all(node == other for node, other in stand_in.items()):
+        return list(roots)
+    new: dict[int, int] = {graph.zero: graph.zero, graph.one: graph.one}
+    for node in order:
+        other = stand_in[node]
+        if other == node:
+            if all(new[n] == n for n in graph.operands(node)):
+                new[node] = node
+            else:
+                new[node] = again(graph, graph.ops[node], replaced(graph, node, new))
+        elif values[other] == values[node]:
+            new[node] = new[other]
+        else:
+            new[node] = graph.neg(new[other])
+    return [new[root] for root in roots]
+
+
+def _random(*what: object) -> int:
+    """Return a number below the prime that depends on nothing but the arguments."""
+    digest = hashlib.blake2b(repr(what).encode(), digest_size=8).digest()
+    return int.from_bytes(digest, "big") % _PRIME
+
+
+def _modular(number: float) -> int:
+    if number != number or number in (float("inf"), float("-inf")):
+        return _random("const", number)
+    top, bottom = number.as_integer_ratio()
+    return top * pow(bottom, -1, _PRIME) % _PRIME
+
+
+def _evaluated(
+    graph: Graph, nodes: Sequence[int]
+) -> tuple[dict[int, int], dict[int, frozenset[int]], dict[int, float]]:
+    """Return each node's value, what it divides by and calls, and its cost written out as a tree.
+
+    Functions other than sine and cosine count as calls.
+    """
+    values: dict[int, int] = {graph.zero: 0, graph.one: 1}
+    nothing: frozenset[int] = frozenset()
+    poles = {graph.zero: nothing, graph.one: nothing}
+    costs = {graph.zero: 0.0, graph.one: 0.0}
+    known: dict[float, int] = {}
+    circle: dict[int, tuple[int, int]] = {}
+    for node in nodes:
+        op, args = graph.ops[node], graph.args[node]
+        operands = graph.operands(node)
+        own = poles[operands[0]] if operands else nothing
+        for operand in operands[1:]:
+            if poles[operand] is not own and poles[operand]:
+                own |= poles[operand]
+        cost = 1.0 + sum(costs[n] for n in operands)
+        if op == "sum":
+            total = _known(known, args[0])
+            for n, c in args[1]:
+                total += values[n] if c == 1.0 else _known(known, c) * values[n]
+            value = total % _PRIME
+            cost += len(args[1])
+        elif op == "prod":
+            value = 1
+            for n, e in args:
+                cost += abs(e)
+                factor = values[n]
+                if e < 0:
+                    own |= {min(factor, _PRIME - factor)}
+                    cost += 4.0
+                if e != 1:
+                    zero = e < 0 and factor == 0
+                    factor = _random("pole", e) if zero else pow(factor, e, _PRIME)
+                value = value * factor % _PRIME
+        elif op == "const":
+            value, cost = _known(known, args[0]), 0.0
+        elif op == "input":
+            value, cost = _random(op, *args), 0.0
+        elif op in ("sin", "cos"):
+            angle = values[args[0]]
+            if angle not in circle:
+                half = _random("angle", angle)
+                scale = pow(1 + half * half, -1, _PRIME)
+                circle[angle] = 2 * half * scale % _PRIME, (1 - half * half) * scale % _PRIME
+            value = circle[angle][op == "cos"]
+            cost += 8.0
+        else:
+            value = _random(op, *_kind(op, args), *(values[n] for n in operands))
+            own |= {value}
+            cost += 8.0
+        values[node], poles[node], costs[node] = value, own, cost
+    return values, poles, costs
+
+
+def _known(known: dict[float, int], number: float) -> int:
+    if number not in known:
+        known[number] = _modular(number)
+    return known[number]
+
+
+def _kind(op: str, args: tuple[object, ...]) -> tuple[object, ...]:
+    """Return what of a node's arguments is not another node."""
+    if op == "factor":
+        return args[:2]
+    if op == "item":
+        return (args[1],)
+    return args if op == "bool" else ()

@@ -1,0 +1,95 @@
+"""Nodes that are equal as functions become one node."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from graphs import on_tape
+from pydy._graph.identities import merge_equal
+from pydy._graph.node import Graph
+
+
+@pytest.fixture
+def graph():
+    return Graph()
+
+
+@pytest.fixture
+def x(graph):
+    return graph.input("x", 0)
+
+
+@pytest.fixture
+def y(graph):
+    return graph.input("x", 1)
+
+
+def test_a_squared_sine_and_cosine_are_one(graph, x, y):
+    s, c = graph.call("sin", x), graph.call("cos", x)
+    circle = graph.add(graph.powi(s, 2), graph.powi(c, 2))
+    assert merge_equal(graph, [graph.mul(circle, y)]) == [y]
+
+
+def test_speeds_written_out_by_derivatives_become_speeds(graph, x, y):
+    # u and v turned by an angle, and turned back.
+    u, v = y, graph.input("x", 2)
+    s, c = graph.call("sin", x), graph.call("cos", x)
+    a = graph.sub(graph.mul(c, u), graph.mul(s, v))
+    b = graph.add(graph.mul(s, u), graph.mul(c, v))
+    back = graph.add(graph.mul(c, a), graph.mul(s, b))
+    across = graph.sub(graph.mul(s, a), graph.mul(c, b))
+    assert merge_equal(graph, [back, across]) == [u, graph.neg(v)]
+
+
+def test_what_vanishes_everywhere_is_zero(graph, x, y):
+    terms = [(graph.powi(x, 2), -1.0), (graph.mul(x, y), -2.0), (graph.powi(y, 2), -1.0)]
+    difference = graph.sum([(graph.powi(graph.add(x, y), 2), 1.0), *terms])
+    assert merge_equal(graph, [difference]) == [graph.zero]
+
+
+def test_the_cheaper_of_two_forms_stands_for_both(graph, x, y):
+    short = graph.mul(x, graph.add(x, y))
+    long = graph.add(graph.powi(x, 2), graph.mul(x, y))
+    assert merge_equal(graph, [long, short]) == [short, short]
+
+
+def test_no_form_with_a_denominator_of_its_own_is_taken(graph, x, y):
+    # (x⁵ − y⁵) / (x − y) costs less than the sum it equals, which is defined where x = y.
+    powers = [graph.mul(graph.powi(x, 4 - k), graph.powi(y, k)) for k in range(5)]
+    whole = graph.add(*powers)
+    short = graph.div(graph.sub(graph.powi(x, 5), graph.powi(y, 5)), graph.sub(x, y))
+    assert merge_equal(graph, [whole, short])[0] == whole
+
+
+def test_functions_that_agree_in_places_only_stay_apart(graph, x):
+    root = graph.call("sqrt", graph.powi(x, 2))
+    nodes = [x, root, graph.call("abs", x), graph.call("asin", graph.call("sin", x))]
+    assert merge_equal(graph, nodes) == nodes
+
+
+def test_functions_of_equal_arguments_are_equal(graph, x, y):
+    a = graph.call("sqrt", graph.add(graph.powi(x, 2), graph.mul(x, y)))
+    b = graph.call("sqrt", graph.mul(x, graph.add(x, y)))
+    first, second = merge_equal(graph, [a, b])
+    assert first == second
+
+
+def test_numbers_are_exact(graph, x):
+    tenths = graph.sum([(x, 0.1), (graph.powi(x, 2), 1.0)])
+    nearly = graph.sum([(x, np.nextafter(0.1, 1.0)), (graph.powi(x, 2), 1.0)])
+    assert merge_equal(graph, [tenths, nearly]) == [tenths, nearly]
+
+
+def test_a_quotient_by_zero_is_left_to_the_machine(graph, x):
+    nothing = graph.sub(graph.powi(graph.add(x, graph.one), 2), graph.powi(x, 2))
+    nothing = graph.sum([(nothing, 1.0), (x, -2.0)], -1.0)
+    program = on_tape(graph, merge_equal(graph, [graph.div(x, nothing)]), (1, 0, 0))
+    assert program.outputs
+
+
+def test_deep_graphs_need_no_recursion(graph, x, y):
+    node = x
+    for _ in range(1100):
+        node = graph.call("sin", graph.add(node, y))
+    assert merge_equal(graph, [node]) == [node]
