@@ -28,17 +28,30 @@ def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -
         All by default.
     """
     passes = Passes() if passes is None else passes
-    nodes = factor_sums(graph, roots) if passes.factor else list(roots)
+    factored = _factored(graph, roots, passes)
     # Among the nodes as they came there are more that are equal, and many more to look at.
-    merged = merge_equal(graph, nodes) if passes.merge else nodes
-    changed = merged != nodes
-    if changed:
-        nodes = factor_sums(graph, merged) if passes.factor else merged
-    if passes.expand:
-        expanded = expand_sums(graph, nodes)
-        if expanded != nodes and operations(graph, expanded) < operations(graph, nodes):
-            nodes = expanded
-    return merge_equal(graph, nodes) if changed else nodes
+    merged = merge_equal(graph, factored) if passes.merge else factored
+    if merged == factored:
+        return _expanded(graph, factored, passes)
+    nodes = _factored(graph, merged, passes)
+    much = operations(graph, nodes) < 0.9 * operations(graph, factored)
+    nodes = merge_equal(graph, _expanded(graph, nodes, passes))
+    if much:
+        nodes = _expanded(graph, _factored(graph, nodes, passes), passes)
+        nodes = merge_equal(graph, nodes)
+    return nodes
+
+
+def _factored(graph: Graph, roots: Sequence[int], passes: Passes) -> list[int]:
+    return factor_sums(graph, roots) if passes.factor else list(roots)
+
+
+def _expanded(graph: Graph, nodes: list[int], passes: Passes) -> list[int]:
+    if not passes.expand:
+        return nodes
+    expanded = expand_sums(graph, nodes)
+    less = expanded != nodes and operations(graph, expanded) < operations(graph, nodes)
+    return expanded if less else nodes
 
 
 def operations(graph: Graph, roots: Sequence[int]) -> int:
