@@ -79,11 +79,14 @@ def _entry(implicit: bool) -> Callable[..., int]:
     return function
 
 
-def _first_budget(method: str, calls_python: bool) -> int:
+def _first_budget(method: str, call: KernelCall | None, calls_python: bool) -> int:
     """Return how many steps take a few milliseconds at most; further ones are measured."""
-    if calls_python:
+    if calls_python or call is None:
         return 1
-    return 4 if method == IMPLICIT else 100
+    if method == IMPLICIT:
+        return 4
+    # Twenty evaluations, of a nanosecond for each operation and 100 besides.
+    return max(4, 100_000 // (100 + len(call.kernel.program.ops)))
 
 
 class Integration:
@@ -132,7 +135,7 @@ class Integration:
         parts = (options.constraints, options.events)
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
-        count[at.BUDGET] = 0 if attended else _first_budget(method, False)
+        count[at.BUDGET] = 0 if attended else _first_budget(method, self.call, False)
         self._beginning = state, count
         run = Run(state.copy(), count.copy(), np.ascontiguousarray(times), np.zeros(0))
         self.progress = run
@@ -305,7 +308,7 @@ class Integration:
 
     def _run(self) -> None:
         state, count = self.progress.state, self.progress.counts
-        budget = _first_budget(self.name, bool(self.callbacks))
+        budget = _first_budget(self.name, self.call, bool(self.callbacks))
         bar = self._bar()
         try:
             while True:

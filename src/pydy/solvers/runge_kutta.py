@@ -154,7 +154,7 @@ def prepare_interpolant(method, problem, memory, run, t, h):
     return 0
 
 
-@inlined
+@inlined(always=True)
 def interpolate(method, problem, memory, theta, out):
     """Write the state at t + θ h to the address `out`, in whole blocks."""
     for i in range(memory.theta.size):
