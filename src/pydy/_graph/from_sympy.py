@@ -225,26 +225,29 @@ class SymPyReader:
             A function without a numerical counterpart here.
         """
         root = expression if isinstance(expression, sm.Basic) else sm.sympify(expression)
-        seen, alive = self._seen, self._alive
-        stack = [(root, False)]
+        graph, seen, alive = self.graph, self._seen, self._alive
+        stack: list[tuple[Any, Handler | None]] = [(root, None)]
         while stack:
-            expr, ready = stack.pop()
+            expr, handler = stack.pop()
             key = id(expr)
             if key in seen:
                 continue
-            if ready:
-                handler = HANDLERS.get(expr.func) or HANDLERS[type(expr)]
-                seen[key] = handler(self.graph, expr, [seen[id(a)] for a in expr.args])
+            args = expr.args
+            if handler is not None:  # its operands are done
+                seen[key] = handler(graph, expr, [seen[id(a)] for a in args])
                 continue
             alive.append(expr)
-            leaf = self._leaf(expr)
-            if leaf is not None:
-                seen[key] = leaf
-                continue
-            if expr.func not in HANDLERS:
-                raise UnsupportedFunctionError(self._unsupported(expr))
-            stack.append((expr, True))
-            stack += [(a, False) for a in reversed(expr.args) if id(a) not in seen]
+            handler = HANDLERS.get(type(expr)) if args else None
+            if handler is None:
+                leaf = self._leaf(expr)
+                if leaf is not None:
+                    seen[key] = leaf
+                    continue
+                handler = HANDLERS.get(expr.func)
+                if handler is None:
+                    raise UnsupportedFunctionError(self._unsupported(expr))
+            stack.append((expr, handler))
+            stack += [(a, None) for a in reversed(args) if id(a) not in seen]
         return seen[id(root)]
 
     def all(self, expressions: Iterable[Any]) -> list[int]:

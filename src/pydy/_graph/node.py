@@ -192,8 +192,30 @@ class Graph:
     def product(self, factors: Iterable[tuple[int, int]], coefficient: float = 1.0) -> int:
         """Return ``coefficient · Π node ** exponent``; nested products are flattened."""
         powers: dict[int, int] = {}
+        ops, special = self.ops, []
+        for node, exponent in factors:
+            op = ops[node]
+            if op not in _SPECIAL_FACTORS:
+                powers[node] = powers.get(node, 0) + exponent
+            elif op == "const" and exponent == 1:
+                coefficient *= self.args[node][0]
+            else:
+                special.append((node, exponent))
+        if special:
+            coefficient = self._multiply_out(special[::-1], powers, coefficient)
+        pairs = tuple([(n, powers[n]) for n in sorted(powers) if powers[n] != 0])
+        if coefficient == 0.0 or not pairs:
+            return self.const(coefficient)
+        core = pairs[0][0] if pairs[0][1] == 1 and len(pairs) == 1 else self.make("prod", pairs)
+        if coefficient == 1.0:
+            return core
+        return self.make("sum", (0.0, ((core, coefficient),)))
+
+    def _multiply_out(
+        self, stack: list[tuple[int, int]], powers: dict[int, int], coefficient: float
+    ) -> float:
+        """Put factors that are not just counted into `powers`; return the coefficient."""
         ops = self.ops
-        stack = list(factors)[::-1]
         while stack:
             node, exponent = stack.pop()
             op = ops[node]
@@ -227,13 +249,7 @@ class Graph:
                 stack.append((self.args[node][0], sign * half))
             else:
                 powers[node] = powers.get(node, 0) + exponent
-        pairs = tuple([(n, powers[n]) for n in sorted(powers) if powers[n] != 0])
-        if coefficient == 0.0 or not pairs:
-            return self.const(coefficient)
-        core = pairs[0][0] if pairs[0][1] == 1 and len(pairs) == 1 else self.make("prod", pairs)
-        if coefficient == 1.0:
-            return core
-        return self.make("sum", (0.0, ((core, coefficient),)))
+        return coefficient
 
     def add(self, *nodes: int) -> int:
         """Return the sum of `nodes`."""
