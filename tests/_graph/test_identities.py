@@ -3,26 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-import pytest
 
 from graphs import on_tape
 from pydy._graph.identities import merge_equal
-from pydy._graph.node import Graph
-
-
-@pytest.fixture
-def graph():
-    return Graph()
-
-
-@pytest.fixture
-def x(graph):
-    return graph.input("x", 0)
-
-
-@pytest.fixture
-def y(graph):
-    return graph.input("x", 1)
 
 
 def test_a_squared_sine_and_cosine_are_one(graph, x, y):

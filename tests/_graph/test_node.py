@@ -5,22 +5,7 @@ import math
 import pytest
 
 from graphs import on_tape, values
-from pydy._graph.node import BINARY, COMPARISONS, UNARY, Graph
-
-
-@pytest.fixture
-def graph():
-    return Graph()
-
-
-@pytest.fixture
-def x(graph):
-    return graph.input("x", 0)
-
-
-@pytest.fixture
-def y(graph):
-    return graph.input("x", 1)
+from pydy._graph.node import BINARY, COMPARISONS, UNARY
 
 
 @pytest.fixture

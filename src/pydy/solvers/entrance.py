@@ -26,14 +26,13 @@ from pydy.solvers.problem import address
 from pydy.solvers.runge_kutta import copy_vector
 
 __all__ = [
-    "begin",
+    "opened",
     "opened_constraints",
     "opened_memory",
     "opened_method",
     "opened_newton",
     "opened_problem",
     "opened_progress",
-    "opened_run",
     "opened_watch",
     "rows_of",
     "table_of",
@@ -102,13 +101,6 @@ def opened_progress(table):
 
 
 @inlined
-def opened_run(table, states):
-    """Return where the integration stands; results go to the matrix `states`."""
-    state, counts = opened_progress(table)
-    return Run(state, counts, numbers(table, 26), flattened(states))
-
-
-@inlined
 def opened_constraints(table):
     """Return what the projection works with."""
     return Constraints(words(table, 28), numbers(table, 29), numbers(table, 30))
@@ -133,12 +125,21 @@ def opened_watch(table, n):
 
 
 @inlined
-def begin(table, problem, memory, run):
-    """Begin an integration, from the state in the first row of the results."""
-    for i in range(problem.words[STATES]):
-        memory.x[i] = run.flat[i]
-    copy_vector(numbers(table, 42), run.state)
-    copy_vector(words(table, 43), run.counts)
+def opened(table, states, fresh):
+    """Return all tuples of `layout`; results go to the matrix `states`.
+
+    Where `fresh` is 1 an integration begins here, from the state in its first row.
+    """
+    method, problem, memory = opened_method(table), opened_problem(table), opened_memory(table)
+    state, counts = opened_progress(table)
+    run = Run(state, counts, numbers(table, 26), flattened(states))
+    n = problem.words[STATES]
+    if fresh == 1:
+        for i in range(n):
+            memory.x[i] = run.flat[i]
+        copy_vector(numbers(table, 42), state)
+        copy_vector(words(table, 43), counts)
+    return method, problem, memory, run, opened_constraints(table), opened_watch(table, n)
 
 
 @inlined

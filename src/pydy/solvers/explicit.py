@@ -5,15 +5,7 @@ from __future__ import annotations
 import math
 
 from pydy.solvers.compiled import compiled, inlined
-from pydy.solvers.entrance import (
-    begin,
-    opened_constraints,
-    opened_memory,
-    opened_method,
-    opened_problem,
-    opened_run,
-    opened_watch,
-)
+from pydy.solvers.entrance import opened
 from pydy.solvers.finishing import finish_step, write_reached
 from pydy.solvers.intrinsics import address_of, call_part
 from pydy.solvers.layout import (
@@ -101,11 +93,7 @@ def _first_size(method, problem, memory, run, t):
 @compiled
 def advance(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
-    method, problem, memory = opened_method(table), opened_problem(table), opened_memory(table)
-    run, constraints = opened_run(table, states), opened_constraints(table)
-    watch = opened_watch(table, problem.words[STATES])
-    if fresh == 1:
-        begin(table, problem, memory, run)
+    method, problem, memory, run, constraints, watch = opened(table, states, fresh)
     if run.counts[BUDGET] == 0:
         return PAUSED
     length = memory.x.size

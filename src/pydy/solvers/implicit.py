@@ -12,16 +12,7 @@ import math
 import numpy as np
 
 from pydy.solvers.compiled import compiled, inlined
-from pydy.solvers.entrance import (
-    begin,
-    opened_constraints,
-    opened_memory,
-    opened_method,
-    opened_newton,
-    opened_problem,
-    opened_run,
-    opened_watch,
-)
+from pydy.solvers.entrance import opened, opened_newton
 from pydy.solvers.finishing import finish_step, write_reached
 from pydy.solvers.intrinsics import address_of, call_part
 from pydy.solvers.layout import (
@@ -218,11 +209,7 @@ def _first_size(problem, memory, run, t):
 @compiled
 def advance_implicit(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
-    method, problem, memory = opened_method(table), opened_problem(table), opened_memory(table)
-    run, constraints = opened_run(table, states), opened_constraints(table)
-    watch = opened_watch(table, problem.words[STATES])
-    if fresh == 1:
-        begin(table, problem, memory, run)
+    method, problem, memory, run, constraints, watch = opened(table, states, fresh)
     if run.counts[BUDGET] == 0:
         return PAUSED
     newton = opened_newton(table, problem.words[STATES])

@@ -26,44 +26,21 @@ from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
 from pydy.solvers.complaints import complaint
 from pydy.solvers.constraints import CompiledConstraints
-from pydy.solvers.entrance import rows_of, table_of
 from pydy.solvers.events import CompiledEvents, EventRecord
 from pydy.solvers.interrupts import Interrupts
-from pydy.solvers.layout import Constraints, Memory, Method, Problem, Run, Watch
-from pydy.solvers.methods import IMPLICIT, method_arrays, tableau_of
+from pydy.solvers.methods import IMPLICIT, tableau_of
 from pydy.solvers.options import Options
-from pydy.solvers.problem import (
-    BLOCK,
-    Callback,
-    address,
-    bind_constants,
-    blocks,
-    callback_problem,
-    kernel_problem,
-    lined_up,
-    watch_arrays,
-)
+from pydy.solvers.problem import BLOCK, address
+from pydy.solvers.workspace import Workspace
 
 __all__ = ["Integration"]
 
 _TOLD: WeakSet[Kernel] = WeakSet()  # whose dependent constraints have been told of
 
 _SLICE = 0.02  # seconds in compiled code, about
-_LOG = 256  # events between two visits in Python
 _CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time are accumulating
 _EPS = np.finfo(float).eps
 _PROJECT = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_double, ctypes.c_int64)
-
-
-# Compiled code neither reads nor writes these any further.
-_NO_CONSTRAINTS = Constraints(np.zeros(8, dtype=np.int64), np.zeros(1), np.zeros(1))
-_NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), 1, 0)
-_NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
-
-
-@cache
-def _method_rows(method: str, length: int) -> list[tuple[int, int]]:
-    return rows_of(method_arrays(method, length))
 
 
 @cache
@@ -112,50 +89,25 @@ class Integration:
         args: tuple[Any, ...],
         options: Options,
     ) -> None:
-        self.name = method
-        self.options = options
+        self.name, self.n, self.options = method, n, options
         self.interrupts = Interrupts()
-        self.callbacks: list[Callback] = []
         self.status = "not run"
         self.records: list[EventRecord] = []
-        native = getattr(f, "native", None)
-        self.call: KernelCall | None = None if native is None else native(args)
-        self.n = n
-        self.problem = self._bind(f, args)
-        self.method, self.memory = self._reserve()
-        self._tight = self._nearly_exact()
-        self.constraints = self._hold()
-        self.watch = self._look_out()
         self.span = float(times[-1] - times[0])
-        state, count = np.zeros(7), np.zeros(12, dtype=np.int64)
-        state[at.TIME], state[at.LARGEST] = times[0], options.max_step
-        state[at.SIZE] = options.first_step or options.step or 0.0
-        count[at.LIMIT] = options.max_steps
+        self.arrays = arrays = Workspace(method, f, n, times, args, options, self.interrupts)
+        self.call, self.callbacks, self.memory = arrays.call, arrays.callbacks, arrays.memory
+        self.progress, self.watch = arrays.progress, arrays.watch
+        self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
         parts = (options.constraints, options.events)
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
-        count[at.BUDGET] = 0 if attended else _first_budget(method, self.call, False)
-        self._beginning = state, count
-        run = Run(state.copy(), count.copy(), np.ascontiguousarray(times), np.zeros(0))
-        self.progress = run
+        arrays.beginning[1][at.BUDGET] = 0 if attended else _first_budget(method, self.call, False)
         # Rows are written in whole blocks.
         self._number = len(times)
         self._room = (self._number + -(-BLOCK // max(1, n)), n)
         self._rows = np.zeros(self._room)
-        further = self._reserve_newton() if method == IMPLICIT else []
-        self._advance = _entry(method == IMPLICIT)
-        self._table = table_of(
-            _method_rows(method, len(self.memory.x)),
-            rows_of(self.problem),
-            self._memory_rows,
-            rows_of(self.progress),
-            _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
-            _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
-            rows_of(self._beginning),
-            further,
-        )
-        self._place = address(self._table)
+        self._advance, self._place = _entry(method == IMPLICIT), arrays.place
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end and return the states.
@@ -191,112 +143,6 @@ class Integration:
         if reached < self._number:
             rows[reached : self._number] = np.nan
         return rows[: self._number]
-
-    # -- arrays for compiled code -----------------------------------------------------------------
-
-    def _callback(self, function: Callable[..., Any], outputs: int) -> Callback:
-        callback = Callback(function, self.n, outputs, self.interrupts)
-        self.callbacks.append(callback)
-        return callback
-
-    def _bind(self, f: Callable[..., Any], args: tuple[Any, ...]) -> Problem:
-        call, n = self.call, self.n
-        if call is not None and call.inputs is None and call.kernel.addresses is not None:
-            if call.kernel.program.num_states != n:
-                raise ValueError(
-                    f"`x0` must have {call.kernel.program.num_states} values, one for each state, "
-                    f"got {n}."
-                )
-            return kernel_problem(call, n)
-        callback = self._callback(lambda x, t: f(x, t, *args), n)
-        return callback_problem(callback, n, call)
-
-    def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
-        """Return the address and constants of a further Kernel of the system."""
-        call = self.call
-        assert call is not None
-        if call.inputs is None and kernel.addresses is not None:
-            return bind_constants(kernel, call.p)
-        outputs = sum(b.stop - b.start for b in kernel.program.blocks)
-        callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs)
-        return callback.address, np.zeros(1)
-
-    def _reserve(self) -> tuple[Method, Memory]:
-        n = self.n
-        length = BLOCK * blocks(n)
-        method = method_arrays(self.name, length)
-        stages, depth = max(1, len(method.nodes)), int(method.shape[at.DEPTH])
-        counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
-        # One block of memory for all vectors.
-        flat = lined_up(sum(counts) * length)
-        first, places = 0, []
-        for name, count in zip(Memory._fields, counts, strict=True):
-            places.append((first, BLOCK if name in ("step", "theta") else count * length))
-            first += count * length
-        memory = Memory(*[flat[place : place + size] for place, size in places])
-        start = address(flat)
-        self._memory_rows = [(start + 8 * place, size) for place, size in places]
-        try:
-            memory.rtol[:n], memory.atol[:n] = self.options.rtol, self.options.atol
-        except ValueError:
-            raise ValueError(
-                f"`rtol` and `atol` must be numbers or have the shape ({n},), got the shapes "
-                f"{np.shape(self.options.rtol)} and {np.shape(self.options.atol)}."
-            ) from None
-        np.maximum(memory.atol, 1e-300, out=memory.atol)  # 0 / 0 would be no error
-        return method, memory
-
-    def _hold(self) -> Constraints:
-        wanted = self.options.constraints
-        if wanted is None:
-            return _NO_CONSTRAINTS
-        from pydy.solvers.projecting import project
-
-        words = np.zeros(8, dtype=np.int64)
-        words[at.ACTIVE], words[at.PROJECT] = 1, project.address
-        words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
-        words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
-        words[at.COORDINATES], words[at.SPEEDS] = wanted.coordinates, wanted.speeds
-        words[at.WEIGHTED] = wanted.weighted
-        size = sum(b.stop - b.start for b in wanted.kernel.program.blocks)
-        return Constraints(words, c, np.zeros(size))
-
-    def _look_out(self) -> Watch:
-        wanted = self.options.events
-        if wanted is None:
-            return _NO_EVENTS
-        from pydy.solvers.watching import scan_events
-
-        number = len(wanted.names)
-        place, c = self._bind_kernel(wanted.values)
-        stops = zip(wanted.terminal, wanted.resets, strict=True)
-        acting = [end or reset is not None for end, reset in stops]
-        rows = _LOG if number else 0
-        scan = scan_events.address
-        return watch_arrays((place, scan), c, wanted.directions, acting, self.n, rows)
-
-    def _reserve_newton(self) -> list[tuple[int, int]]:
-        from pydy.solvers.newton import Newton
-
-        n, call = self.n, self.call
-        words, c = np.zeros(5, dtype=np.int64), np.zeros(1)
-        if call is not None and call.jacobian is not None:
-            words[0], c = self._bind_kernel(call.jacobian())
-        self._newton = Newton(
-            words=words,
-            sizes=np.zeros(2),
-            c=c,
-            jacobian=np.zeros(n * n),
-            real=np.zeros((n, n)),
-            pair=np.zeros((n, n), dtype=complex),
-            real_order=np.zeros(n, dtype=np.int64),
-            pair_order=np.zeros(n, dtype=np.int64),
-            stages=np.zeros((3, n)),
-            waves=np.zeros((3, n)),
-            slopes=np.zeros((3, n)),
-            last=np.zeros((4, n)),
-        )
-        return rows_of(self._newton)
 
     # -- running ----------------------------------------------------------------------------------
 
@@ -401,7 +247,7 @@ class Integration:
         x = self.memory.x
         before = x.copy()
         t = float(self.progress.state[at.TIME])
-        code = _PROJECT(int(self.constraints.words[at.PROJECT]))(self._place, t, address(x))
+        code = _PROJECT(int(self.arrays.constraints.words[at.PROJECT]))(self._place, t, address(x))
         self._raise_callback()
         moved = np.abs(x - before)
         if code != 0 or (moved > 1e-3 * (1.0 + np.abs(before))).any():
