@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from graphs import on_tape
 from pydy._graph.identities import merge_equal
@@ -62,6 +63,42 @@ def test_numbers_are_exact(graph, x):
     tenths = graph.sum([(x, 0.1), (graph.powi(x, 2), 1.0)])
     nearly = graph.sum([(x, np.nextafter(0.1, 1.0)), (graph.powi(x, 2), 1.0)])
     assert merge_equal(graph, [tenths, nearly]) == [tenths, nearly]
+
+
+@pytest.mark.parametrize("power", [-1074, -122, -61, -60, -52, 61, 122, 1000])
+def test_powers_of_two_are_not_taken_for_each_other(graph, x, power):
+    small = graph.const(2.0**power)
+    assert merge_equal(graph, [graph.call("max", x, small)]) == [graph.call("max", x, small)]
+    nodes = [graph.sum([(x, 2.0**power)], 1.0), graph.sum([(x, 2.0 ** (power % 61))], 1.0)]
+    if nodes[0] != nodes[1]:
+        assert merge_equal(graph, nodes) == nodes
+
+
+@pytest.mark.parametrize("guard", ["select", "atan"])
+def test_a_denominator_that_a_function_guards_is_not_one_of_the_node(graph, x, y, guard):
+    quotient = graph.div(graph.one, graph.sub(x, y))
+    if guard == "select":
+        factor = graph.call("select", graph.call("eq", x, y), graph.zero, quotient)
+    else:
+        factor = graph.call("atan", quotient)
+    powers = [graph.mul(graph.powi(x, 4 - k), graph.powi(y, k)) for k in range(5)]
+    short = graph.div(graph.sub(graph.powi(x, 5), graph.powi(y, 5)), graph.sub(x, y))
+    whole = graph.mul(factor, graph.add(*powers))
+    assert merge_equal(graph, [whole, graph.mul(factor, short)])[0] == whole
+
+
+def test_a_product_that_keeps_a_difference_is_not_summed_up(graph, x, y):
+    kept = graph.mul(graph.sub(x, y), graph.sum([(x, 1.0), (y, 1.0)]), graph.add(x, graph.one))
+    terms = [(3, 0, 1.0), (2, 0, 1.0), (1, 2, -1.0), (0, 2, -1.0)]
+    spread = graph.sum([(graph.mul(graph.powi(x, a), graph.powi(y, b)), c) for a, b, c in terms])
+    assert merge_equal(graph, [kept, spread])[0] == kept
+
+
+def test_functions_of_functions_are_remembered_once_each(graph, x, y):
+    node = x
+    for _ in range(3000):  # what each may be undefined for would grow with the square of this
+        node = graph.call("tanh", graph.add(node, y))
+    assert merge_equal(graph, [node]) == [node]
 
 
 def test_a_quotient_by_zero_is_left_to_the_machine(graph, x):

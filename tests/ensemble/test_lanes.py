@@ -121,6 +121,17 @@ def test_too_many_steps_end_a_sample():
     assert (results.steps + results.rejected).values[2] == 10
 
 
+def test_a_fixed_step_that_overflows_is_a_failure():
+    system, _x, v, _ = runaway()
+    results = system.integrate_ensemble(
+        initial_conditions={v: [0.1, 4.0, 0.2]}, ode_solver="rk4", step=0.05
+    )
+    assert results.status.values.tolist() == [0, 4, 0]
+    assert results.status.attrs["flag_meanings"].split()[5] == "not_finite"
+    assert np.isnan(results.v0[1, -1])
+    assert np.isfinite(results.v0[[0, 2]]).all()
+
+
 def test_sampled_inputs_are_taken_at_each_lanes_own_time():
     system = multi_mass_spring_damper(apply_external_forces=True)
     (force,) = system.specifieds_symbols

@@ -15,7 +15,7 @@ from pydy._graph.factor import Term, factored, terms_of
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import again, rebuild
 
-__all__ = ["expand_sums"]
+__all__ = ["expand_sums", "is_exact"]
 
 # The most terms of a sum that is multiplied out, by how often it is used: what is used twice is
 # computed once as it stands.
@@ -31,6 +31,15 @@ def expand_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
     inputs: ``k·(x − y)`` loses nothing where x and y nearly agree, ``k·x − k·y`` does.
     """
     return _Expansion(graph, roots).run(roots)
+
+
+def is_exact(graph: Graph, node: int) -> bool:
+    """Return whether a node is a sum of two exact values or more, which may cancel."""
+    if graph.ops[node] != "sum":
+        return False
+    c0, terms = graph.args[node]
+    exact = [n for n, c in terms if abs(c) == 1.0 and graph.ops[n] == "input"]
+    return len(exact) + bool(c0) > 1
 
 
 class _Expansion:
@@ -117,8 +126,7 @@ class _Expansion:
         c0, terms = graph.args[node]
         if len(terms) + bool(c0) > _LONGEST.get(self.uses[node], 0):
             return None
-        exact = sum(abs(c) == 1.0 and graph.ops[n] == "input" for n, c in terms)
-        if exact + bool(c0) > 1:
+        if is_exact(graph, node):
             return None
         found: set[int] = set()
         for n, _ in terms:

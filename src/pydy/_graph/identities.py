@@ -15,19 +15,22 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 
+from pydy._graph.expand import is_exact
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import again, replaced
 
 __all__ = ["merge_equal"]
 
-_PRIME = 2**61 - 1
+# Floats are whole numbers times powers of two: p = 2 q + 1 with a prime q, so that these powers
+# repeat after q of them. p = 3 (mod 4), so that −1 is no square and no 1 + x² vanishes.
+_PRIME = 2**61 - 2373
 
 
 def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
     """Return roots in which equal nodes, or opposite ones, are one: the one that costs least.
 
     A node is never replaced by one with other denominators or functions than its own, which may be
-    undefined where the node is not.
+    undefined where the node is not, nor a product that keeps x − y by a sum in which it cancels.
     """
     nodes = graph.reachable(roots)
     values, poles, costs = _evaluated(graph, nodes)
@@ -44,7 +47,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
         if graph.ops[node] in ("factor", "solve", "bool"):
             continue
         for other in group:
-            if poles[other] <= poles[node]:
+            if poles[other] <= poles[node] and not _is_rougher(graph, other, node):
                 stand_in[node] = other
                 break
         else:
@@ -64,6 +67,14 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
         else:
             new[node] = graph.neg(new[other])
     return [new[root] for root in roots]
+
+
+def _is_rougher(graph: Graph, other: int, node: int) -> bool:
+    """Return whether `other` is a sum in which may cancel what an exact factor of `node` keeps."""
+    _, product = graph.scaled(node)
+    if graph.ops[product] != "prod" or graph.ops[graph.scaled(other)[1]] != "sum":
+        return False
+    return any(is_exact(graph, n) for n, _ in graph.args[product])
 
 
 def _random(*what: object) -> int:
@@ -132,7 +143,8 @@ def _evaluated(
             cost += 8.0
         else:
             value = _random(op, *_kind(op, args), *(values[n] for n in operands))
-            own |= {value}
+            # What a function divides by inside may be guarded by it.
+            own = frozenset({_random("within", value, *sorted(own))} if own else {value})
             cost += 8.0
         values[node], poles[node], costs[node] = value, own, cost
     return values, poles, costs

@@ -139,7 +139,9 @@ def evaluate_samples(
         x = lined_up(max(1, n) * BLOCK)
         r, p, times = (np.ascontiguousarray(a) for a in (r, p, times))
         buffer = lined_up(len(out) * BLOCK)
-        evaluate_lanes(_problem(kernel, sampled), x, buffer, r, p, times, states, out)
+        steps = np.array(states.strides) // 8
+        place = address(states)
+        evaluate_lanes(_problem(kernel, sampled), x, buffer, r, p, times, place, steps, out)
     return out
 
 

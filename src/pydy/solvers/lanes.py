@@ -17,6 +17,7 @@ from pydy.solvers.intrinsics import (
     call_kernel,
     call_prepare,
     copy_items,
+    get,
     lowest_bit,
     nested,
     put,
@@ -418,6 +419,9 @@ def step_lanes(method, problem, memory, lanes, queue):
         error = splat(0.0)
         if adaptive:
             error = _error(method, problem, memory)
+        else:
+            for i in range(n):
+                error = error + 0.0 * load(memory.new, i)  # NaN where the state is not finite
         good = active & (error < 1.0) & ~mask_of(failed)
         tried = good
         if not reuse_end and bits(good) != 0:
@@ -487,12 +491,13 @@ def step_lanes(method, problem, memory, lanes, queue):
 
 
 @compiled
-def evaluate_lanes(problem, x, buffer, r, p, times, states, out):
+def evaluate_lanes(problem, x, buffer, r, p, times, states, steps, out):
     """Evaluate a kernel at all states (n, m, times); write (outputs, m, times).
 
-    NaN states give NaN; so does a linear solve that fails.
+    `states` is the address of the first, `steps` the distances along the three axes. NaN states
+    give NaN; so does a linear solve that fails.
     """
-    n, m = states.shape[0], states.shape[1]
+    n, m = problem.words[STATES], out.shape[1]
     for first in range(0, m, BLOCK):
         for lane in range(BLOCK):
             sample = min(first + lane, m - 1)
@@ -502,8 +507,9 @@ def evaluate_lanes(problem, x, buffer, r, p, times, states, out):
         for k in range(times.size):
             for lane in range(BLOCK):
                 sample = min(first + lane, m - 1)
+                place = states + 8 * (sample * steps[1] + k * steps[2])
                 for i in range(n):
-                    x[i * BLOCK + lane] = states[i, sample, k]
+                    x[i * BLOCK + lane] = get(place + 8 * i * steps[0])
             clock = splat(times[k])
             failed = _rates(problem, clock, address_of(x, 0), address_of(buffer, 0))
             for lane in range(min(BLOCK, m - first)):
