@@ -192,13 +192,18 @@ class Graph:
     def product(self, factors: Iterable[tuple[int, int]], coefficient: float = 1.0) -> int:
         """Return ``coefficient · Π node ** exponent``; nested products are flattened."""
         powers: dict[int, int] = {}
-        ops, special = self.ops, []
+        ops, args, special = self.ops, self.args, []
         for node, exponent in factors:
             op = ops[node]
-            if op not in _SPECIAL_FACTORS:
+            if op == "sum":
+                c0, terms = args[node]
+                counted = terms[0][1] > 0.0 and (len(terms) > 1 or c0 != 0.0)
+            else:
+                counted = op not in _SPECIAL_FACTORS
+            if counted:
                 powers[node] = powers.get(node, 0) + exponent
             elif op == "const" and exponent == 1:
-                coefficient *= self.args[node][0]
+                coefficient *= args[node][0]
             else:
                 special.append((node, exponent))
         if special:
