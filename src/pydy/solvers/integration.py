@@ -45,7 +45,7 @@ _PROJECT = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_double, cty
 
 @cache
 def _entry(implicit: bool) -> Callable[..., int]:
-    """Return the compiled stepper itself: numba's choice by types takes as long as four steps."""
+    """Return the compiled stepper itself, past numba's choice by types at every call."""
     from numba import float64, int64
 
     if implicit:
@@ -102,11 +102,12 @@ class Integration:
         parts = (options.constraints, options.events)
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
-        arrays.beginning[1][at.BUDGET] = 0 if attended else _first_budget(method, self.call, False)
+        self._budget = _first_budget(method, self.call, bool(self.callbacks))
+        arrays.beginning[1][at.BUDGET] = 0 if attended else self._budget
         # Rows are written in whole blocks.
         self._number = len(times)
         self._room = (self._number + -(-BLOCK // max(1, n)), n)
-        self._rows = np.zeros(self._room)
+        self._rows = np.zeros((0, n))  # of the latest run
         self._advance, self._place = _entry(method == IMPLICIT), arrays.place
 
     def run(self, x0: np.ndarray) -> np.ndarray:
@@ -154,7 +155,7 @@ class Integration:
 
     def _run(self) -> None:
         state, count = self.progress.state, self.progress.counts
-        budget = _first_budget(self.name, self.call, bool(self.callbacks))
+        budget = self._budget
         bar = self._bar()
         try:
             while True:

@@ -18,7 +18,6 @@ __all__ = [
     "call_prepare",
     "combine",
     "complex_matrix",
-    "copy_items",
     "flattened",
     "get",
     "lowest_bit",
@@ -202,28 +201,12 @@ def nested(typingctx, y, x, parts, length, depth, theta, blocks):
     return types.void(*[types.intp] * 7), codegen
 
 
-def _copy_function(module: ir.Module) -> ir.Function:
-    """Return the function behind `copy_items`, one for all of a module's calls."""
-    kind = ir.FunctionType(ir.VoidType(), [_INT] * 5)
-    function = cgutils.get_or_insert_function(module, kind, "pydy_copy_items")
-    if not function.is_declaration:
-        return function
-    builder = _begin(function)
-    y, y_step, x, x_step, count = function.args
-    y, x = _pointer(builder, y, _DOUBLE), _pointer(builder, x, _DOUBLE)
-    with cgutils.for_range(builder, count) as loop:
-        value = builder.load(builder.gep(x, [builder.mul(loop.index, x_step)]))
-        builder.store(value, builder.gep(y, [builder.mul(loop.index, y_step)]))
-    builder.ret_void()
-    return function
-
-
 @intrinsic
 def put(typingctx, place, value):
     """Write a number at an address.
 
-    The store is atomic, which costs nothing, so that LLVM leaves loops of such stores alone: for a
-    few numbers far apart, scatters are slower.
+    The store is atomic, an ordinary one to the processor, so that LLVM does not make scatters of
+    loops over a few numbers.
     """
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -252,17 +235,6 @@ def lowest_bit(typingctx, bits):
         return builder.cttz(arguments[0], ir.IntType(1)(1))
 
     return types.intp(types.int64), codegen
-
-
-@intrinsic
-def copy_items(typingctx, y, y_step, x, x_step, count):
-    """Copy `count` numbers between two addresses, with the distance from one to the next."""
-
-    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        builder.call(_copy_function(builder.module), arguments)
-        return context.get_dummy_value()
-
-    return types.void(*[types.intp] * 5), codegen
 
 
 def _begin(function: ir.Function) -> ir.IRBuilder:

@@ -131,7 +131,7 @@ def evaluate_samples(
 
     The parameters are those of `integrate_samples`; `states` has the shape (n, m, times).
     """
-    from pydy.solvers.lanes import evaluate_lanes
+    from pydy.solvers.lane_kernels import evaluate_lanes
 
     n, m, number = states.shape
     out = np.empty((len(kernel.program.outputs), m, number))

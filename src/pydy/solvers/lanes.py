@@ -14,14 +14,12 @@ from pydy.solvers.compiled import compiled, inlined
 from pydy.solvers.intrinsics import (
     BLOCK,
     address_of,
-    call_kernel,
     call_prepare,
-    copy_items,
-    get,
     lowest_bit,
     nested,
     put,
 )
+from pydy.solvers.lane_kernels import copy_in, rates_of_lanes
 from pydy.solvers.lane_layout import (
     BUDGET,
     CONSTANTS,
@@ -32,7 +30,6 @@ from pydy.solvers.lane_layout import (
     FIRST,
     HEAD,
     INACCURATE,
-    KERNEL,
     LARGEST,
     LIMIT,
     NOT_FINITE,
@@ -62,7 +59,6 @@ from pydy.solvers.layout import (
     SHRINK,
     STAGES,
 )
-from pydy.solvers.rates import interval_of
 from pydy.solvers.runge_kutta import combine_row
 from pydy.solvers.vectors import (
     absolute,
@@ -80,61 +76,18 @@ from pydy.solvers.vectors import (
     where,
 )
 
-__all__ = ["evaluate_lanes", "step_lanes"]
-
-
-# -- the right-hand side --------------------------------------------------------------------------
-
-
-@inlined
-def _set_inputs(problem):
-    """Set the sampled inputs of each lane at its own time."""
-    for k in range(problem.tables.shape[0]):
-        column, first, number = problem.tables[k]
-        knots = problem.knots[first : first + number]
-        for lane in range(BLOCK):
-            s = max(problem.clock[lane], knots[0])
-            low = interval_of(knots, s, problem.intervals[k, lane])
-            problem.intervals[k, lane] = low
-            s -= knots[low]
-            a = problem.cubics[first + low]
-            value = a[0] + s * (a[1] + s * (a[2] + s * a[3]))
-            problem.r[column * BLOCK + lane] = value
-
-
-@inlined(always=True)
-def _rates(problem, clock, x, out):
-    """Evaluate; `x` and `out` are addresses. The bits of the lanes whose solve failed."""
-    store(problem.clock, 0, clock)
-    if problem.tables.shape[0] > 0:
-        _set_inputs(problem)
-    return np.int64(
-        call_kernel(
-            problem.words[KERNEL],
-            address_of(problem.clock, 0),
-            x,
-            address_of(problem.r, 0),
-            address_of(problem.c, 0),
-            out,
-        )
-    )
+__all__ = ["step_lanes"]
 
 
 # -- samples come and go --------------------------------------------------------------------------
 
 
 @inlined(always=True)
-def _copy_in(values, row, buffer, lane):
-    """Copy a row of an array into a lane."""
-    items = values.shape[1]
-    target, source = address_of(buffer, lane), address_of(values, row * items)
-    copy_items(target, BLOCK, source, 1, items)
-
-
-@inlined(always=True)
 def _copy_over(buffer, items, source, target):
     """Copy one lane to another."""
-    copy_items(address_of(buffer, target), BLOCK, address_of(buffer, source), BLOCK, items)
+    place = address_of(buffer, target)
+    for i in range(items):
+        put(place + 8 * BLOCK * i, buffer[i * BLOCK + source])
 
 
 @inlined(always=True)
@@ -181,9 +134,9 @@ def _fill(problem, memory, lanes, queue):
             sample = queue.state[HEAD]
             queue.state[HEAD] += 1
             lanes.samples[lane] = sample
-            _copy_in(queue.x, sample, memory.x, lane)
-            _copy_in(queue.r, sample, problem.r, lane)
-            _copy_in(queue.p, sample, problem.p, lane)
+            copy_in(queue.x, sample, memory.x, lane)
+            copy_in(queue.r, sample, problem.r, lane)
+            copy_in(queue.p, sample, problem.p, lane)
             lanes.time[lane] = queue.times[0]
             fresh |= np.int64(1) << lane
         if lanes.samples[lane] >= 0:
@@ -224,7 +177,7 @@ def _first_size(method, problem, memory, largest, t):
     h0 = minimum(h0, largest)
     for i in range(n):
         store(memory.trial, i, load(memory.x, i) + h0 * load(f0, i))
-    failed = _rates(problem, t + h0, address_of(memory.trial, 0), address_of(f1, 0))
+    failed = rates_of_lanes(problem, t + h0, address_of(memory.trial, 0), address_of(f1, 0))
     d2 = _norm(f1, f0, memory, n) / h0
     steepest = maximum(d1, d2)
     h1 = power(0.01 / maximum(steepest, 1e-15), method.control[EXPONENT])
@@ -238,7 +191,9 @@ def _start(method, problem, memory, lanes, queue, fresh):
     """Begin with the samples that lanes have just taken."""
     n, times = problem.words[STATES], queue.times
     new, t = mask_of(fresh), load(lanes.time, 0)
-    failed = _rates(problem, t, address_of(memory.x, 0), address_of(memory.trial, 0)) & fresh
+    failed = (
+        rates_of_lanes(problem, t, address_of(memory.x, 0), address_of(memory.trial, 0)) & fresh
+    )
     for i in range(n):
         store(memory.stages, i, where(new, load(memory.trial, i), load(memory.stages, i)))
     evaluations = 1.0
@@ -291,7 +246,7 @@ def _take_step(method, problem, memory, t, size):
     for stage in range(1, method.shape[STAGES]):
         combine_row(method, problem, memory, stage, trial, x)
         out = address_of(memory.stages, stage * length)
-        failed |= _rates(problem, t + method.nodes[stage] * size, trial, out)
+        failed |= rates_of_lanes(problem, t + method.nodes[stage] * size, trial, out)
     combine_row(method, problem, memory, method.shape[STAGES], address_of(memory.new, 0), x)
     return failed
 
@@ -327,7 +282,7 @@ def _prepare_interpolant(method, problem, memory, t, size):
         combine_row(method, problem, memory, row, trial, x)
         stage = stages + 1 + k
         out = address_of(memory.stages, stage * length)
-        failed |= _rates(problem, t + method.nodes[stage] * size, trial, out)
+        failed |= rates_of_lanes(problem, t + method.nodes[stage] * size, trial, out)
         row += 1
     for i in range(n):
         increment = load(memory.new, i) - load(memory.x, i)
@@ -415,7 +370,7 @@ def step_lanes(method, problem, memory, lanes, queue):
 
         failed = _take_step(method, problem, memory, t, size)
         if reuse_end:
-            failed |= _rates(problem, after, address_of(memory.new, 0), end)
+            failed |= rates_of_lanes(problem, after, address_of(memory.new, 0), end)
         error = splat(0.0)
         if adaptive:
             error = _error(method, problem, memory)
@@ -425,7 +380,7 @@ def step_lanes(method, problem, memory, lanes, queue):
         good = active & (error < 1.0) & ~mask_of(failed)
         tried = good
         if not reuse_end and bits(good) != 0:
-            failed |= _rates(problem, after, address_of(memory.new, 0), end)
+            failed |= rates_of_lanes(problem, after, address_of(memory.new, 0), end)
             good = good & ~mask_of(failed)
         evaluations = load(lanes.evaluations, 0) + per_step + where(tried, per_success, 0.0)
         store(lanes.evaluations, 0, evaluations)
@@ -485,35 +440,3 @@ def step_lanes(method, problem, memory, lanes, queue):
                 if (finished >> lane) & 1 == 1:
                     _retire(problem, lanes, queue, lane, FINISHED)
             vacant = True
-
-
-# -- outputs --------------------------------------------------------------------------------------
-
-
-@compiled
-def evaluate_lanes(problem, x, buffer, r, p, times, states, steps, out):
-    """Evaluate a kernel at all states (n, m, times); write (outputs, m, times).
-
-    `states` is the address of the first, `steps` the distances along the three axes. NaN states
-    give NaN; so does a linear solve that fails.
-    """
-    n, m = problem.words[STATES], out.shape[1]
-    for first in range(0, m, BLOCK):
-        for lane in range(BLOCK):
-            sample = min(first + lane, m - 1)
-            _copy_in(r, sample, problem.r, lane)
-            _copy_in(p, sample, problem.p, lane)
-        call_prepare(problem.words[PREPARE], address_of(problem.p, 0), address_of(problem.c, 0))
-        for k in range(times.size):
-            for lane in range(BLOCK):
-                sample = min(first + lane, m - 1)
-                place = states + 8 * (sample * steps[1] + k * steps[2])
-                for i in range(n):
-                    x[i * BLOCK + lane] = get(place + 8 * i * steps[0])
-            clock = splat(times[k])
-            failed = _rates(problem, clock, address_of(x, 0), address_of(buffer, 0))
-            for lane in range(min(BLOCK, m - first)):
-                bad = (failed >> lane) & 1 == 1 or (n > 0 and x[lane] != x[lane])
-                for j in range(out.shape[0]):
-                    value = buffer[j * BLOCK + lane]
-                    out[j, first + lane, k] = np.nan if bad else value

@@ -45,16 +45,8 @@ def _method_rows(method: str, length: int) -> list[tuple[int, int]]:
 class Workspace:
     """What one integration reserves, once, for all its runs.
 
-    Parameters
-    ----------
-    method : str
-    f : callable
-    n : int
-        Number of states.
-    times : ndarray
-    args : tuple
-    options : Options
-    interrupts : Interrupts
+    Its parameters are those of `pydy.solvers.integration.Integration`, and the interrupts that
+    callbacks look at.
 
     Attributes
     ----------
