@@ -51,6 +51,8 @@ class Registers:
         self._fixed: dict[int, str] = {}
         self._names: dict[int, str] = {}
         self._homes: dict[int, tuple[str, int]] = {}
+        self._slots: dict[int, str] = {}  # of values that were moved to memory to make room
+        self._free: list[str] = []
         self.steps: dict[str, str] = {}  # the distance between items, where it is no constant
 
     def fix(self, node: int, name: str) -> None:
@@ -100,20 +102,25 @@ class Registers:
                 uses.pop()
             if not uses:
                 del known[node]
+                if node in self._slots:
+                    self._free.append(self._slots.pop(node))
         while len(known) > self._capacity - room:
             node = max(known, key=lambda k: self._uses[k][-1])
             if node not in self._homes:
-                slot = self._f.slot(self._v)
+                slot = self._free.pop() if self._free else self._f.slot(self._v)
                 self._f.store(self._v, known[node], slot)
                 self._homes[node] = (slot, 0)
+                self._slots[node] = slot
             del known[node]
 
     @contextmanager
     def aside(self) -> Iterator[None]:
         """Forget afterwards what is loaded meanwhile, on a way that is not always taken."""
         names, homes, fixed = dict(self._names), dict(self._homes), dict(self._fixed)
+        slots, free = dict(self._slots), list(self._free)
         yield
         self._names, self._homes, self._fixed = names, homes, fixed
+        self._slots, self._free = slots, free
 
 
 def readers(program: Program, swallowed: set[int], setup: bool) -> dict[int, list[int]]:
