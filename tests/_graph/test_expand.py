@@ -1,5 +1,7 @@
 """Short sums are multiplied out where that saves operations, and only where it is harmless."""
 
+import math
+
 import pytest
 import sympy as sm
 
@@ -47,6 +49,23 @@ def test_a_sum_that_is_used_often_is_left_alone():
     common = sm.sin(x) * y + sm.cos(x) * z
     graph, nodes = nodes_of([common * w + x, common * x + y, common * y + w, common * z + x])
     assert expand_sums(graph, nodes) == nodes
+
+
+def test_a_factor_goes_into_a_sum_where_it_takes_a_denominator_away():
+    expression = sm.cos(w) * x * (y + z * w / x)
+    assert program_of([expression]).operation_count["run"]["div"] == 0
+    assert evaluate(expression, 0.0, 1.0, 3.0, 0.5) == 1.5 * math.cos(0.5)
+
+
+def test_rates_of_angles_have_the_one_denominator_they_need():
+    """Body-fixed angles: all is regular but where the second one is a right angle."""
+    c1, c2, s2 = sm.cos(x), sm.cos(y), sm.sin(y)
+    second = (z + w * s2 / c2) / (c2 + s2**2 / c2)
+    first = -(w * (s2**2 / c2 / (c2 + s2**2 / c2) - 1) + z * s2 / (c2 + s2**2 / c2)) / (c1 * c2)
+    count = program_of([first, second]).operation_count["run"]
+    assert (count["div"], count["mul"]) == (1, 4)
+    right = evaluate(second, 0.3, math.pi / 2, 2.0, 0.7)
+    assert right == pytest.approx(0.7 + 2.0 * math.cos(math.pi / 2), rel=1e-15)
 
 
 def test_multiplying_out_is_undone_where_it_costs_operations():

@@ -26,6 +26,19 @@ def test_speeds_written_out_by_derivatives_become_speeds(graph, x, y):
     assert merge_equal(graph, [back, across]) == [u, graph.neg(v)]
 
 
+def test_a_denominator_that_is_a_reciprocal_becomes_a_factor(graph, x, y):
+    # What a linear solver makes of the rates of angles: c + s²/c is 1/c.
+    sine, cosine = graph.call("sin", x), graph.call("cos", x)
+    below = graph.add(cosine, graph.product([(sine, 2), (cosine, -1)]))
+    assert merge_equal(graph, [graph.div(y, below)]) == [graph.mul(y, cosine)]
+
+
+def test_squares_that_no_node_holds_yet_are_found(graph, x, y):
+    sine, cosine = graph.call("sin", x), graph.call("cos", x)
+    rest = graph.add(graph.const(-1.0), graph.powi(sine, 2))
+    assert merge_equal(graph, [rest, cosine]) == [graph.neg(graph.powi(cosine, 2)), cosine]
+
+
 def test_what_vanishes_everywhere_is_zero(graph, x, y):
     terms = [(graph.powi(x, 2), -1.0), (graph.mul(x, y), -2.0), (graph.powi(y, 2), -1.0)]
     difference = graph.sum([(graph.powi(graph.add(x, y), 2), 1.0), *terms])

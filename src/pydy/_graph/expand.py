@@ -58,11 +58,29 @@ class _Expansion:
         same = args == graph.args[node]
         if op == "sum" and len(args[1]) > 1:
             new = self._expanded(node, args, same)
+        elif op == "prod" and (cancelled := self._cancelled(dict(args))) is not None:
+            new = cancelled
         else:
             new = node if same else again(graph, op, args)
         if new != node:
             self.uses[new] = max(self.uses[new], self.uses[node])
         return new
+
+    def _cancelled(self, factors: dict[int, int]) -> int | None:
+        """Return ``b·(x + y/b)`` as ``b·x + y``, which is defined where b is zero."""
+        graph = self.graph
+        for inner, exponent in factors.items():
+            if exponent != 1 or self._factors_in(inner) is None:
+                continue
+            c0, pairs = graph.args[inner]
+            terms = terms_of(graph, pairs)
+            below = {n for inside, _ in terms for n, e in inside.items() if e < 0}
+            if met := [(n, e) for n, e in factors.items() if n in below and e > 0]:
+                others = [(n, e) for n, e in factors.items() if n != inner and n not in dict(met)]
+                new = [(graph.product([*met, *f.items()]), c) for f, c in terms]
+                sum_ = graph.sum([*new, (graph.product(met), c0)] if c0 else new)
+                return graph.product([*others, (sum_, 1)])
+        return None
 
     def _expanded(self, node: int, args: tuple[Any, ...], same: bool) -> int:
         """Return a sum multiplied out and factored again, if there is anything to do."""

@@ -33,6 +33,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
     undefined where the node is not, nor a product that keeps x − y by a sum in which it cancels.
     """
     nodes = graph.reachable(roots)
+    nodes = graph.reachable([*roots, *_candidates(graph, nodes)])
     values, poles, costs = _evaluated(graph, nodes)
     best: dict[int, list[int]] = {}
     for constant in (graph.zero, graph.one):
@@ -67,6 +68,20 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
         else:
             new[node] = graph.neg(new[other])
     return [new[root] for root in roots]
+
+
+def _candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return what nodes are often equal to: reciprocals, and squares of sines and cosines."""
+    found: dict[int, None] = {}
+    angles: dict[int, list[int]] = {}
+    for node in nodes:
+        op, args = graph.ops[node], graph.args[node]
+        if op == "prod":
+            found.update((graph.powi(n, -1), None) for n, e in args if e < 0)
+        elif op in ("sin", "cos"):
+            angles.setdefault(args[0], []).append(node)
+    both = [node for pair in angles.values() if len(pair) == 2 for node in pair]
+    return [*found, *(graph.powi(node, 2) for node in both)]
 
 
 def _is_rougher(graph: Graph, other: int, node: int) -> bool:
