@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from graphs import P, T, X, program_of
+from graphs import P, T, X, program_of, solve_program
 from pydy._backends.llvm import LLVMBackend
 
 MODEL = program_of([X[0] * P[0] + T, X[1] - X[3], sm.sin(X[2]), X[0] / X[1], P[1] * X[3]])
@@ -41,3 +41,28 @@ def test_rows_that_are_not_contiguous_are_taken_as_they_are(lanes):
     spaced = np.repeat(x, 2, axis=1)[:, ::2]
     out, _ = LLVMBackend(lanes=lanes).compile(MODEL).evaluate(t, spaced, np.zeros((1, 0)), p)
     np.testing.assert_allclose(out, expected(t, x, p), rtol=1e-15)
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+@pytest.mark.parametrize("size", [2, 8])
+def test_samples_that_fail_are_reported_and_the_others_are_not_disturbed(lanes, order, size):
+    # Two unknowns are few enough for the loop over blocks, eight are not.
+    program = solve_program(size, "ldl")
+    rng = np.random.default_rng(size)
+    x = rng.normal(size=(61, program.num_states))
+    for k, row in enumerate(x):
+        a = row[: size * size].reshape(size, size)
+        a[:] = a @ a.T + np.eye(size)
+        if k in (0, 3, 17, 18, 40, 60):
+            a[:] = 1.0  # all rows the same
+    out, failed = (
+        LLVMBackend(lanes=lanes)
+        .compile(program)
+        .evaluate(np.zeros(61), np.asarray(x, order=order), np.zeros((1, 0)), np.zeros(0))
+    )
+    assert np.flatnonzero(failed).tolist() == [0, 3, 17, 18, 40, 60]
+    assert np.isnan(out[failed]).all()
+    for k in np.flatnonzero(~failed):
+        a, b = x[k, : size * size].reshape(size, size), x[k, size * size :]
+        np.testing.assert_allclose(out[k], np.linalg.solve(a, b), rtol=1e-10)

@@ -19,8 +19,8 @@ from contextlib import contextmanager
 from pydy._backends.ir import Function, vector_type
 
 __all__ = [
+    "KERNEL_WORDS",
     "SWEEP_GATE",
-    "WORDS",
     "row_sweep_function",
     "scratch_size",
     "sweep_gate_function",
@@ -29,14 +29,15 @@ __all__ = [
 ]
 
 SWEEP_GATE = "pydy_sweep_gate"
-# What a sweep reads in an array of integers. `r_step` is 0 where one row of specifieds serves all
-# samples; `by_columns` says how x, r and out lie.
-WORDS = (
+# What a sweep reads in an array of integers: the kernel it is for, then the arrays of this call.
+# `r_step` is 0 where one row of specifieds serves all samples; `by_columns` says how x, r and out
+# lie.
+KERNEL_WORDS = (
     *("kernel", "prepare", "strided", "sweep"),
     *("n", "s", "k", "carried", "outputs"),
-    *("m", "r_step", "by_columns"),
 )
-_POINTERS = WORDS[:4]
+_WORDS = (*KERNEL_WORDS, "m", "r_step", "by_columns")
+_POINTERS = KERNEL_WORDS[:4]
 # The arrays that follow it.
 _ARRAYS = ("t", "x", "r", "p", "out", "failed", "scratch")
 _PARAMETERS = ", ".join(f"ptr %{name}" for name in ("words", *_ARRAYS))
@@ -57,29 +58,45 @@ def scratch_size(lanes: int, n: int, s: int, k: int, carried: int, outputs: int)
 
 def _word(f: Function, name: str) -> str:
     kind = "ptr" if name in _POINTERS else "i64"
-    return f.load(kind, "%words", str(WORDS.index(name)))
+    return f.load(kind, "%words", str(_WORDS.index(name)))
 
 
 def _opened(f: Function) -> dict[str, str]:
     """Return what a sweep works with, by name."""
     arrays = {name: f"%{name}" for name in _ARRAYS}
-    return arrays | {k: _word(f, k) for k in WORDS}
+    return arrays | {k: _word(f, k) for k in _WORDS}
 
 
 def sweep_gate_function() -> str:
-    """Return a C function of Python's interface: the sweep that the words name.
+    """Return a C function of Python's interface: the sweep that a kernel's words name.
 
     Its arguments are NumPy arrays of the right kinds, which its caller has made; it takes their
-    data and gives up the interpreter's lock for the work.
+    data, how many samples there are and how they lie, and gives up the interpreter's lock for the
+    work.
     """
     f = Function(SWEEP_GATE, "ptr", "ptr %self, ptr %args, i64 %count", "|nounwind")
-    data = []
-    for k in range(1 + len(_ARRAYS)):
-        array = f.load("ptr", "%args", str(k))
-        data.append(f.load("ptr", f.at(array, "16", "i8")))  # see `native`
+    names = ("words", *_ARRAYS)
+    arrays = {name: f.load("ptr", "%args", str(k)) for k, name in enumerate(names)}
+
+    def field(name: str, offset: int, kind: str) -> str:
+        return f.load(kind, f.at(arrays[name], str(offset), "i8"))  # see `native`
+
+    data = {name: field(name, 16, "ptr") for name in names}
+    words = f.slot("i64", len(_WORDS))
+    for k in range(len(KERNEL_WORDS)):
+        f.store("i64", f.load("i64", data["words"], str(k)), words, str(k))
+    samples, rows = (f.load("i64", field(name, 32, "ptr")) for name in "tr")
+    s = f.load("i64", words, str(_WORDS.index("s")))
+    r_step = f.let(f"select i1 {f.let(f'icmp sgt i64 {rows}, 1')}, i64 {s}, i64 0")
+    # Contiguous columns, and not contiguous rows as well.
+    order = f.let(f"and i32 {field('x', 64, 'i32')}, {0x0003}")
+    by_columns = f.let(f"zext i1 {f.let(f'icmp eq i32 {order}, {0x0002}')} to i64")
+    for name, value in (("m", samples), ("r_step", r_step), ("by_columns", by_columns)):
+        f.store("i64", value, words, str(_WORDS.index(name)))
     state = f.let("call ptr @PyEval_SaveThread()")
-    sweep = f.load("ptr", data[0], str(WORDS.index("sweep")))
-    f.do(f"call void {sweep}({', '.join(f'ptr {a}' for a in data)})")
+    sweep = f.load("ptr", words, str(_WORDS.index("sweep")))
+    arguments = [words, *(data[name] for name in _ARRAYS)]
+    f.do(f"call void {sweep}({', '.join(f'ptr {a}' for a in arguments)})")
     f.do(f"call void @PyEval_RestoreThread(ptr {state})")
     f.do(f"ret ptr {f.let('call ptr @PyLong_FromLong(i64 0)')}")
     return "declare ptr @PyEval_SaveThread()\ndeclare void @PyEval_RestoreThread(ptr)\n" + f.text()
@@ -138,10 +155,11 @@ def sweep_module(lanes: int) -> str:
     with f.when(alone):
         _splat(f, lanes, w["r"], w["s"], rs)
     several = f.let(f"xor i1 {alone}, true")
-    steps = f.slot("i64", 3)
+    steps = f.slot("i64", 5)
     f.store("i64", m, steps)
     f.store("i64", f.let(f"select i1 {alone}, i64 {lanes}, i64 {m}"), steps, "1")
     f.store("i64", m, steps, "2")
+    f.store("i64", f.let(f"select i1 {alone}, i64 0, i64 {lanes}"), steps, "4")
 
     def call() -> str:
         arguments = f"ptr {ts}, ptr {xs}, ptr {rs}, ptr {parts['c']}, ptr {outs}"
@@ -180,11 +198,28 @@ def sweep_module(lanes: int) -> str:
         # begins where a line of the cache does.
         address = f.let(f"ptrtoint ptr {w['x']} to i64")
         gone = f.let(f"and i64 {f.let(f'lshr i64 {address}, 3')}, {lanes - 1}")
-        with blocks(f.let(f"sub i64 {lanes}, {gone}")) as start:
+        begin = f.variable("i64", "0")
+
+        def run(start: str, count: str) -> None:
+            """Evaluate up to that many blocks; the first one that fails is the last."""
+            f.store("i64", count, steps, "3")
             t, x, out = (f.at(w[name], start) for name in ("t", "x", "out"))
             r = f.let(f"select i1 {alone}, ptr {rs}, ptr {f.at(w['r'], start)}")
             arguments = f"ptr {t}, ptr {x}, ptr {r}, ptr {parts['c']}, ptr {out}, ptr {steps}"
-            report(f.let(f"call i32 {w['strided']}({arguments})"), start, str(lanes))
+            both = f.let(f"call i64 {w['strided']}({arguments})")
+            done = f.let(f"mul i64 {f.let(f'lshr i64 {both}, 32')}, {lanes}")
+            end = f.let(f"add i64 {start}, {done}")
+            f.set("i64", begin, end)
+            latest = f.let(f"sub i64 {end}, {lanes}")
+            report(f.let(f"trunc i64 {both} to i32"), latest, str(lanes))
+
+        run("0", "1")
+        with f.when(f.let(f"icmp sgt i64 {last}, 0")):
+            f.set("i64", begin, f.let(f"sub i64 {lanes}, {gone}"))
+        with f.repeat(lambda: f.let(f"icmp slt i64 {f.get('i64', begin)}, {m}")):
+            # What is left of the last block overlaps the one before.
+            start = f.let(f"call i64 @llvm.smin.i64(i64 {f.get('i64', begin)}, i64 {last})")
+            run(start, f.let(f"sdiv i64 {f.let(f'sub i64 {m}, {start}')}, {lanes}"))
 
     def sweep_rows() -> None:
         with blocks(str(lanes)) as start:

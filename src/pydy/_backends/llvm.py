@@ -192,38 +192,86 @@ def _prepare(program: Program, lanes: int, brief: bool) -> str:
     return f.text()
 
 
-_PARAMETERS = ", ".join(f"ptr noalias readonly %{name}" for name in "txrc") + ", ptr noalias %out"
+_ARRAYS = ("t", "x", "r", "c", "out")
+
+
+def _parameters(suffix: str = "") -> str:
+    inputs = ", ".join(f"ptr noalias readonly %{name}{suffix}" for name in _ARRAYS[:-1])
+    return f"{inputs}, ptr noalias %out{suffix}"
+
+
+# Up to so many operations at every call a strided kernel is a loop.
+_LOOP = 100
 
 
 def _kernel(program: Program, lanes: int, brief: bool) -> str:
-    """Return the function of the second stage; wide ones take items at any distance.
+    """Return the functions of the second stage; wide code has a `strided` form beside `kernel`.
 
-    Their last argument points to the distances between two items of x, r and out. The `kernel` of
-    the package's signature passes the number of lanes.
+    It reads from memory, after the arrays, the distances between two items of x, r and out; how
+    many blocks of states there are; and the distance between two blocks of r. It does as many as it
+    likes, stops at the first that fails, and returns the status of the last one and, above 32
+    bits, how many it did.
+
+    For small models it is a loop: what leads in and out of a function would take as long as their
+    equations. Larger ones do one block: the numbers that LLVM takes out of a loop's body would have
+    to wait in memory.
     """
-    name, parameters = "kernel", _PARAMETERS
-    if lanes > 1:
-        name, parameters = "strided", f"{_PARAMETERS}, ptr noalias readonly %steps"
-    f = Function(name, "i32", parameters, "|nounwind")
-    e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
-    if lanes > 1:
-        for place, group in enumerate(("%x", "%r", "%out")):
-            e.names.steps[group] = f.load("i64", "%steps", str(place))
-    e.solves.status = f.variable("i32", "0")
-    e.stage()
-    f.do(f"ret i32 {f.get('i32', e.solves.status)}")
-    f.label("%bail")
-    f.do("ret i32 0")
-    parts = [f.text(), *BRANCH_WEIGHTS, ""]
-    if lanes > 1:
+    parts = [*BRANCH_WEIGHTS, ""]
+    small = sum(not setup for setup in program.setup) <= _LOOP
+    if lanes == 1 or small:
+        f = Function("kernel", "i32", _parameters(), "|nounwind")
+        e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+        e.solves.status = f.variable("i32", "0")
+        e.stage()
+        f.do(f"ret i32 {f.get('i32', e.solves.status)}")
+        f.label("%bail")
+        f.do("ret i32 0")
+        parts.insert(0, f.text())
+    else:
         parts.append(_packed_kernel(lanes))
+    if lanes > 1:
+        parts.insert(0, _strided(program, lanes, brief, small))
     return "\n".join(parts)
+
+
+def _strided(program: Program, lanes: int, brief: bool, loop: bool) -> str:
+    parameters = f"{_parameters('.first' if loop else '')}, ptr noalias readonly %steps"
+    f = Function("strided", "i64", parameters, "|nounwind")
+    e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+    e.solves.status = f.variable("i32", "0")
+    for place, group in enumerate(("%x", "%r", "%out")):
+        e.names.steps[group] = f.load("i64", "%steps", str(place))
+    count, r_block = (f.load("i64", "%steps", str(k)) for k in (3, 4)) if loop else ("", "")
+    if loop:
+        f.do("br label %block")
+        f.label("%block")
+        f.do("%k = phi i64 [ 0, %entry ], [ %done, %more ]")
+        offset = f.let(f"mul i64 %k, {lanes}")
+        r_offset = f.let(f"mul i64 %k, {r_block}")
+        for name, start in zip(_ARRAYS, (offset, offset, r_offset, "0", offset), strict=True):
+            f.do(f"%{name} = getelementptr double, ptr %{name}.first, i64 {start}")
+    e.stage()
+    status = f.get("i32", e.solves.status)
+    f.do(f"%done = add i64 {'%k' if loop else '0'}, 1")
+    if loop:
+        good = f.let(f"icmp eq i32 {status}, 0")
+        rest = f.let(f"icmp slt i64 %done, {count}")
+        f.do(f"br i1 {f.let(f'and i1 {good}, {rest}')}, label %more, label %finish")
+        f.label("%more")
+        f.do("br label %block")
+        f.label("%finish")
+    high, low = f.let("shl i64 %done, 32"), f.let(f"zext i32 {status} to i64")
+    f.do(f"ret i64 {f.let(f'or i64 {high}, {low}')}")
+    f.label("%bail")
+    f.do("ret i64 0")
+    return f.text()
 
 
 def _packed_kernel(lanes: int) -> str:
     """Return the `kernel` that hands ``[item][lane]`` to its strided form."""
-    f = Function("kernel", "i32", _PARAMETERS, "|nounwind")
-    arguments = ", ".join(f"ptr %{name}" for name in ("t", "x", "r", "c", "out"))
-    f.do(f"ret i32 {f.let(f'tail call i32 @strided({arguments}, ptr @packed)')}")
-    steps = ", ".join([f"i64 {lanes}"] * 3)
-    return f"@packed = private constant [3 x i64] [{steps}]\n" + f.text()
+    f = Function("kernel", "i32", _parameters(), "|nounwind")
+    arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
+    both = f.let(f"tail call i64 @strided({arguments}, ptr @packed)")
+    f.do(f"ret i32 {f.let(f'trunc i64 {both} to i32')}")
+    steps = ", ".join(f"i64 {n}" for n in (lanes, lanes, lanes, 1, lanes))
+    return f"@packed = private constant [5 x i64] [{steps}]\n" + f.text()

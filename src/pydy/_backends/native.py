@@ -20,7 +20,7 @@ import ctypes
 import sysconfig
 from collections.abc import Callable
 from functools import cache, partial
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -29,8 +29,8 @@ from pydy._backends.background import Task, submit
 from pydy._backends.base import strict
 from pydy._backends.ir import Function
 from pydy._backends.ir_sweep import (
+    KERNEL_WORDS,
     SWEEP_GATE,
-    WORDS,
     row_sweep_function,
     scratch_size,
     sweep_gate_function,
@@ -60,18 +60,18 @@ class Entry:
         self.addresses = addresses
         self.better: Task | None = None
         self._owners = [owner]  # a call may be under way in the old code: it stays
-        self._words: np.ndarray | None = None
+        self._words: list[np.ndarray] = []
 
     def replace(self, addresses: tuple[int, int], owner: Any) -> None:
         """Use other functions from the next call on."""
         self._owners.append(owner)
         self.addresses = addresses
-        if self._words is not None:
-            self._words[:2] = addresses
+        for words in self._words:
+            words[:2] = addresses
 
     def bind(self, words: np.ndarray) -> None:
-        """Keep the first two words of a gate's array up to date."""
-        self._words = words
+        """Keep the first two words of an array up to date."""
+        self._words.append(words)
         words[:2] = self.addresses
 
     def settled(self) -> tuple[int, int]:
@@ -149,8 +149,9 @@ def _make_sweep(
     native = runtime.code.addresses[sweep_name(1)] if lanes == 1 else _wide_sweep(lanes)
     room = scratch_size(lanes, *sizes)
     run, columns = runtime.sweep, lanes > 1
-    template = np.array([0, 0, strided, native, *sizes, 0, 0, 0], np.int64)
-    m_at, r_step_at, by_columns_at = map(WORDS.index, ("m", "r_step", "by_columns"))
+    words = np.array([0, 0, strided, native, *sizes], np.int64)
+    assert len(words) == len(KERNEL_WORDS)
+    entry.bind(words)
 
     def sweep(
         t: np.ndarray,
@@ -160,18 +161,14 @@ def _make_sweep(
         out: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
         m = len(t)
-        words = template.copy()
-        words[:2] = entry.addresses
-        words[m_at] = m
-        if len(r) > 1:
-            words[r_step_at] = s
+        order: Literal["C", "F"] = "C"
         if columns and m > 1 and n > 1 and x.flags.f_contiguous:
-            words[by_columns_at] = 1
-            r = np.asfortranarray(r)
-            values = np.empty((m, outputs), order="F") if out is None else out
+            order = "F"
+            if len(r) > 1:
+                r = np.asfortranarray(r)
         else:
             x, r = np.ascontiguousarray(x), np.ascontiguousarray(r)
-            values = np.empty((m, outputs)) if out is None else out
+        values = np.empty((m, outputs), order=order) if out is None else out
         failed = np.zeros(m, dtype=np.bool_)
         run(words, t, x, r, p, values, failed, np.empty(room))
         return values, failed
