@@ -64,8 +64,9 @@ class UnrolledLDL:
             self.inverse.append(inverse)
             for i in range(j + 1, n):
                 value = cell[i][j]
+                # Of the two equal products the one that does not wait for this row's quotients.
                 for k in row:
-                    value = self._minus(value, lower[i][k], scaled[j][k])
+                    value = self._minus(value, scaled[i][k], lower[j][k])
                 if value != zero:
                     scaled[i][j] = value
                     lower[i][j] = tape.mul(value, inverse)
