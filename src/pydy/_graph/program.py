@@ -341,9 +341,10 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
         stack.append(~node)
         op, args = tape.ops[node], tape.args[node]
         if op == "guard":
-            # Row by row of the elimination; matrix and column come along where they are needed.
+            # The column, from its end: what loads the outer bodies goes on to the inner ones. Then
+            # row by row of the elimination what it needs of the matrix.
             _, entries, column, sound, fast = args
-            needs: Sequence[int] = (sound, *fast, *column, *entries)
+            needs: Sequence[int] = (*column[::-1], sound, *fast, *entries)
         else:
             needs = operands(op, args)
         stack.extend(n for n in reversed(needs) if n not in done)
