@@ -1,12 +1,14 @@
 """Work that is done on the side, in one thread, while the program goes on.
 
 It waits for a quiet moment: llvmlite lets one thread at a time into LLVM, so a long compilation on
-the side would hold up a short one that the program waits for.
+the side would hold up a short one that the program waits for. A fork of the process waits for the
+task in hand: the child would else wait for ever for a lock that a thread held which it has not got.
 """
 
 from __future__ import annotations
 
 import atexit
+import os
 import queue
 import threading
 import time
@@ -38,6 +40,7 @@ class Task:
 
 _TASKS: queue.SimpleQueue[Task | None] = queue.SimpleQueue()
 _START = threading.Lock()
+_WORKING = threading.Lock()
 _ENDING = threading.Event()
 _QUIET_SECONDS = 0.25
 _thread: threading.Thread | None = None
@@ -72,7 +75,8 @@ def _work() -> None:
             _ENDING.wait(left)
         if task is None or _ENDING.is_set():
             return
-        task.run()
+        with _WORKING:
+            task.run()
 
 
 def _end() -> None:
@@ -81,3 +85,11 @@ def _end() -> None:
     _TASKS.put(None)
     if _thread is not None:
         _thread.join()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(
+        before=_WORKING.acquire,
+        after_in_parent=_WORKING.release,
+        after_in_child=_WORKING.release,
+    )
