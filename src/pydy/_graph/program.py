@@ -323,11 +323,13 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
     """Return what the roots need, each value as late as possible before its first use.
 
     Few values are then alive at a time: machine code keeps them in registers, and the register
-    allocator, whose time grows with the values alive, is done sooner.
+    allocator, whose time grows with the values alive, is done sooner. Of a sum's operands, one that
+    takes clearly more operations in a row comes first: the other then need not wait for it.
     """
     order: list[int] = []
     done: set[int] = set()
     roots = list(roots)
+    levels = _levels(tape)
     # All angles whose sine or cosine is taken come first: a back end can then do several at once.
     stack = [*roots[::-1], *_angles_first(tape, roots)[::-1]]
     while stack:
@@ -347,8 +349,26 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
             needs: Sequence[int] = (*column[::-1], sound, *fast, *entries)
         else:
             needs = operands(op, args)
+            if op in ("add", "sub") and levels[needs[1]] > levels[needs[0]] + _CLEARLY:
+                needs = needs[::-1]
         stack.extend(n for n in reversed(needs) if n not in done)
     return order
+
+
+# Levels by which one operand of a sum must be above the other to come first.
+_CLEARLY = 2
+
+
+def _levels(tape: Tape) -> list[int]:
+    """Return how many sums, products and quotients in a row lead to each node at every call."""
+    levels: list[int] = []
+    for op, args, setup in zip(tape.ops, tape.args, tape.setup, strict=True):
+        if setup:
+            levels.append(0)
+        else:
+            own = op in ("add", "sub", "mul", "div")
+            levels.append(own + max((levels[n] for n in operands(op, args)), default=0))
+    return levels
 
 
 def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
