@@ -281,3 +281,32 @@ def test_a_definite_matrix_of_constants_is_factorised_once():
     program = on_tape(graph, x, (n, 0, n * n))
     assert program.operation_count["run"].get("div", 0) == 0
     assert program.operation_count["setup"]["div"] == n
+
+
+def test_a_block_that_is_diagonal_and_constant_goes_first():
+    """The last body of a chain, with its angular velocity as speeds: three of nine unknowns."""
+    graph = Graph()
+    n, last = 9, 6
+
+    def cell(i, j):
+        if j >= last:
+            return graph.input("p", i) if i == j else graph.zero
+        return graph.input("x", i * n + j)
+
+    rows = [[cell(max(i, j), min(i, j)) for j in range(n)] for i in range(n)]
+    (x,) = graph.solve(rows, [[graph.input("x", n * n + i) for i in range(n)]], "ldl")
+    program = on_tape(graph, x, (n * n + n, 0, n))
+    count = program.operation_count["run"]
+    assert count["div"] == last  # the others are divided by once per binding
+    assert count["mul"] <= 212  # 242 in the given order
+
+    rng = np.random.default_rng(2)
+    matrix = np.diag(rng.uniform(2.0, 3.0, n))
+    matrix[:last, :last] += definite(rng, 1, last)[0]
+    matrix[last:, :last] = rng.normal(0.0, 0.3, (n - last, last))
+    matrix[:last, last:] = matrix[last:, :last].T
+    right = rng.normal(size=n)
+    state = np.concatenate([matrix.ravel(), right])[None]
+    found, failed = run(program, np.zeros(1), state, np.empty((1, 0)), matrix.diagonal().copy())
+    assert not failed[0]
+    np.testing.assert_allclose(found[0], np.linalg.solve(matrix, right), rtol=1e-12)

@@ -131,8 +131,9 @@ class _Lowering:
         if kind == "ldl":
             zero = tape.const(0.0)
             filled = np.array(symmetric(n, cells)).reshape(n, n) != zero
-            order, cost = elimination_order(filled)
-            constant = all(tape.setup[c] for c in cells)
+            setup = np.array([tape.setup[c] for c in cells]).reshape(n, n)
+            order, cost = elimination_order(filled, setup.diagonal())
+            constant = setup.all()
             found = None
             if self.passes.separate and not constant and cost > _SEPARATE_FROM:
                 found = separate(self.graph, n, entries)

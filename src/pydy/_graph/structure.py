@@ -86,13 +86,16 @@ def difference_basis(
     return rows, [_node(graph, _minus(right[i], right[i + 1])) for i in range(n)]
 
 
-def elimination_order(filled: np.ndarray) -> tuple[list[int], int]:
+def elimination_order(filled: np.ndarray, fixed: np.ndarray) -> tuple[list[int], int]:
     """Return an order of elimination with little fill, and what LDLᵀ then costs.
 
     Parameters
     ----------
     filled : ndarray of bool, shape (n, n)
         The symmetric pattern.
+    fixed : ndarray of bool, shape (n,)
+        Which diagonal entries do not depend on the state. Of equal rows these go first: a pivot
+        that is still one of them is divided by only once per binding.
 
     Returns
     -------
@@ -105,14 +108,14 @@ def elimination_order(filled: np.ndarray) -> tuple[list[int], int]:
     n = len(filled)
     given = list(range(n))
     cost = _cost(filled, given)
-    if filled.sum() > 0.75 * n * n:
+    if filled.all():
         return given, cost
     pattern = filled.copy()
     np.fill_diagonal(pattern, False)
     left = np.ones(n, dtype=bool)
     order = []
     for _ in range(n):
-        degree = np.where(left, pattern.sum(axis=1), n + 1)
+        degree = np.where(left, 2 * pattern.sum(axis=1) + ~fixed, 2 * n + 2)
         k = int(degree.argmin())
         order.append(k)
         neighbours = pattern[k] & left
