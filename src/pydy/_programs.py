@@ -17,6 +17,7 @@ from typing import Any
 from pydy._eom.equations import Equations
 from pydy._eom.mechanism import Mechanism
 from pydy._eom.symbols import find_symbols
+from pydy._graph.body_basis import body_basis
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
@@ -386,10 +387,13 @@ def solve_accelerations(
 ) -> list[int]:
     """Return the solution of the equations of motion."""
     chain = difference_basis(graph, rows, forcing) if kind == "ldl" else None
-    if chain is None:
-        return graph.solve(rows, [forcing], kind)[0]
-    y = graph.solve(chain[0], [chain[1]], kind)[0]
-    return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
+    if chain is not None:
+        y = graph.solve(chain[0], [chain[1]], kind)[0]
+        return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
+    basis = body_basis(graph, rows, forcing) if kind == "ldl" else None
+    if basis is not None:
+        return basis.given_unknowns(graph.solve(basis.matrix, [basis.column], kind)[0])
+    return graph.solve(rows, [forcing], kind)[0]
 
 
 def _collect_accelerations(

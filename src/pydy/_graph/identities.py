@@ -19,7 +19,7 @@ from pydy._graph.expand import is_exact
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import again, replaced
 
-__all__ = ["merge_equal"]
+__all__ = ["merge_equal", "signatures"]
 
 # Floats are whole numbers times powers of two: p = 2 q + 1 with a prime q, so that these powers
 # repeat after q of them. p = 3 (mod 4), so that −1 is no square and no 1 + x² vanishes.
@@ -68,6 +68,15 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
         else:
             new[node] = graph.neg(new[other])
     return [new[root] for root in roots]
+
+
+def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return a number for each node: equal ones for nodes that are equal wherever defined.
+
+    It is 0 for what vanishes.
+    """
+    values, _, _ = _evaluated(graph, graph.reachable(nodes))
+    return [values[node] for node in nodes]
 
 
 def _candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:

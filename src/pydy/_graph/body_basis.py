@@ -1,0 +1,278 @@
+"""Write equations of motion in the bodies' own speeds, where the given speeds are relative.
+
+In a chain of bodies the last one often has speeds that are its angular velocity less what the other
+speeds give it. In the mass matrix their block D is then diagonal and constant, their columns are
+C = W D + a, where W says how fast each other speed turns the body, and everywhere else stand
+products of W with the body's moments of inertia. With the body's whole angular velocity as
+unknowns, in matrices
+
+    M = | A   C |      T = | 1  −W |      T M Tᵀ = | A − W aᵀ − C Wᵀ   a |
+        | Cᵀ  D |          | 0   1 |               | aᵀ                D |
+
+these products are gone from the matrix and from the right-hand side T b: what is left of the body
+there is a mass at its joint. (So are articulated-body inertias made; Featherstone, Rigid Body
+Dynamics Algorithms, 2008, ch. 7.) The block of the body before it is then constant too, and so on
+to the first one. The given unknowns are ``x = Tᵀ y``.
+
+Any W gives the right solution. To see the products cancel, entries are written as polynomials in
+the constants of D.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from itertools import product
+from typing import Any
+
+from pydy._graph.derivative import jacobian
+from pydy._graph.identities import merge_equal, signatures
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import again, rebuild
+from pydy._graph.simplify import operations
+
+__all__ = ["BodyBasis", "body_basis"]
+
+# Powers of constants, and for each product of them the node it is multiplied by.
+_Powers = tuple[tuple[int, int], ...]
+_Polynomial = dict[_Powers, int]
+# The sign of a product, and its factors.
+_Product = tuple[float, tuple[int, ...]]
+_Places = dict[tuple[int, int], int]
+
+# The terms of a polynomial: of a body's own constants there are few, and the masses and lengths
+# that it carries come with them.
+_MOST_TERMS = 64
+# The speeds of one body.
+_MOST_SPEEDS = 6
+
+
+def body_basis(
+    graph: Graph, matrix: Sequence[Sequence[int]], column: Sequence[int]
+) -> BodyBasis | None:
+    """Return a symmetric system in other unknowns that takes fewer operations, or None.
+
+    Parameters
+    ----------
+    graph : Graph
+    matrix : sequence of sequences of nodes, n by n
+        Its lower triangle is read.
+    column : sequence of nodes
+    """
+    basis = BodyBasis(graph, matrix, column)
+    given, end = basis.nodes(), len(matrix)
+    with suppress(_TooLongError):  # the bodies that are done stay so
+        while (own := basis.own(end)) and basis.change(own):
+            end = own.start
+    if end == len(matrix):
+        return None
+    # What is left of a long sum is often equal to something short; `simplify` finds it again.
+    merged = merge_equal(graph, basis.nodes())
+    return basis if operations(graph, merged) < operations(graph, given) else None
+
+
+class BodyBasis:
+    """A symmetric linear system, and how its unknowns give those of another one.
+
+    Attributes
+    ----------
+    matrix : list of list of nodes
+    column : list of nodes
+    """
+
+    def __init__(
+        self, graph: Graph, matrix: Sequence[Sequence[int]], column: Sequence[int]
+    ) -> None:
+        n = len(matrix)
+        self.graph = graph
+        self.matrix = [[matrix[max(i, j)][min(i, j)] for j in range(n)] for i in range(n)]
+        self.column = list(column)
+        self._changes: list[_Places] = []  # each one a W
+
+    def given_unknowns(self, y: Sequence[int]) -> list[int]:
+        """Return the unknowns of the first system from those of this one."""
+        graph, x = self.graph, list(y)
+        for w in reversed(self._changes):
+            terms = [[(node, 1.0)] for node in x]
+            for (i, k), node in w.items():
+                terms[k].append((graph.mul(node, x[i]), -1.0))
+            x = [graph.sum(part) for part in terms]
+        return x
+
+    def nodes(self) -> list[int]:
+        """Return all that a solution is made of: matrix, column, and the way back."""
+        n = len(self.matrix)
+        lower = [self.matrix[i][j] for i in range(n) for j in range(i + 1)]
+        return [*lower, *self.column, *(node for w in self._changes for node in w.values())]
+
+    def own(self, end: int) -> range:
+        """Return the unknowns before `end` whose block is diagonal and constant."""
+        self._settle(end)
+        graph, m = self.graph, self.matrix
+        start = end
+        while start and graph.constant[m[start - 1][start - 1]]:
+            if any(m[start - 1][k] != graph.zero for k in range(start, end)):
+                break
+            start -= 1
+        return range(start, end)
+
+    def _settle(self, end: int) -> None:
+        """Write entries before `end` that are the same in every state without the state."""
+        graph, m = self.graph, self.matrix
+        near = range(max(end - _MOST_SPEEDS, 0), end)
+        places = [(i, j) for i in near for j in range(near.start, i + 1)]
+        places = [(i, j) for i, j in places if not graph.constant[m[i][j]]]
+        nodes = [m[i][j] for i, j in places]
+        fixed = _at_rest(graph, nodes)
+        values = signatures(graph, [*nodes, *fixed])
+        both = zip(values[: len(nodes)], values[len(nodes) :], strict=True)
+        for (i, j), node, (value, rest) in zip(places, fixed, both, strict=True):
+            if value == rest:
+                m[i][j] = m[j][i] = node
+
+    def change(self, own: range) -> bool:
+        """Take whole angular velocities for the unknowns `own`, if the ones before turn them."""
+        graph, m = self.graph, self.matrix
+        before, beyond = range(own.start), range(own.stop, len(m))
+        w = _turning(graph, {k: m[k][k] for k in own}, {k: m[k][: own.start] for k in own})
+        if not w:
+            return False
+        diagonal = [m[k][k] for k in own]
+        constants = [n for n in graph.reachable(diagonal) if graph.ops[n] == "input"]
+        polynomials = _Polynomials(graph, constants)
+        a = {(i, k): m[i][k] for i in before for k in own}
+        a |= polynomials.collected(
+            {(i, k): [(1.0, (m[i][k],)), (-1.0, (node, m[k][k]))] for (i, k), node in w.items()}
+        )
+        sums: dict[tuple[int, int], list[_Product]] = {}
+        for i in before:
+            sums[i, -1] = [(1.0, (self.column[i],))]
+            for j in (*range(i + 1), *beyond):
+                sums[i, j] = [(1.0, (m[i][j],))]
+        for (i, k), node in w.items():
+            sums[i, -1].append((-1.0, (node, self.column[k])))
+            for j in range(i + 1):
+                sums[i, j].append((-1.0, (node, a[j, k])))
+            for j in range(i, own.start):
+                sums[j, i].append((-1.0, (node, m[j][k])))
+            for j in beyond:
+                sums[i, j].append((-1.0, (node, m[k][j])))
+        for (i, j), node in (a | polynomials.collected(sums)).items():
+            if j < 0:
+                self.column[i] = node
+            else:
+                m[i][j] = m[j][i] = node
+        self._changes.append(w)
+        return True
+
+
+def _at_rest(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return nodes where all but constants is zero."""
+
+    def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
+        if op == "input" and not graph.constant[node]:
+            return graph.zero
+        return node if args == graph.args[node] else again(graph, op, args)
+
+    return rebuild(graph, nodes, rule)
+
+
+def _turning(
+    graph: Graph, diagonal: Mapping[int, int], columns: Mapping[int, Sequence[int]]
+) -> _Places:
+    """Return W, without its zeros: what multiplies a body's moments of inertia in its columns.
+
+    A moment of inertia is a constant that one entry of the diagonal alone has, to the first power.
+    """
+    inputs = [k for k in graph.reachable(diagonal.values()) if graph.ops[k] == "input"]
+    slopes = dict(zip(diagonal, jacobian(graph, list(diagonal.values()), inputs), strict=True))
+    found: _Places = {}
+    for k, slope in slopes.items():
+        for place, node in slope.items():
+            alone = all(place not in other for j, other in slopes.items() if j != k)
+            size = graph.value(node)
+            if alone and size:
+                for i, share in enumerate(jacobian(graph, columns[k], [inputs[place]])):
+                    found[i, k] = graph.sum([(share.get(0, graph.zero), 1.0 / size)])
+                break
+    return {place: node for place, node in found.items() if node != graph.zero}
+
+
+class _TooLongError(Exception):
+    """A polynomial has too many terms."""
+
+
+class _Polynomials:
+    """Nodes as polynomials in some inputs."""
+
+    def __init__(self, graph: Graph, variables: Iterable[int]) -> None:
+        self.graph = graph
+        self._known: dict[int, _Polynomial] = {k: {((k, 1),): graph.one} for k in variables}
+
+    def collected(self, sums: Mapping[tuple[int, int], Sequence[_Product]]) -> _Places:
+        """Return sums of products with like powers collected, and without what vanishes."""
+        graph, found = self.graph, {}
+        for place, parts in sums.items():
+            products = [(sign, self._product([self._of(n) for n in ns])) for sign, ns in parts]
+            found[place] = self._sum(products)
+        nodes = [node for terms in found.values() for node in terms.values()]
+        zeros = {n for n, value in zip(nodes, signatures(graph, nodes), strict=True) if not value}
+        written: _Places = {}
+        for place, terms in found.items():
+            kept = [(powers, n) for powers, n in terms.items() if n not in zeros]
+            written[place] = graph.sum([(graph.product([(n, 1), *p]), 1.0) for p, n in kept])
+        return written
+
+    def _of(self, root: int) -> _Polynomial:
+        known, stack = self._known, [root]
+        while stack:
+            node = stack[-1]
+            missing = [n for n in self.graph.operands(node) if n not in known]
+            if node not in known and missing:
+                stack += missing
+                continue
+            stack.pop()
+            if node not in known:
+                known[node] = self._made(node)
+        return known[root]
+
+    def _made(self, node: int) -> _Polynomial:
+        """Return a node's polynomial; one that has no variable in a sum or product is its own."""
+        graph, known = self.graph, self._known
+        op, args = graph.ops[node], graph.args[node]
+        whole: _Polynomial = {} if node == graph.zero else {(): node}
+        without = {n for n in graph.operands(node) if known[n].keys() <= {()}}
+        if op not in ("sum", "prod") or len(without) == len(set(graph.operands(node))):
+            return whole
+        if op == "sum":
+            parts = [(c, known[n]) for n, c in args[1]]
+            return self._sum([*parts, (args[0], {(): graph.one})] if args[0] else parts)
+        if any(e < 0 and n not in without for n, e in args):
+            return whole
+        factors: list[_Polynomial] = []
+        for n, e in args:
+            factors += [{(): graph.powi(n, e)}] if n in without else [known[n]] * e
+        return self._product(factors)
+
+    def _sum(self, parts: Sequence[tuple[float, _Polynomial]]) -> _Polynomial:
+        graph = self.graph
+        terms: dict[_Powers, list[tuple[int, float]]] = {}
+        for sign, part in parts:
+            for powers, node in part.items():
+                terms.setdefault(powers, []).append((node, sign))
+        if len(terms) > _MOST_TERMS:
+            raise _TooLongError
+        sums = {powers: graph.sum(nodes) for powers, nodes in terms.items()}
+        return {powers: node for powers, node in sums.items() if node != graph.zero}
+
+    def _product(self, factors: Sequence[_Polynomial]) -> _Polynomial:
+        graph, result = self.graph, factors[0]
+        for factor in factors[1:]:
+            parts: list[tuple[float, _Polynomial]] = []
+            for (one, a), (two, b) in product(result.items(), factor.items()):
+                powers = Counter(dict(one))
+                powers.update(dict(two))
+                parts.append((1.0, {tuple(sorted(powers.items())): graph.mul(a, b)}))
+            result = self._sum(parts)
+        return result
