@@ -204,18 +204,18 @@ class _TooLongError(Exception):
 
 
 class _Polynomials:
-    """Nodes as polynomials in some inputs."""
+    """Nodes as polynomials in some inputs; None stands for a node that has none of them."""
 
     def __init__(self, graph: Graph, variables: Iterable[int]) -> None:
         self.graph = graph
-        self._known: dict[int, _Polynomial] = {k: {((k, 1),): graph.one} for k in variables}
+        self._known: dict[int, _Polynomial | None] = {k: {((k, 1),): graph.one} for k in variables}
+        self._joined: dict[tuple[_Powers, _Powers], _Powers] = {}
 
     def collected(self, sums: Mapping[tuple[int, int], Sequence[_Product]]) -> _Places:
         """Return sums of products with like powers collected, and without what vanishes."""
         graph, found = self.graph, {}
         for place, parts in sums.items():
-            products = [(sign, self._product([self._of(n) for n in ns])) for sign, ns in parts]
-            found[place] = self._sum(products)
+            found[place] = self._sum([(sign, self._product(nodes)) for sign, nodes in parts])
         nodes = [node for terms in found.values() for node in terms.values()]
         zeros = {n for n, value in zip(nodes, signatures(graph, nodes), strict=True) if not value}
         written: _Places = {}
@@ -235,25 +235,22 @@ class _Polynomials:
             stack.pop()
             if node not in known:
                 known[node] = self._made(node)
-        return known[root]
+        found = known[root]
+        return {(): root} if found is None else found
 
-    def _made(self, node: int) -> _Polynomial:
-        """Return a node's polynomial; one that has no variable in a sum or product is its own."""
+    def _made(self, node: int) -> _Polynomial | None:
         graph, known = self.graph, self._known
         op, args = graph.ops[node], graph.args[node]
-        whole: _Polynomial = {} if node == graph.zero else {(): node}
-        without = {n for n in graph.operands(node) if known[n].keys() <= {()}}
-        if op not in ("sum", "prod") or len(without) == len(set(graph.operands(node))):
-            return whole
+        moving = [n for n in graph.operands(node) if known[n] is not None]
+        if not moving or op not in ("sum", "prod"):
+            return None
         if op == "sum":
-            parts = [(c, known[n]) for n, c in args[1]]
+            parts = [(c, self._of(n)) for n, c in args[1]]
             return self._sum([*parts, (args[0], {(): graph.one})] if args[0] else parts)
-        if any(e < 0 and n not in without for n, e in args):
-            return whole
-        factors: list[_Polynomial] = []
-        for n, e in args:
-            factors += [{(): graph.powi(n, e)}] if n in without else [known[n]] * e
-        return self._product(factors)
+        if any(e < 0 and n in moving for n, e in args):
+            return None
+        rest = graph.product([(n, e) for n, e in args if n not in moving])
+        return self._product([rest, *(n for n, e in args if n in moving for _ in range(e))])
 
     def _sum(self, parts: Sequence[tuple[float, _Polynomial]]) -> _Polynomial:
         graph = self.graph
@@ -266,13 +263,21 @@ class _Polynomials:
         sums = {powers: graph.sum(nodes) for powers, nodes in terms.items()}
         return {powers: node for powers, node in sums.items() if node != graph.zero}
 
-    def _product(self, factors: Sequence[_Polynomial]) -> _Polynomial:
-        graph, result = self.graph, factors[0]
-        for factor in factors[1:]:
-            parts: list[tuple[float, _Polynomial]] = []
-            for (one, a), (two, b) in product(result.items(), factor.items()):
+    def _product(self, nodes: Sequence[int]) -> _Polynomial:
+        result = self._of(nodes[0])
+        for node in nodes[1:]:
+            result = self._times(result, self._of(node))
+        return result
+
+    def _times(self, a: _Polynomial, b: _Polynomial) -> _Polynomial:
+        graph, joined = self.graph, self._joined
+        terms: list[tuple[float, _Polynomial]] = []
+        for (one, x), (two, y) in product(a.items(), b.items()):
+            if (one, two) not in joined:
                 powers = Counter(dict(one))
                 powers.update(dict(two))
-                parts.append((1.0, {tuple(sorted(powers.items())): graph.mul(a, b)}))
-            result = self._sum(parts)
-        return result
+                joined[one, two] = tuple(sorted(powers.items()))
+            terms.append((1.0, {joined[one, two]: graph.mul(x, y)}))
+        if len(a) == 1 or len(b) == 1:  # no two powers meet
+            return {powers: node for _, term in terms for powers, node in term.items()}
+        return self._sum(terms)

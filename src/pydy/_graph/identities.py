@@ -32,8 +32,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
     A node is never replaced by one with other denominators or functions than its own, which may be
     undefined where the node is not, nor a product that keeps x − y by a sum in which it cancels.
     """
-    nodes = graph.reachable(roots)
-    nodes = graph.reachable([*roots, *_candidates(graph, nodes)])
+    nodes = _with_candidates(graph, graph.reachable(roots))
     values, poles, costs = _evaluated(graph, nodes)
     best: dict[int, list[int]] = {}
     for constant in (graph.zero, graph.one):
@@ -79,8 +78,8 @@ def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
     return [values[node] for node in nodes]
 
 
-def _candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return what nodes are often equal to: reciprocals, and squares of sines and cosines."""
+def _with_candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Add what nodes are often equal to: reciprocals, and squares of sines and cosines."""
     found: dict[int, None] = {}
     angles: dict[int, list[int]] = {}
     for node in nodes:
@@ -90,7 +89,14 @@ def _candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
         elif op in ("sin", "cos"):
             angles.setdefault(args[0], []).append(node)
     both = [node for pair in angles.values() if len(pair) == 2 for node in pair]
-    return [*found, *(graph.powi(node, 2) for node in both)]
+    found.update((graph.powi(node, 2), None) for node in both)
+    known, stack = set(nodes), list(found)
+    while stack:
+        node = stack.pop()
+        if node not in known:
+            known.add(node)
+            stack += graph.operands(node)
+    return sorted(known)
 
 
 def _is_rougher(graph: Graph, other: int, node: int) -> bool:
