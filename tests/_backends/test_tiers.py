@@ -14,7 +14,11 @@ import numpy as np
 import pytest
 
 import zoo
+from graphs import on_tape
 from pydy._backends import background, cache, jit
+from pydy._backends.llvm import LLVMBackend, _repeats
+from pydy._graph.interpret import run
+from pydy._graph.node import Graph
 from pydy.system import System
 
 
@@ -111,3 +115,29 @@ def test_a_fork_takes_no_lock_along_that_the_side_thread_holds():
     if child == 0:
         os._exit(0 if lock.acquire(timeout=5.0) else 1)
     assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+
+
+def test_a_long_chain_of_masses_gives_the_same_bits_side_by_side(nothing_cached):
+    n = 260
+    graph = Graph()
+    x, v = ([graph.input("x", g * n + i) for i in range(n)] for g in range(2))
+    k, m = ([graph.input("p", g * n + i) for i in range(n)] for g in range(2))
+    pulls = [graph.mul(k[i], graph.sub(x[i], x[i - 1]) if i else x[0]) for i in range(n)]
+    forces = [
+        graph.sub(pulls[i + 1], pulls[i]) if i + 1 < n else graph.neg(pulls[i]) for i in range(n)
+    ]
+    rates = [
+        graph.div(graph.sub(f, graph.mul(c, w)), c) for f, c, w in zip(forces, m, v, strict=True)
+    ]
+    program = on_tape(graph, [*v, *rates], (2 * n, 0, 2 * n))
+    assert _repeats(program)
+    kernel = LLVMBackend().compile(program)
+    arguments = sample(kernel, 9)
+    quick = kernel.evaluate(*arguments)[0]
+    assert kernel.addresses
+    np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
+    np.testing.assert_allclose(quick, run(program, *arguments)[0], rtol=1e-9, atol=1e-9)
+
+
+def test_a_pendulum_does_not_repeat_itself(nothing_cached):
+    assert not _repeats(rates_kernel("pendulum").program)

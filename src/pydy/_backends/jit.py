@@ -90,15 +90,16 @@ def _emitter(quick: bool) -> Any:
 def _object_code(text: str, loops: bool, quick: bool) -> bytes:
     """Compile a module of IR text.
 
-    LLVM's optimisation passes run only for code with loops: on straight-line code that comes from
-    a graph without redundancy they cost a third of the time and change nothing (measured on
-    pendulums of 10 and 20 links).
+    LLVM's optimisation passes run only for code with loops, in the text or in the model: on
+    straight-line code that comes from a graph without redundancy they cost a third of the time and
+    change nothing (measured on pendulums of 10 and 20 links).
     """
     # A context of its own lets two threads compile at the same time.
     module = binding.parse_assembly(text, binding.create_context())
     machine = _emitter(quick)
     if loops and not quick:
         tuning = binding.create_pipeline_tuning_options(speed_level=2)
+        tuning.slp_vectorization = True
         passes = binding.create_pass_builder(machine, tuning)
         passes.getModulePassManager().run(module, passes)
     code: bytes = machine.emit_object(module)
@@ -130,7 +131,8 @@ class Source:
     names : tuple of str
         The functions whose addresses are wanted.
     loops : bool
-        Whether the code has loops, for which LLVM's optimisation passes pay.
+        Whether the code has loops, or does the same many times side by side: LLVM's optimisation
+        passes then pay.
     """
 
     what: str

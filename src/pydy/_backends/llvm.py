@@ -54,6 +54,7 @@ class LLVMBackend:
             f"kernel {program.digest} {lanes}",
             lambda brief: kernel_text(program, lanes, brief),
             ("kernel", "prepare", "strided")[: 2 + (lanes > 1)],
+            loops=lanes == 1 and _repeats(program),
         )
         calls = bool((_SOLVES | _ANGLES) & set(program.ops))
         routines = _routines(lanes, at_best=lanes > 1) if calls else None
@@ -68,6 +69,21 @@ class LLVMBackend:
         recipe = ("llvm", self.options)
         strided = code.addresses.get("strided", 0)
         return native_kernel(program, entry, lanes, compile_program, recipe, strided)
+
+
+# Operations from which code does not fit the processor's cache for it, and those for one result of
+# models that do little but the same for each: chains and nets of masses.
+_LARGE, _SHORT = 1500, 6
+
+
+def _repeats(program: Program) -> bool:
+    """Return whether LLVM should look for operations that can be done side by side in one state.
+
+    It then writes vectors for a chain's masses: half the code, and half the time for 300 of them;
+    compiling takes 3 times as long.
+    """
+    count = sum(program.operation_count["run"].values())
+    return _LARGE < count < _SHORT * len(program.outputs)
 
 
 def _improve(entry: Entry, source: jit.Source, calls: bool) -> None:
