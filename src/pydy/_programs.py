@@ -25,7 +25,7 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes import Passes
 from pydy._graph.program import Program
-from pydy._graph.rewrite import again, rebuild
+from pydy._graph.rewrite import substitute
 from pydy._graph.simplify import simplify
 from pydy._graph.structure import difference_basis
 
@@ -36,7 +36,6 @@ __all__ = [
     "assemble_system",
     "auxiliary_groups",
     "check_accelerations",
-    "substitute",
 ]
 
 
@@ -253,19 +252,6 @@ def _inputs(
     return atoms
 
 
-def substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
-    """Replace input nodes by other nodes."""
-    if not set(mapping) & set(graph.reachable(roots)):
-        return list(roots)
-
-    def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
-        if node in mapping:
-            return mapping[node]
-        return node if args == graph.args[node] else again(graph, op, args)
-
-    return rebuild(graph, roots, rule)
-
-
 # -- systems ------------------------------------------------------------------------------------
 
 
@@ -386,13 +372,12 @@ def solve_accelerations(
     graph: Graph, rows: list[list[int]], forcing: list[int], kind: str
 ) -> list[int]:
     """Return the solution of the equations of motion."""
-    chain = difference_basis(graph, rows, forcing) if kind == "ldl" else None
-    if chain is not None:
-        y = graph.solve(chain[0], [chain[1]], kind)[0]
-        return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
-    basis = body_basis(graph, rows, forcing) if kind == "ldl" else None
-    if basis is not None:
-        return basis.given_unknowns(graph.solve(basis.matrix, [basis.column], kind)[0])
+    if kind == "ldl":
+        if (chain := difference_basis(graph, rows, forcing)) is not None:
+            y = graph.solve(chain[0], [chain[1]], kind)[0]
+            return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
+        if (basis := body_basis(graph, rows, forcing)) is not None:
+            return basis.given_unknowns(graph.solve(basis.matrix, [basis.column], kind)[0])
     return graph.solve(rows, [forcing], kind)[0]
 
 

@@ -6,6 +6,7 @@ import sympy as sm
 
 from graphs import P, T, X, program_of, solve_program
 from pydy._backends.llvm import LLVMBackend
+from pydy._graph.program import Program, Tape
 
 MODEL = program_of([X[0] * P[0] + T, X[1] - X[3], sm.sin(X[2]), X[0] / X[1], P[1] * X[3]])
 
@@ -66,3 +67,17 @@ def test_samples_that_fail_are_reported_and_the_others_are_not_disturbed(lanes, 
     for k in np.flatnonzero(~failed):
         a, b = x[k, : size * size].reshape(size, size), x[k, size * size :]
         np.testing.assert_allclose(out[k], np.linalg.solve(a, b), rtol=1e-10)
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+def test_one_row_of_specifieds_may_be_a_row_of_columns(lanes):
+    tape = Tape()
+    r = [tape.make("input", "r", k) for k in range(2)]
+    x = [tape.make("input", "x", k) for k in range(2)]
+    nodes = [tape.mul(a, b) for a, b in zip(x, r, strict=True)]
+    program = Program.from_tape(tape, (2, 2, 0), [("v", (2,), nodes)])
+    states = np.asfortranarray(np.arange(40.0).reshape(20, 2))
+    rows = np.asfortranarray(np.arange(10.0).reshape(5, 2))
+    kernel = LLVMBackend(lanes=lanes).compile(program)
+    out, _ = kernel.evaluate(np.zeros(20), states, rows[3:4], np.zeros(0))
+    np.testing.assert_array_equal(out, states * rows[3])

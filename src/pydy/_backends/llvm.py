@@ -80,7 +80,7 @@ def _repeats(program: Program) -> bool:
     """Return whether LLVM should look for operations that can be done side by side in one state.
 
     It then writes vectors for a chain's masses: half the code, and half the time for 300 of them;
-    compiling takes 3 times as long.
+    compiling takes 3 to 5 times as long.
     """
     count = sum(program.operation_count["run"].values())
     return _LARGE < count < _SHORT * len(program.outputs)

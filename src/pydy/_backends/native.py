@@ -163,9 +163,7 @@ def _make_sweep(
         m = len(t)
         order: Literal["C", "F"] = "C"
         if columns and m > 1 and n > 1 and x.flags.f_contiguous:
-            order = "F"
-            if len(r) > 1:
-                r = np.asfortranarray(r)
+            order, r = "F", np.asfortranarray(r)
         else:
             x, r = np.ascontiguousarray(x), np.ascontiguousarray(r)
         values = np.empty((m, outputs), order=order) if out is None else out

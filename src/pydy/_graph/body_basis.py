@@ -24,12 +24,11 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from itertools import product
-from typing import Any
 
 from pydy._graph.derivative import jacobian
 from pydy._graph.identities import merge_equal, signatures
 from pydy._graph.node import Graph
-from pydy._graph.rewrite import again, rebuild
+from pydy._graph.rewrite import substitute
 from pydy._graph.simplify import operations
 
 __all__ = ["BodyBasis", "body_basis"]
@@ -107,7 +106,7 @@ class BodyBasis:
         return [*lower, *self.column, *(node for w in self._changes for node in w.values())]
 
     def own(self, end: int) -> range:
-        """Return the unknowns before `end` whose block is diagonal and constant."""
+        """Return the unknowns before `end` with a diagonal block of constants, written as such."""
         self._settle(end)
         graph, m = self.graph, self.matrix
         start = end
@@ -124,7 +123,9 @@ class BodyBasis:
         places = [(i, j) for i in near for j in range(near.start, i + 1)]
         places = [(i, j) for i, j in places if not graph.constant[m[i][j]]]
         nodes = [m[i][j] for i, j in places]
-        fixed = _at_rest(graph, nodes)
+        moving = [n for n in graph.reachable(nodes) if graph.ops[n] == "input"]
+        moving = [n for n in moving if not graph.constant[n]]
+        fixed = substitute(graph, nodes, dict.fromkeys(moving, graph.zero))
         values = signatures(graph, [*nodes, *fixed])
         both = zip(values[: len(nodes)], values[len(nodes) :], strict=True)
         for (i, j), node, (value, rest) in zip(places, fixed, both, strict=True):
@@ -165,17 +166,6 @@ class BodyBasis:
                 m[i][j] = m[j][i] = node
         self._changes.append(w)
         return True
-
-
-def _at_rest(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return nodes where all but constants is zero."""
-
-    def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
-        if op == "input" and not graph.constant[node]:
-            return graph.zero
-        return node if args == graph.args[node] else again(graph, op, args)
-
-    return rebuild(graph, nodes, rule)
 
 
 def _turning(

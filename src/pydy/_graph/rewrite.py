@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from pydy._graph.node import Graph
 
-__all__ = ["again", "rebuild"]
+__all__ = ["again", "rebuild", "substitute"]
 
 
 def rebuild(
@@ -28,6 +28,19 @@ def rebuild(
     for node in graph.reachable(roots):
         new[node] = rule(node, graph.ops[node], replaced(graph, node, new))
     return [new[r] for r in roots]
+
+
+def substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -> list[int]:
+    """Replace input nodes by other nodes."""
+    if not set(mapping) & set(graph.reachable(roots)):
+        return list(roots)
+
+    def rule(node: int, op: str, args: tuple[Any, ...]) -> int:
+        if node in mapping:
+            return mapping[node]
+        return node if args == graph.args[node] else again(graph, op, args)
+
+    return rebuild(graph, roots, rule)
 
 
 def replaced(graph: Graph, node: int, new: dict[int, int]) -> tuple[Any, ...]:

@@ -18,7 +18,8 @@ from pydy._eom.symbols import find_symbols
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
-from pydy._programs import Assembly, substitute
+from pydy._graph.rewrite import substitute
+from pydy._programs import Assembly
 from pydy._system.definition import Definition
 from pydy.codegen.arguments import SpecifiedsPlan, describe, symbolic_entries
 from pydy.codegen.right_hand_side import RightHandSide
