@@ -429,7 +429,7 @@ def bare():
     return Model(kane, energy=u**2 / 2 - 9 * sm.cos(q), start={q: 0.8, u: 0.3})
 
 
-def _track(order):
+def track_with(order):
     """A particle on a surface (holonomic) that may not slip across blades (nonholonomic).
 
     `order` gives the velocity constraints as a function of (rate of the surface, blade).
@@ -462,13 +462,13 @@ def _track(order):
 @cache
 def track():
     """Holonomic and nonholonomic constraints together."""
-    return _track(lambda rate, blade: [rate, blade])
+    return track_with(lambda rate, blade: [rate, blade])
 
 
 @cache
 def track_reversed():
     """The same, the nonholonomic row first and the other a multiple of the surface's rate."""
-    return _track(lambda rate, blade: [blade, -2 * rate])
+    return track_with(lambda rate, blade: [blade, -2 * rate])
 
 
 @cache

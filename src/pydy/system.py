@@ -316,7 +316,8 @@ class System:
     )
     num_nonholonomic_constraints = property(
         lambda self: len(self._equations.nonholonomic),
-        doc="Number of motion constraints that no configuration constraint implies.",
+        doc="Number of motion constraints beyond the differentiated configuration constraints: a "
+        "difference of ranks, whatever axes the constraints are written in.",
     )
     num_constraints = property(
         lambda self: len(self._residuals),

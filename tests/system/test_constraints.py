@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 import zoo
 from cases import close, system_of, wide
@@ -131,3 +132,55 @@ def test_a_system_with_both_moves_on_them():
     system = system_of(zoo.track(), times=np.linspace(0.0, 0.5, 5))
     x = system.integrate(rtol=1e-11, atol=1e-11)
     close(system.evaluate_constraints(x), np.zeros((5, 2)), 1e-8)
+
+
+def rolling_disc(axes):
+    """A disc whose centre has three coordinates: its contact does not slip and does not lift."""
+    psi, lean, roll, x, y, z = me.dynamicsymbols("psi lean roll x y z")
+    u = me.dynamicsymbols("u:6")
+    m, r, g = sm.symbols("m r g")
+    ground, turned, leaned, disc = (me.ReferenceFrame(f) for f in "NALD")
+    turned.orient_axis(ground, ground.z, psi)
+    leaned.orient_axis(turned, turned.x, lean)
+    disc.orient_axis(leaned, leaned.y, roll)
+    disc.set_ang_vel(ground, u[0] * leaned.x + u[1] * leaned.y + u[2] * leaned.z)
+    origin = me.Point("O")
+    origin.set_vel(ground, 0)
+    centre = origin.locatenew("C", x * ground.x + y * ground.y + z * ground.z)
+    centre.set_vel(ground, u[3] * ground.x + u[4] * ground.y + u[5] * ground.z)
+    slip = centre.vel(ground) + disc.ang_vel_in(ground).cross(-r * leaned.z)
+    axes = leaned if axes == "leaned" else ground
+    inertia = me.inertia(leaned, m * r**2 / 4, m * r**2 / 2, m * r**2 / 4)
+    rates = leaned.ang_vel_in(ground) + roll.diff(zoo.T) * leaned.y - disc.ang_vel_in(ground)
+    kane = me.KanesMethod(
+        ground,
+        [psi, lean, roll, x, y],
+        u[:3],
+        kd_eqs=[
+            *(rates.dot(axis) for axis in leaned),
+            *(s.diff(zoo.T) - v for s, v in zip((x, y, z), u[3:], strict=True)),
+        ],
+        q_dependent=[z],
+        configuration_constraints=[z - r * sm.cos(lean)],
+        u_dependent=u[3:],
+        velocity_constraints=[slip.dot(axis) for axis in axes],
+    )
+    body = me.RigidBody("disc", centre, disc, m, (inertia, centre))
+    kane.kanes_equations([body], [(centre, -m * g * ground.z)])
+    return System(kane)
+
+
+@pytest.mark.parametrize("axes", ["ground", "leaned"])
+def test_a_disc_rolls_nonholonomically_in_two_ways_whatever_axes_resolve_its_contact(axes):
+    system = rolling_disc(axes)
+    assert system.num_holonomic_constraints == 1
+    assert system.num_velocity_constraints == 3
+    assert system.num_nonholonomic_constraints == 2
+    assert system.num_constraints == 3
+
+
+def test_rows_that_mix_both_kinds_of_constraint_count_once():
+    mixed = zoo.track_with(lambda rate, blade: [rate + blade, rate - 2 * blade])
+    system = System(mixed.kane)
+    assert system.num_velocity_constraints == 2
+    assert system.num_nonholonomic_constraints == 1

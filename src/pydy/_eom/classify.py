@@ -1,8 +1,10 @@
 """Tell genuinely nonholonomic constraints from the rates of holonomic ones.
 
-A velocity constraint is the rate of holonomic ones when its row lies in the row space of their
-differentiated rows. That is decided by rank at generic points of the configuration manifold: a
-user may have simplified the rate with the constraint itself, so that it agrees only there.
+The velocity constraints span a row space that holds the differentiated holonomic constraints. Its
+dimension beyond theirs is the number of nonholonomic constraints: it does not depend on the axes
+in which a contact's velocity is resolved, where each single row may mix both kinds. Ranks are
+taken at generic points of the configuration manifold: a user may have simplified a rate with the
+constraint itself, so that it agrees only there.
 """
 
 from __future__ import annotations
@@ -24,6 +26,7 @@ from pydy._graph.program import Program
 __all__ = ["classify"]
 
 _TRIALS = 3
+_DEPENDENT = 1e-8  # a unit row with less than this outside a span lies in it
 
 
 def classify(equations: Equations) -> Equations:
@@ -33,26 +36,33 @@ def classify(equations: Equations) -> Equations:
     if not equations.holonomic:
         return replace(equations, nonholonomic=equations.velocity)
     program, sizes = _rows_program(equations)
-    implied: list[bool] = []
+    completing = list(range(len(equations.velocity)))  # where nothing can be evaluated
     for seed in range(_TRIALS):
         rates, motion = _rows_at_generic_point(program, sizes, np.random.default_rng(seed))
         if np.isfinite(rates).all() and np.isfinite(motion).all():
-            implied = _implied(rates, motion)
+            completing = _completing(rates, motion)
             break
-    if not implied:  # no point where the constraints could be evaluated
-        implied = [False] * len(equations.velocity)
-    genuine = (row for row, flag in zip(equations.velocity, implied, strict=True) if not flag)
-    return replace(equations, nonholonomic=tuple(genuine))
+    return replace(equations, nonholonomic=tuple(equations.velocity[k] for k in completing))
 
 
-def _implied(rates: np.ndarray, motion: np.ndarray) -> list[bool]:
-    """Return for each motion row whether it lies in the row space of the rates."""
-    rates = rates / np.maximum(np.linalg.norm(rates, axis=1, keepdims=True), 1e-300)
-    motion = motion / np.maximum(np.linalg.norm(motion, axis=1, keepdims=True), 1e-300)
-    rank = np.linalg.matrix_rank(rates, tol=1e-8)
-    return [
-        bool(np.linalg.matrix_rank(np.vstack([rates, row]), tol=1e-8) == rank) for row in motion
-    ]
+def _completing(rates: np.ndarray, motion: np.ndarray) -> list[int]:
+    """Return which motion rows, taken in order, complete the row space of the rates."""
+    basis: list[np.ndarray] = []
+
+    def extends(row: np.ndarray) -> bool:
+        size = np.linalg.norm(row)
+        rest = row / size if size else row
+        for _ in range(2):  # the second orthogonalization removes the rounding of the first
+            for unit in basis:
+                rest = rest - (unit @ rest) * unit
+        left = np.linalg.norm(rest)
+        if left > _DEPENDENT:
+            basis.append(rest / left)
+        return bool(left > _DEPENDENT)
+
+    for row in rates:
+        extends(row)
+    return [k for k, row in enumerate(motion) if extends(row)]
 
 
 def _rows_program(equations: Equations) -> tuple[Program, tuple[int, int, int]]:
