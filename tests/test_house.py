@@ -43,7 +43,7 @@ FLOORS = {
     "_errors": 0,
     "_names": 0,
     "_optional": 0,
-    "_numbers": 0,
+    "_checks": 0,
     "_version": 0,
 }
 # Files that share a room with another: `pydy` itself holds the version and no more.
@@ -60,7 +60,7 @@ NEVER = {
     "_kernel": ("pydy.system", "sympy"),
     "inputs": ("pydy.system", "sympy"),
     "ensemble": ("pydy.system", "sympy"),
-    "_numbers": ("pydy.system", "sympy"),
+    "_checks": ("pydy.system", "sympy"),
     "plot": ("pydy.system",),
     "viz": ("pydy.system",),
 }

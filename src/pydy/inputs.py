@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._numbers import real_array
+from pydy._checks import real_array
 
 __all__ = ["SampledInput"]
 

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import number, real_array
 from pydy._names import latex_of, name_of, unique_names
-from pydy._numbers import number, real_array
 from pydy._system.definition import Definition
 from pydy._system.expressions import driven
 from pydy._system.inputs import check_mapping

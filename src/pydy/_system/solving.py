@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from pydy._checks import number
 from pydy._graph.derivative import jacobian
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
-from pydy._numbers import number
 from pydy._programs import Assembly
 from pydy._system.baumgarte import stabilised
 from pydy._system.definition import Definition

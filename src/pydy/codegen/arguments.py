@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
+from pydy._checks import describe, number, real_array, vector
 from pydy._eom.symbols import find_symbols
-from pydy._numbers import number, real_array
 from pydy.inputs import SampledInput
 
 __all__ = [
@@ -24,24 +24,6 @@ __all__ = [
 ]
 
 ARGUMENT_TYPES = ("array", "dictionary", "function")
-
-
-def describe(symbols: Sequence[Any]) -> str:
-    """Return symbols as a list for a message, shortened when there are many."""
-    shown = [str(s) for s in symbols[:12]]
-    if len(symbols) > 12:
-        shown.append(f"and {len(symbols) - 12} more")
-    return ", ".join(shown) or "none"
-
-
-def _vector(value: Any, size: int, what: str) -> np.ndarray:
-    """Return a value as a float array of shape (size,)."""
-    array = real_array(value, what)
-    if array.ndim == 0 and size == 1:
-        return array.reshape(1)
-    if array.shape != (size,):
-        raise ValueError(f"{what} must have the shape ({size},), got {array.shape}.")
-    return array
 
 
 class ConstantsArgument:
@@ -66,7 +48,7 @@ class ConstantsArgument:
             self.arg_type is None and isinstance(p, Mapping)
         )
         if not as_dictionary:
-            return _vector(p, len(self.symbols), "`p`, the constants,")
+            return vector(p, len(self.symbols), "`p`, the constants,")
         if not isinstance(p, Mapping):
             raise ValueError(
                 f"`p` must be a dictionary, as `constants_arg_type` says, got {type(p).__name__}."
@@ -120,7 +102,7 @@ class SpecifiedsArgument:
                 "dictionary" if isinstance(r, Mapping) else "function" if callable(r) else "array"
             )
         if kind == "array":
-            return _vector(r, len(self.symbols), "`r`, the specifieds,")
+            return vector(r, len(self.symbols), "`r`, the specifieds,")
         if kind == "function":
             if not callable(r):
                 raise ValueError(
@@ -277,7 +259,7 @@ class SpecifiedsPlan:
         _refuse_mixtures(value, label)
         entries = symbolic_entries(value)
         if entries is None:
-            value = _vector(value, len(names), label) if several else number(value, label)
+            value = vector(value, len(names), label) if several else number(value, label)
             self.values[columns] = value
             return
         if len(entries) != len(names):

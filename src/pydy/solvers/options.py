@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._numbers import number, real_array
+from pydy._checks import number, real_array
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pydy._numbers import real_array
+from pydy._checks import real_array
 from pydy.solvers.options import read_options
 
 if TYPE_CHECKING:
