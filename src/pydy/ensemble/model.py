@@ -14,26 +14,8 @@ from pydy._graph.program import Program
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.options import Options
 
-__all__ = ["STATUSES", "Model", "Results", "evaluate_outputs", "run"]
+__all__ = ["Model", "Results", "evaluate_outputs", "run"]
 
-# What the numbers in `status` mean. The first five are those of `pydy.solvers.lane_layout`.
-STATUSES = {
-    -1: "not_computed",
-    0: "finished",
-    1: "too_many_steps",
-    2: "step_underflow",
-    3: "singular",
-    4: "not_finite",
-    5: "terminated",
-    6: "constraints_not_met",
-    7: "no_convergence",
-    8: "failed",
-}
-# How the solvers begin to say why they stopped.
-_REASONS = {
-    "took": 1, "needs ever": 2, "met a singular": 3, "met derivatives": 4, "could not bring": 6,
-    "could not solve": 7,
-}  # fmt: skip
 _LANES = 8
 
 
@@ -218,11 +200,8 @@ def _run_one_by_one(
             one = Integration(model.method, _Rates(call), n, times, (r[k], p[k]), model.options)
             found = one.run(x[k])
             info = one.info()
-            stopped_early = str(info["status"]).startswith("terminated")
-            results.status[k] = 5 if stopped_early else 0
         except IntegrationError as error:
             found, info = error.states, error.info
-            results.status[k] = _status(str(info["status"]))
         results.states[:, k, : len(found)] = found.T
         _take(results, k, info)
     return results
@@ -230,12 +209,9 @@ def _run_one_by_one(
 
 def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:
     results.steps[k], results.rejected[k] = info["steps"], info["rejected"]
-    results.evaluations[k], results.reached[k] = info["evaluations"], info["time"]
+    results.evaluations[k], results.status[k] = info["evaluations"], info["code"]
+    results.reached[k] = info["time"]
     results.events.append([(record.index, record.time) for record in info["events"]])
-
-
-def _status(text: str) -> int:
-    return next((code for start, code in _REASONS.items() if text.startswith(start)), 8)
 
 
 class _Rates:

@@ -19,11 +19,11 @@ from pydy._version import __version__
 from pydy.ensemble.labels import Variable
 from pydy.ensemble.samples import Block, Samples
 from pydy.ensemble.work import Work
+from pydy.solvers.outcome import NOT_COMPUTED
 
 __all__ = ["check", "create", "missing", "token_of", "write"]
 
 _TOKEN, _READY = "pydy_ensemble", "pydy_ready"
-_MISSING = -1
 
 
 def token_of(work: Work, samples: Samples, sizes: Sequence[int]) -> str:
@@ -118,7 +118,7 @@ def create(path: str, token: str, example: Any, samples: Samples, sizes: Sequenc
             continue
         rest = tuple(variable.sizes[d] for d in variable.dims if d not in dims)
         shape, chunks = (*samples.shape, *rest), (*sizes, *rest)
-        fill = _MISSING if name == "status" else None
+        fill = NOT_COMPUTED if name == "status" else None
         _array(group, name, shape, chunks, variable.dtype, variable.dims, attrs, fill)
     group.attrs.update({**example.attrs, "coordinates": " ".join(map(str, samples.coordinates))})
     group.attrs[_READY] = True
@@ -156,7 +156,7 @@ def missing(path: str, blocks: Sequence[Block]) -> list[Block]:
 
 def _has(status: Any, block: Block) -> bool:
     try:
-        return not (np.asarray(status[block]) == _MISSING).any()
+        return not (np.asarray(status[block]) == NOT_COMPUTED).any()
     except Exception:  # noqa: BLE001 - a chunk that was half written reads like this
         return False
 

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from pydy.ensemble.labels import Variable, to_dataset
-from pydy.ensemble.model import STATUSES, Model, Results, evaluate_outputs, run
+from pydy.ensemble.model import Model, Results, evaluate_outputs, run
 from pydy.ensemble.samples import Samples
+from pydy.solvers.outcome import OUTCOMES
 
 __all__ = ["Extreme", "Reduction", "Work", "read_reductions"]
 
@@ -227,8 +228,8 @@ class Work:
 
 _STATUS_ATTRS = {
     "long_name": "how the integration ended",
-    "flag_values": list(STATUSES),
-    "flag_meanings": " ".join(STATUSES.values()),
+    "flag_values": list(OUTCOMES),
+    "flag_meanings": " ".join(outcome.name for outcome in OUTCOMES.values()),
 }
 _STATISTICS = {
     "steps": {"long_name": "accepted steps"},

@@ -20,32 +20,33 @@ from pydy.solvers.layout import (
     EVENTS,
     EXPONENT,
     FAILURE,
-    FINISHED,
     GROW,
     GROWTH,
-    INACCURATE,
     LARGEST,
     LAST_ERROR,
     LAST_SIZE,
     LIMIT,
     NEXT,
-    NOT_FINITE,
     PAUSED,
     PROJECT,
     REJECTED,
     SAFETY,
     SHORTEST,
     SHRINK,
-    SINGULAR,
     SIZE,
     STAGES,
     STARTED,
     STATES,
     STEPS,
     TIME,
-    TOO_MANY,
-    UNDERFLOW,
-    UNPROJECTED,
+)
+from pydy.solvers.outcome import (
+    CONSTRAINTS_NOT_MET,
+    FINISHED,
+    NOT_FINITE,
+    SINGULAR,
+    STEP_UNDERFLOW,
+    TOO_MANY_STEPS,
 )
 from pydy.solvers.rates import rates
 from pydy.solvers.runge_kutta import error_of_step, prepare_interpolant, take_step
@@ -108,7 +109,7 @@ def advance(table, states, fresh):
         code = rates(problem, t, address_of(memory.x, 0), address_of(memory.stages, 0))
         if code != 0:
             count[FAILURE] = SINGULAR
-            return CALLBACK if code < 0 else UNDERFLOW
+            return CALLBACK if code < 0 else STEP_UNDERFLOW
         count[STARTED] = 1
         state[LAST_ERROR], state[GROWTH] = 1e-4, control[GROW]
         if write_reached(problem, memory.x, run):
@@ -124,7 +125,7 @@ def advance(table, states, fresh):
         count[BUDGET] -= 1
         if count[STEPS] + count[REJECTED] >= count[LIMIT]:
             state[SIZE] = h
-            return TOO_MANY
+            return TOO_MANY_STEPS
         if adaptive:
             size = min(h, state[LARGEST])
             goal = last
@@ -136,7 +137,7 @@ def advance(table, states, fresh):
             size, after = goal - t, goal
         if not (t + 0.0625 * size > t or after == goal):
             state[SIZE] = size
-            return UNDERFLOW
+            return STEP_UNDERFLOW
         code = take_step(method, problem, memory, run, t, size)
         if code == 0 and method.shape[END_IN_ESTIMATE] == 1:
             count[EVALUATIONS] += 1
@@ -155,7 +156,7 @@ def advance(table, states, fresh):
                     new = address_of(memory.new, 0)
                     if call_part(constraints.words[PROJECT], table, after, new) != 0:
                         state[SIZE] = size
-                        return UNPROJECTED
+                        return CONSTRAINTS_NOT_MET
                 count[EVALUATIONS] += 1
                 code = rates(problem, after, address_of(memory.new, 0), end)
                 if code < 0:
@@ -165,13 +166,13 @@ def advance(table, states, fresh):
             if code != 0:
                 count[FAILURE], h = SINGULAR, 0.25 * size
             elif math.isfinite(error):
-                count[FAILURE] = INACCURATE
+                count[FAILURE] = STEP_UNDERFLOW
                 h = size * max(control[SHRINK], control[SAFETY] * error ** -control[EXPONENT])
             else:
                 count[FAILURE], h = NOT_FINITE, 0.25 * size
             if not adaptive:
                 state[SIZE] = size
-                return UNDERFLOW
+                return STEP_UNDERFLOW
             state[GROWTH] = 1.0
             continue
         count[STEPS] += 1
@@ -182,7 +183,7 @@ def advance(table, states, fresh):
             code = prepare_interpolant(method, problem, memory, run, t, size)
             if code != 0:
                 count[FAILURE] = SINGULAR
-                return CALLBACK if code < 0 else UNDERFLOW
+                return CALLBACK if code < 0 else STEP_UNDERFLOW
             code = finish_step(table, method, problem, memory, run, constraints, watch, t, size)
             if code != 0:
                 return code

@@ -23,28 +23,20 @@ from pydy.solvers.layout import (
     EVENTS,
     FACTORISATIONS,
     FAILURE,
-    FINISHED,
-    INACCURATE,
     LARGEST,
     LAST_ERROR,
     LAST_SIZE,
     LIMIT,
     NEXT,
-    NO_CONVERGENCE,
-    NOT_FINITE,
     PAUSED,
     PROJECT,
     REJECTED,
     SHORTEST,
-    SINGULAR,
     SIZE,
     STARTED,
     STATES,
     STEPS,
     TIME,
-    TOO_MANY,
-    UNDERFLOW,
-    UNPROJECTED,
 )
 from pydy.solvers.newton import (
     FACTORED,
@@ -57,6 +49,15 @@ from pydy.solvers.newton import (
     norm,
     set_jacobian,
     solve,
+)
+from pydy.solvers.outcome import (
+    CONSTRAINTS_NOT_MET,
+    FINISHED,
+    NO_CONVERGENCE,
+    NOT_FINITE,
+    SINGULAR,
+    STEP_UNDERFLOW,
+    TOO_MANY_STEPS,
 )
 from pydy.solvers.rates import rates
 from pydy.solvers.tableaus.radau import COMPLEX, ERROR, INTERPOLANT, NODES, REAL, TI, T
@@ -229,7 +230,7 @@ def advance_implicit(table, states, fresh):
         code = rates(problem, t, x, derivative)
         if code != 0:
             count[FAILURE] = SINGULAR
-            return CALLBACK if code < 0 else UNDERFLOW
+            return CALLBACK if code < 0 else STEP_UNDERFLOW
         count[STARTED] = 1
         state[LAST_ERROR] = 0.0
         words[WANTED] = words[FIRST] = 1
@@ -247,14 +248,14 @@ def advance_implicit(table, states, fresh):
         count[BUDGET] -= 1
         if count[STEPS] + count[REJECTED] >= count[LIMIT]:
             state[SIZE] = h
-            return TOO_MANY
+            return TOO_MANY_STEPS
         size = min(h, state[LARGEST])
         after = t + size
         if after > last - 1e-3 * size:
             size, after = last - t, last
         if not (t + 0.0625 * size > t or after == last):
             state[SIZE] = size
-            return UNDERFLOW
+            return STEP_UNDERFLOW
         if words[WANTED] == 1:
             code = set_jacobian(problem, memory, run, newton, t)
             if code < 0:
@@ -295,7 +296,7 @@ def advance_implicit(table, states, fresh):
         factor = max(error, 1e-10) ** -0.25
         if code != 0 or not error < 1.0:
             count[REJECTED] += 1
-            count[FAILURE] = INACCURATE if code == 0 else SINGULAR
+            count[FAILURE] = STEP_UNDERFLOW if code == 0 else SINGULAR
             h = size * max(0.2, safety * factor) if math.isfinite(error) else 0.25 * size
             words[FIRST], words[WANTED] = 1, 1 - words[FRESH]
             continue
@@ -303,7 +304,7 @@ def advance_implicit(table, states, fresh):
             new = address_of(memory.new, 0)
             if call_part(constraints.words[PROJECT], table, after, new) != 0:
                 state[SIZE] = size
-                return UNPROJECTED
+                return CONSTRAINTS_NOT_MET
         count[STEPS] += 1
         if state[LAST_ERROR] > 0.0:  # the error changes as it did in the last step
             factor *= min(
@@ -325,7 +326,7 @@ def advance_implicit(table, states, fresh):
         if code != 0:
             count[FAILURE] = SINGULAR
             state[SIZE] = size
-            return CALLBACK if code < 0 else UNDERFLOW
+            return CALLBACK if code < 0 else STEP_UNDERFLOW
         slow = iterations > 2 and rate > 1e-3
         words[WANTED], words[FRESH], words[FIRST] = (1 if slow else 0), 0, 0
         # The same step size spares a factorisation.

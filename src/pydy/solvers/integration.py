@@ -24,12 +24,24 @@ from pydy._errors import (
 )
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
-from pydy.solvers.complaints import complaint
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, EventRecord
 from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.methods import IMPLICIT, tableau_of
 from pydy.solvers.options import Options
+from pydy.solvers.outcome import (
+    EVENT_CONSTANT,
+    EVENTS_ACCUMULATE,
+    FINISHED,
+    INTERRUPTED,
+    NOT_COMPUTED,
+    OUTCOMES,
+    RESET_NOT_FINITE,
+    START_OFF_CONSTRAINTS,
+    STEP_UNDERFLOW,
+    TERMINATED,
+    TOLERANCE_TOO_SMALL,
+)
 from pydy.solvers.problem import BLOCK, address
 from pydy.solvers.workspace import Workspace
 
@@ -91,7 +103,7 @@ class Integration:
     ) -> None:
         self.name, self.n, self.options = method, n, options
         self.interrupts = Interrupts()
-        self.status = "not run"
+        self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
         self.span = float(times[-1] - times[0])
         self.arrays = arrays = Workspace(method, f, n, times, args, options, self.interrupts)
@@ -120,11 +132,12 @@ class Integration:
         """
         self._rows = rows = np.empty(self._room)
         rows[0] = self._x0 = x0
-        self.status = "finished"
+        self.code = NOT_COMPUTED
         self.records = []
         try:
             code = self._advance(self._place, rows, 1)
-            if code == at.FINISHED:  # most end in their first slice
+            if code == FINISHED:  # most end in their first slice
+                self.code = FINISHED
                 return rows[: self._number]
             if code == at.PAUSED:
                 with self.interrupts:
@@ -134,11 +147,7 @@ class Integration:
                 self._fail(code)
         except KeyboardInterrupt:
             self._empty_log()
-            self._stop(
-                "was interrupted",
-                "What was computed is in the attributes of this error.",
-                IntegrationInterrupted,
-            )
+            self._stop(INTERRUPTED, IntegrationInterrupted)
         self._empty_log()
         reached = self.progress.counts[at.NEXT]
         if reached < self._number:
@@ -166,8 +175,8 @@ class Integration:
                 elapsed = perf_counter() - start
                 if bar is not None:
                     bar.update(state[at.TIME] - bar.n - bar.start)
-                if code == at.FINISHED:
-                    return
+                if code == FINISHED:
+                    return self._end(FINISHED)
                 if code == at.EVENT:
                     if self._act():
                         return
@@ -210,9 +219,7 @@ class Integration:
         k = int(np.argmin(rtol))
         if rtol[k] < 10.0 * _EPS and atol[k] < 10.0 * _EPS * max(abs(x[k]), 1.0):
             self._stop(
-                f"cannot start with rtol = {rtol[k]:.3g} and atol = {atol[k]:.3g}",
-                f"Double precision carries about {_EPS:.1e}: ask for rtol of {10.0 * _EPS:.1e} or "
-                "more.",
+                TOLERANCE_TOO_SMALL, rtol=rtol[k], atol=atol[k], epsilon=_EPS, least=10.0 * _EPS
             )
 
     def _start(self) -> None:
@@ -256,19 +263,12 @@ class Integration:
             after = float(x[k])
             self.memory.x[:] = before
             mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {after:.6g}"
-            self._stop(
-                "found initial conditions that do not satisfy the constraints (the projection "
-                f"{'did not converge' if code else mended})",
-                "Call `system.set_dependent_initial_conditions()` first.",
-            )
+            self._stop(START_OFF_CONSTRAINTS, change="did not converge" if code else mended)
 
     def _check_events(self, events: CompiledEvents) -> None:
         for name, constant in zip(events.names, events.constant, strict=True):
             if constant:
-                self._stop(
-                    f"cannot look for the event `{name}`, whose expression is constant,",
-                    "It must depend on the states, on specifieds or on time.",
-                )
+                self._stop(EVENT_CONSTANT, event=name)
 
     # -- events -----------------------------------------------------------------------------------
 
@@ -299,27 +299,17 @@ class Integration:
             self.records.append(EventRecord(t, wanted.names[k], k, before, after))
             before = after
         if not np.isfinite(before).all():
-            self._stop(
-                f"met the event `{wanted.names[fired[-1]]}`, whose reset gave {before}",
-                "Check its expressions.",
-            )
+            self._stop(RESET_NOT_FINITE, event=wanted.names[fired[-1]], state=before)
         self.memory.x[: self.n] = before
         if any(wanted.terminal[k] for k in fired):
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
-            self.status = f"terminated by `{last}`"
+            self._end(TERMINATED, event=last)
             return True
         self._take_sides(fired)
         crowded = next((wanted.names[k] for k in fired if self._accumulates(k, t)), None)
         if crowded is None:
             return False
-        self.status = f"events `{crowded}` accumulate"
-        warn(
-            f"`{self.name}` stopped at t = {t!r}: the events `{crowded}` follow each other ever "
-            "faster and accumulate there. Make the reset end the motion it ends in reality, or the "
-            "event terminal.",
-            PyDyUserWarning,
-            stacklevel=6,
-        )
+        self._end(EVENTS_ACCUMULATE, event=crowded)
         return True
 
     def _accumulates(self, event: int, t: float) -> bool:
@@ -347,6 +337,7 @@ class Integration:
         state, count = self.progress.state, self.progress.counts
         return {
             "method": self.name,
+            "code": self.code,
             "status": self.status,
             "time": float(state[at.TIME]),
             "steps": int(count[at.STEPS]),
@@ -373,23 +364,38 @@ class Integration:
         """Raise the error of a code with which compiled code gave up."""
         if not np.isfinite(self._x0).all():
             raise ValueError(f"`x0` must be finite, got {self._x0}.")
-        failure = int(self.progress.counts[at.FAILURE])
-        size = float(self.progress.state[at.SIZE])
-        self._stop(*complaint(code, failure, size, self.options.max_steps))
+        step = float(self.progress.state[at.SIZE])
+        self._stop(
+            int(self.progress.counts[at.FAILURE]) if code == STEP_UNDERFLOW else code,
+            max_steps=self.options.max_steps,
+            step=step,
+            size=f" with a step size of {step:.3g}" if np.isfinite(step) and step else "",
+        )
+
+    @property
+    def status(self) -> str:
+        """How the latest run ended, in words."""
+        return OUTCOMES[self.code].text.format(**self.details)
+
+    def _end(self, code: int, **details: Any) -> None:
+        """Note how the run ended."""
+        self.code, self.details = code, details
 
     def _stop(
         self,
-        what: str,
-        remedy: str,
+        code: int,
         kind: type[IntegrationError] | type[IntegrationInterrupted] = IntegrationError,
+        **details: Any,
     ) -> None:
+        """Raise the error of an outcome."""
+        self._end(code, **details)
         t, reached = float(self.progress.state[at.TIME]), int(self.progress.counts[at.NEXT])
         x = self.memory.x[: self.n].copy()
         shown = ", ".join(f"{self._state_name(k)} = {v:.6g}" for k, v in enumerate(x[:12]))
         more = f", and {self.n - 12} more" if self.n > 12 else ""
-        self.status = what
+        remedy = OUTCOMES[code].remedy.format(**details)
         raise kind(
-            f"`{self.name}` {what} at t = {t!r} in the state {shown}{more}. {remedy}",
+            f"`{self.name}` {self.status} at t = {t!r} in the state {shown}{more}. {remedy}",
             self.progress.times[:reached].copy(),
             self._rows[:reached].copy(),
             t,

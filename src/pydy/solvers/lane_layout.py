@@ -21,14 +21,12 @@ HEAD, BUDGET, LIMIT, PLACE, DISTANCE = range(5)
 # Queue.numbers
 LARGEST, FIRST = range(2)
 # Queue.counts, for each sample
-STEPS, REJECTED, EVALUATIONS, STATUS = range(4)
+STEPS, REJECTED, EVALUATIONS, STATUS = range(4)  # the last is a code of `outcome`
 
 # What `step_lanes` returns.
 PAUSED, EMPTY = range(2)
 # Lanes.samples, where there is no sample: free to take one, or repeating a neighbour's.
 VACANT, RESTING = -1, -2
-# How a sample ended; STATUS.
-FINISHED, TOO_MANY, INACCURATE, SINGULAR, NOT_FINITE = range(5)
 
 
 class LaneProblem(NamedTuple):
@@ -57,7 +55,7 @@ class Lanes(NamedTuple):
     steps: np.ndarray
     rejected: np.ndarray
     evaluations: np.ndarray
-    reason: np.ndarray  # a status: what the last rejected step met
+    reason: np.ndarray  # the code of what the last rejected step met
     samples: np.ndarray  # int64
     place: np.ndarray  # int64: the address of the next output
 

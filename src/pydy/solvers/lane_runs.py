@@ -32,7 +32,7 @@ class LaneResult:
     Attributes
     ----------
     counts : ndarray of int64, shape (m, 4)
-        Steps, rejected ones, evaluations, and how it ended: a status of `lane_layout`.
+        Steps, rejected ones, evaluations, and how it ended: a code of `outcome`.
     reached : ndarray, shape (m,)
         The time up to which each was integrated.
     """

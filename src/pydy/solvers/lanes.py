@@ -26,24 +26,19 @@ from pydy.solvers.lane_layout import (
     DISTANCE,
     EMPTY,
     EVALUATIONS,
-    FINISHED,
     FIRST,
     HEAD,
-    INACCURATE,
     LARGEST,
     LIMIT,
-    NOT_FINITE,
     PAUSED,
     PLACE,
     PREPARE,
     REJECTED,
     RESTING,
-    SINGULAR,
     SPECIFIEDS,
     STATES,
     STATUS,
     STEPS,
-    TOO_MANY,
     VACANT,
 )
 from pydy.solvers.layout import (
@@ -59,6 +54,7 @@ from pydy.solvers.layout import (
     SHRINK,
     STAGES,
 )
+from pydy.solvers.outcome import FINISHED, NOT_FINITE, SINGULAR, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.runge_kutta import combine_row
 from pydy.solvers.vectors import (
     absolute,
@@ -207,7 +203,7 @@ def _start(method, problem, memory, lanes, queue, fresh):
     store(lanes.steps, 0, where(new, 0.0, load(lanes.steps, 0)))
     store(lanes.rejected, 0, where(new, 0.0, load(lanes.rejected, 0)))
     store(lanes.evaluations, 0, where(new, evaluations, load(lanes.evaluations, 0)))
-    store(lanes.reason, 0, where(new, float(INACCURATE), load(lanes.reason, 0)))
+    store(lanes.reason, 0, where(new, float(STEP_UNDERFLOW), load(lanes.reason, 0)))
     for lane in range(BLOCK):
         if (fresh >> lane) & 1 == 1:
             lanes.next[lane], lanes.due[lane] = 0.0, times[0]
@@ -229,7 +225,7 @@ def _retire_some(problem, lanes, queue, which, tired):
     for lane in range(BLOCK):
         if (which >> lane) & 1 == 1:
             stuck = (tired >> lane) & 1 == 0
-            status = np.int64(lanes.reason[lane]) if stuck else TOO_MANY
+            status = np.int64(lanes.reason[lane]) if stuck else TOO_MANY_STEPS
             _retire(problem, lanes, queue, lane, status)
 
 
@@ -424,7 +420,7 @@ def step_lanes(method, problem, memory, lanes, queue):
             if not adaptive:
                 shorter = splat(0.0)  # a step that fails cannot be helped
             h = where(bad, shorter, h)
-            reason = where(finite, float(INACCURATE), float(NOT_FINITE))
+            reason = where(finite, float(STEP_UNDERFLOW), float(NOT_FINITE))
             reason = where(singular, float(SINGULAR), reason)
             store(lanes.reason, 0, where(bad, reason, load(lanes.reason, 0)))
             store(lanes.rejected, 0, load(lanes.rejected, 0) + where(bad, 1.0, 0.0))

@@ -24,10 +24,9 @@ ACTIVE, PROJECTOR, HOLONOMIC, VELOCITY, COORDINATES, SPEEDS, WEIGHTED, PROJECT =
 # Watch.words
 WATCHER, EVENTS, SCAN = range(3)
 
-# What `advance` returns.
-PAUSED, FINISHED, EVENT, LOG_FULL, TOO_MANY, UNDERFLOW, CALLBACK, UNPROJECTED = range(8)
-# Run.counts[FAILURE]: what the last rejected step met.
-INACCURATE, SINGULAR, NOT_FINITE, NO_CONVERGENCE = range(4)
+# What `advance` returns while it has not ended; a code of `outcome` when it has.
+PAUSED, EVENT, LOG_FULL, CALLBACK = -1, -2, -3, -4
+# Run.counts[FAILURE] is the code of what the last rejected step met.
 
 # The first step, in units of the time: far enough above rounding to be shortened if need be.
 SHORTEST = 2.0**-44

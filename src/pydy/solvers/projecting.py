@@ -23,10 +23,10 @@ from pydy.solvers.layout import (
     PROJECTOR,
     SPEEDS,
     STATES,
-    UNPROJECTED,
     VELOCITY,
     WEIGHTED,
 )
+from pydy.solvers.outcome import CONSTRAINTS_NOT_MET
 from pydy.solvers.rates import set_inputs
 
 __all__ = ["project"]
@@ -151,7 +151,7 @@ def _negative(values, start, m):
 
 @part("int64")
 def project(table, t, place):
-    """Move the state at an address onto the constraints; 0, or UNPROJECTED."""
+    """Move the state at an address onto the constraints; 0, or CONSTRAINTS_NOT_MET."""
     problem, constraints = opened_problem(table), opened_constraints(table)
     (_, counts), x = opened_progress(table), numbers_at(place, problem.words[STATES])
     words, values = constraints.words, constraints.values
@@ -176,7 +176,7 @@ def project(table, t, place):
             address_of(values, 0),
         )
         if code < 0:
-            return UNPROJECTED
+            return CONSTRAINTS_NOT_MET
         # In units of rounding errors: of angles and lengths as they are, and of 1 at least, for
         # expressions in which larger terms cancel.
         worst = rough = 0.0
@@ -190,11 +190,11 @@ def project(table, t, place):
                 worst = max(worst, abs(values[i]) / (_EPS * scale))
                 rough = max(rough, abs(values[i]) / (_EPS * wide))
             if values[i] != values[i]:
-                return UNPROJECTED
+                return CONSTRAINTS_NOT_MET
         if worst <= 4.0 or (worst >= 0.5 * before and rough <= 256.0):
             break
         if iteration == _ITERATIONS - 1:
-            return UNPROJECTED
+            return CONSTRAINTS_NOT_MET
         before = worst
         if words[WEIGHTED] == 1:
             factor = _table(values, at_mass, u, u)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
+from warnings import warn
 
 import numpy as np
 
 from pydy._checks import real_array
+from pydy._errors import PyDyUserWarning
 from pydy.solvers.options import read_options
+from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
 
 if TYPE_CHECKING:
     from pydy.solvers.integration import Integration
@@ -85,7 +88,8 @@ class Solver:
             NaN after the time at which an event ended the integration.
         info : dict
             Only with `full_output`: ``'steps'``, ``'rejected'``, ``'evaluations'``,
-            ``'jacobians'``, ``'last_step'`` (its size), ``'status'``, ``'time'`` (where it ended),
+            ``'jacobians'``, ``'last_step'`` (its size), ``'time'`` (where it ended), ``'code'`` and
+            ``'status'`` (how it ended: a number, 0 when finished, and the same in words),
             ``'events'`` (list of `EventRecord`).
 
         Raises
@@ -179,7 +183,17 @@ class Prepared:
             x0 = real_array(x0, "`x0`")
             if x0.shape != self._shape:
                 raise ValueError(f"`x0` must have the shape {self._shape}, got {x0.shape}.")
-        return self._run(x0)
+        states = self._run(x0)
+        if self._integration.code == EVENTS_ACCUMULATE:
+            info, event = self.info, self._integration.details["event"]
+            warn(
+                f"`{info['method']}` stopped at t = {info['time']!r}: the events `{event}` follow "
+                "each other ever faster and accumulate there (Zeno behaviour). "
+                f"{OUTCOMES[EVENTS_ACCUMULATE].remedy}",
+                PyDyUserWarning,
+                stacklevel=3,
+            )
+        return states
 
     @property
     def info(self) -> dict[str, Any]:

@@ -15,6 +15,7 @@ from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.layout import Constraints, Memory, Method, Problem, Run, Watch
 from pydy.solvers.methods import IMPLICIT, method_arrays
 from pydy.solvers.options import Options
+from pydy.solvers.outcome import STEP_UNDERFLOW
 from pydy.solvers.problem import (
     BLOCK,
     Callback,
@@ -85,7 +86,7 @@ class Workspace:
         state, count = np.zeros(7), np.zeros(12, dtype=np.int64)
         state[at.TIME], state[at.LARGEST] = times[0], options.max_step
         state[at.SIZE] = options.first_step or options.step or 0.0
-        count[at.LIMIT] = options.max_steps
+        count[at.LIMIT], count[at.FAILURE] = options.max_steps, STEP_UNDERFLOW
         self.beginning = state, count
         run = Run(state.copy(), count.copy(), np.ascontiguousarray(times), np.zeros(0))
         self.progress = run

@@ -1,0 +1,123 @@
+"""How an integration ended: a code, its name, and the words made from it.
+
+Compiled code returns these codes; ``info['code']`` and the `status` of an ensemble hold them. Texts
+are made from codes and are never read back.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+__all__ = [
+    "CONSTRAINTS_NOT_MET",
+    "EVENTS_ACCUMULATE",
+    "EVENT_CONSTANT",
+    "FINISHED",
+    "INTERRUPTED",
+    "NOT_COMPUTED",
+    "NOT_FINITE",
+    "NO_CONVERGENCE",
+    "OUTCOMES",
+    "RESET_NOT_FINITE",
+    "SINGULAR",
+    "START_OFF_CONSTRAINTS",
+    "STEP_UNDERFLOW",
+    "TERMINATED",
+    "TOLERANCE_TOO_SMALL",
+    "TOO_MANY_STEPS",
+    "Outcome",
+]
+
+# Stores of ensembles keep these numbers: new ones go to the end.
+NOT_COMPUTED = -1
+FINISHED, TOO_MANY_STEPS, STEP_UNDERFLOW, SINGULAR, NOT_FINITE, TERMINATED = range(6)
+CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = range(6, 10)
+INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
+
+
+class Outcome(NamedTuple):
+    """What a code means.
+
+    Attributes
+    ----------
+    name : str
+        One word, for flags.
+    text : str
+        What the solver did; details go to the places in braces.
+    remedy : str
+    """
+
+    name: str
+    text: str
+    remedy: str = ""
+
+
+OUTCOMES = {
+    NOT_COMPUTED: Outcome("not_computed", "not run"),
+    FINISHED: Outcome("finished", "finished"),
+    TOO_MANY_STEPS: Outcome(
+        "too_many_steps",
+        "took {max_steps} steps, `max_steps`",
+        "Raise `max_steps`, loosen `rtol` and `atol`, or try 'radau' if the system is stiff.",
+    ),
+    STEP_UNDERFLOW: Outcome(
+        "step_underflow",
+        "needs ever smaller steps{size}",
+        "The motion is not smooth there or runs away. Look for a jump in the loads, which an "
+        "Event can carry the state over, loosen `rtol` and `atol`, or try 'radau' if the system "
+        "is stiff.",
+    ),
+    SINGULAR: Outcome(
+        "singular",
+        "met a singular mass matrix{size}",
+        "Check that no mass or inertia is zero, that no constraint is redundant there, and that "
+        "the configuration is not a singular one.",
+    ),
+    NOT_FINITE: Outcome(
+        "not_finite",
+        "met derivatives that are not finite{size}",
+        "Check the loads, specifieds and constants there for a division by zero or a function "
+        "outside its domain.",
+    ),
+    TERMINATED: Outcome("terminated", "terminated by `{event}`"),
+    CONSTRAINTS_NOT_MET: Outcome(
+        "constraints_not_met",
+        "could not bring the state back onto the constraints after a step of {step:.3g}",
+        "Check that the constraints can be met together there, or limit `max_step`.",
+    ),
+    NO_CONVERGENCE: Outcome(
+        "no_convergence",
+        "could not solve for its stages{size}",
+        "Check that loads are continuous there; an Event can carry the state over a jump.",
+    ),
+    EVENTS_ACCUMULATE: Outcome(
+        "events_accumulate",
+        "events `{event}` accumulate",
+        "Make the reset end the motion it ends in reality, or the event terminal.",
+    ),
+    START_OFF_CONSTRAINTS: Outcome(
+        "start_off_constraints",
+        "found initial conditions that do not satisfy the constraints (the projection {change})",
+        "Call `system.set_dependent_initial_conditions()` first.",
+    ),
+    INTERRUPTED: Outcome(
+        "interrupted",
+        "was interrupted",
+        "What was computed is in the attributes of this error.",
+    ),
+    TOLERANCE_TOO_SMALL: Outcome(
+        "tolerance_too_small",
+        "cannot start with rtol = {rtol:.3g} and atol = {atol:.3g}",
+        "Double precision carries about {epsilon:.1e}: ask for rtol of {least:.1e} or more.",
+    ),
+    EVENT_CONSTANT: Outcome(
+        "event_constant",
+        "cannot look for the event `{event}`, whose expression is constant,",
+        "It must depend on the states, on specifieds or on time.",
+    ),
+    RESET_NOT_FINITE: Outcome(
+        "reset_not_finite",
+        "met the event `{event}`, whose reset gave {state}",
+        "Check its expressions.",
+    ),
+}

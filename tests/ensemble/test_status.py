@@ -1,0 +1,96 @@
+"""How a sample ended: its `status`, with the codes of single integrations."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sm
+
+import zoo
+from cases import system_of
+from ensemble_cases import constant, runaway
+from pydy.models import multi_mass_spring_damper
+from pydy.solvers import Event
+from pydy.solvers.outcome import OUTCOMES
+
+GRAVITY = 9.81
+
+
+@pytest.fixture
+def ball():
+    """A mass that falls from a height."""
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    mass = constant(system, "m0")
+    system.specifieds = {force: -GRAVITY * mass}
+    system.constants = {constant(system, "k0"): 0.0, constant(system, "c0"): 0.0}
+    system.times = np.linspace(0.0, 10.0, num=21)
+    return system
+
+
+def names(results):
+    """The status of each sample in words, as users read it."""
+    attrs = results.status.attrs
+    meanings = dict(zip(attrs["flag_values"], attrs["flag_meanings"].split(), strict=True))
+    return [meanings[code] for code in np.atleast_1d(results.status.values)]
+
+
+def test_bounces_that_accumulate_have_a_status_and_end_at_the_accumulation_point(ball):
+    height, velocity = ball.states
+    bounce = Event(height, direction=-1, reset={velocity: -velocity / 2}, name="bounce")
+    heights = np.array([1.0, 4.0])
+    results = ball.integrate_ensemble(initial_conditions={height: heights}, events=[bounce])
+    assert names(results) == ["events_accumulate", "events_accumulate"]
+    accumulation = 3.0 * np.sqrt(2.0 * heights / GRAVITY)
+    np.testing.assert_allclose(results.end_time, accumulation, atol=1e-6)
+    for sample, end in enumerate(accumulation):
+        np.testing.assert_array_equal(np.isfinite(results.x0[sample]), ball.times < end)
+
+
+def test_constraints_not_met_at_the_start_have_their_own_status():
+    system = system_of(zoo.fourbar(), times=[0.0, 0.1])
+    good = dict(system.initial_conditions)
+    angle = system.coordinates[0]
+    start = {**good, angle: [good.get(angle, 0.0), good.get(angle, 0.0) + 0.2]}
+    results = system.integrate_ensemble(initial_conditions=start, constraints="project")
+    assert names(results) == ["finished", "start_off_constraints"]
+    np.testing.assert_array_equal(results.end_time, [0.1, 0.0])
+
+
+def test_lanes_and_single_integrations_give_the_same_codes():
+    system, x, v, _ = runaway()
+    start = {x: 0.0, v: [0.1, 1.0]}
+    lanes = system.integrate_ensemble(initial_conditions=start, max_steps=1000)
+    assert lanes.attrs["lanes"] == 8
+    never = [Event(x + 1e9)]
+    single = system.integrate_ensemble(initial_conditions=start, max_steps=1000, events=never)
+    assert single.attrs["lanes"] == 1
+    assert names(lanes) == names(single) == ["finished", "step_underflow"]
+
+
+def test_an_event_that_cannot_be_looked_for_is_named_in_the_status(ball):
+    height, _ = ball.states
+    results = ball.integrate_ensemble(
+        initial_conditions={height: [1.0, 2.0]}, events=[Event(sm.Integer(1))]
+    )
+    assert names(results) == ["event_constant"] * 2
+
+
+def test_a_reset_that_is_not_finite_is_named_in_the_status(ball):
+    height, velocity = ball.states
+    landing = Event(height, direction=-1, reset={velocity: sm.log(height - 1)})
+    results = ball.integrate_ensemble(initial_conditions={height: [1.0, 1e4]}, events=[landing])
+    assert names(results) == ["reset_not_finite", "finished"]
+
+
+def test_every_code_is_among_the_flags(ball):
+    height, _ = ball.states
+    results = ball.integrate_ensemble(initial_conditions={height: 1.0})
+    assert results.status.attrs["flag_values"] == list(OUTCOMES)
+
+
+@pytest.mark.parametrize("code", OUTCOMES)
+def test_the_documentation_lists_every_code(code):
+    page = Path(__file__).parents[2] / "docs" / "ensembles.md"
+    number = str(code).replace("-", "−")
+    assert f"| {number} | `{OUTCOMES[code].name}` |" in page.read_text("utf-8")
