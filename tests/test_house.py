@@ -35,10 +35,10 @@ FLOORS = {
     "_kernel": 2,
     "plot": 2,
     "_graph": 1,  # below _eom, which classifies constraints numerically
+    "_cache_folder": 1,
     "inputs": 1,
     "errors": 1,
     "trajectory": 1,
-    "_cache_folder": 0,
     "_dataset": 0,
     "_errors": 0,
     "_names": 0,

@@ -1,21 +1,226 @@
-"""Where machine code is kept on disk.
+"""The cache on disk: machine code and simplified Programs, so that nothing is compiled twice.
+
+An entry is a file named by its key with a checksum before its content: whatever is truncated,
+foreign or unreadable is a miss. Files are written aside and renamed, so several processes can share
+a folder and a killed one leaves nothing that counts. No failure of the disk is ever an error.
+
+Entries are run as code. A checksum is no proof of who wrote one, since anybody can compute it: what
+proves it is the file system. As ssh does with keys, a folder or an entry is used only if it belongs
+to the effective user and nobody else can write to it, and a folder's parents only if nobody else
+can put another folder in its place. An entry is opened first and then checked, so that it cannot be
+exchanged in between. Windows has no such owners; its folders of users are private.
 
 The environment variable PYDY_CACHE_DIR names another folder; ``off`` turns the cache off.
 """
 
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import os
+import stat
+import tempfile
+import time
+import warnings
 from pathlib import Path
 
-__all__ = ["folder"]
+from pydy._errors import PyDyUserWarning
+
+__all__ = ["LIMIT_BYTES", "folder", "read", "unsafe", "write"]
+
+LIMIT_BYTES = 256 * 2**20
+_MAGIC = b"pydy code 1\n"
+_STALE_SECONDS = 3600.0
+_OTHERS = stat.S_IWGRP | stat.S_IWOTH
+_warned: set[str] = set()
 
 
-def folder() -> Path | None:
-    """Return where entries lie, or None when the cache is turned off."""
+# -- who can write --------------------------------------------------------------------------------
+
+
+def _reason(status: os.stat_result, parent: bool = False) -> str | None:
+    """Return how somebody else can change what has this status, or None."""
+    if not hasattr(os, "geteuid"):
+        return None
+    # The administrator can do anything anyway, and owns most parents.
+    if status.st_uid != os.geteuid() and not (parent and status.st_uid == 0):
+        return f"belongs to another user (uid {status.st_uid})"
+    # In a sticky folder, such as /tmp, only its owner renames what lies there.
+    if status.st_mode & _OTHERS and not (parent and status.st_mode & stat.S_ISVTX):
+        return f"can be written by others (mode {stat.S_IMODE(status.st_mode):04o})"
+    return None
+
+
+def unsafe(place: Path) -> str | None:
+    """Return which folder on the way to `place` somebody else can change, and how, or None.
+
+    Parameters
+    ----------
+    place : Path
+        Without symbolic links. What does not exist yet is safe.
+    """
+    for part in (*reversed(place.parents), place):
+        try:
+            status = os.lstat(part)
+        except OSError:
+            return None
+        reason = _reason(status, parent=part != place)
+        if reason is not None:
+            return f"'{part}' {reason}"
+    return None
+
+
+def _warn_once(trouble: str, remedy: str) -> None:
+    if trouble not in _warned:
+        _warned.add(trouble)
+        warnings.warn(
+            f"{trouble}, so that compiled code kept there could be somebody else's; it is not "
+            f"used. {remedy}",
+            PyDyUserWarning,
+            stacklevel=3,
+        )
+
+
+# -- places ---------------------------------------------------------------------------------------
+
+
+def folder(name: str = "") -> Path | None:
+    """Return where entries lie, or None when the cache is turned off or not safe to use.
+
+    Parameters
+    ----------
+    name : str, optional
+        Of a folder within the cache.
+
+    Warns
+    -----
+    PyDyUserWarning
+        Somebody else could write there; once for each folder.
+    """
     chosen = os.environ.get("PYDY_CACHE_DIR")
-    if chosen:
-        return None if chosen.lower() == "off" else Path(chosen)
-    import platformdirs
+    if chosen and chosen.lower() == "off":
+        return None
+    if not chosen:
+        import platformdirs
 
-    return Path(platformdirs.user_cache_dir("pydy", appauthor=False))
+        chosen = platformdirs.user_cache_dir("pydy", appauthor=False)
+    place = Path(os.path.realpath(os.path.join(chosen, name)))
+    trouble = unsafe(place)
+    if trouble is None:
+        return place
+    _warn_once(
+        trouble,
+        "Take the right to write from group and others (chmod go-w) if it is yours, or let the "
+        "environment variable PYDY_CACHE_DIR name a folder that only you can write to, or be 'off'",
+    )
+    return None
+
+
+def _make(place: Path) -> None:
+    """Make a folder and those above it, for the user alone."""
+    if not place.is_dir():
+        _make(place.parent)
+        with contextlib.suppress(FileExistsError):
+            place.mkdir(0o700)
+
+
+def _head(key: str, content: bytes) -> bytes:
+    """Return what precedes the content: an entry under another entry's name is foreign too."""
+    return _MAGIC + hashlib.sha256(key.encode() + content).digest()
+
+
+# Never through a link, and never waiting for a pipe's other end. Windows knows neither.
+_OPEN = os.O_RDONLY | sum(getattr(os, n, 0) for n in ("O_NOFOLLOW", "O_NONBLOCK", "O_BINARY"))
+
+
+def _own_file(path: Path) -> bytes | None:
+    """Return what a file of this user's holds, or None."""
+    try:
+        with open(path, "rb", opener=lambda path, _: os.open(path, _OPEN)) as file:
+            status = os.fstat(file.fileno())
+            if not stat.S_ISREG(status.st_mode):
+                return None
+            reason = _reason(status)
+            if reason is None:
+                return file.read()
+    except OSError:
+        return None
+    _warn_once(f"'{path}' {reason}", "Remove it if you did not put it there")
+    return None
+
+
+# -- entries --------------------------------------------------------------------------------------
+
+
+def read(key: str, name: str = "") -> bytes | None:
+    """Return the content of an entry, or None when there is no sound one of this user's.
+
+    Parameters
+    ----------
+    key : str
+        Part of a file's name.
+    name : str, optional
+        Of the folder within the cache.
+    """
+    place = folder(name)
+    if place is None:
+        return None
+    path = place / f"{key}.code"
+    data = _own_file(path)
+    if data is None:
+        return None
+    head = len(_MAGIC) + 32
+    content = data[head:]
+    if data[:head] != _head(key, content):
+        return None
+    with contextlib.suppress(OSError):
+        os.utime(path)  # the least recently used go first
+    return content
+
+
+def write(key: str, content: bytes, name: str = "") -> None:
+    """Store an entry; a full or read-only disk only means that it is not there next time."""
+    place = folder(name)
+    if place is None:
+        return
+    try:
+        _make(place)
+        if folder(name) != place:  # what was not there before has been made by somebody else
+            return
+        handle, aside = tempfile.mkstemp(dir=place, prefix="tmp-")  # for the user alone
+    except OSError:
+        return
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(_head(key, content) + content)
+        os.replace(aside, place / f"{key}.code")
+    except OSError:
+        with contextlib.suppress(OSError):
+            os.unlink(aside)
+        return
+    _evict(place)
+
+
+def _evict(place: Path) -> None:
+    """Remove the least recently used entries beyond the limit, and what killed processes left."""
+    entries = []
+    now = time.time()
+    try:
+        with os.scandir(place) as items:
+            for item in items:
+                with contextlib.suppress(OSError):
+                    status = item.stat()
+                    if item.name.startswith("tmp-"):
+                        if now - status.st_mtime > _STALE_SECONDS:
+                            os.unlink(item.path)
+                    elif item.name.endswith(".code"):
+                        entries.append((status.st_mtime, status.st_size, item.path))
+    except OSError:
+        return
+    total = sum(size for _, size, _ in entries)
+    for _, size, path in sorted(entries):
+        if total <= LIMIT_BYTES:
+            break
+        with contextlib.suppress(OSError):
+            os.unlink(path)
+            total -= size

@@ -6,6 +6,8 @@ Each build takes two seconds, so every one serves as many tests as it can.
 import copy
 import os
 import pickle
+import shutil
+import stat
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -17,7 +19,7 @@ import sympy.physics.mechanics as me
 
 from pydy._backends.cython_ import CythonBackend, c_source
 from pydy._backends.registry import resolve
-from pydy._errors import GeneratorError
+from pydy._errors import GeneratorError, PyDyUserWarning
 from pydy._graph.interpret import run
 from pydy._graph.linsolve import UnrolledLDL
 from pydy._graph.node import BINARY, COMPARISONS, UNARY
@@ -337,3 +339,21 @@ def test_a_tmp_dir_that_is_a_file_is_refused(tmp_path, below):
 def test_a_prefix_that_cannot_begin_a_module_name_is_refused(prefix):
     with pytest.raises(ValueError, match="`prefix` is"):
         CythonBackend(prefix=prefix)
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
+def test_no_code_is_loaded_from_where_others_can_write(tmp_path):
+    shared = tmp_path / "shared"
+    shared.mkdir()
+    shared.chmod(0o777)
+    backend = CythonBackend(tmp_dir=shared)
+    with pytest.warns(PyDyUserWarning, match="shared' can be written by others.*`tmp_dir`"):
+        _, directory = backend._reserve("digest")
+    assert shared not in directory.parents
+    shutil.rmtree(directory)
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
+def test_the_folder_of_a_build_is_the_users_alone(tmp_path):
+    _, directory = CythonBackend(tmp_dir=tmp_path)._reserve("digest")
+    assert stat.S_IMODE(directory.stat().st_mode) == 0o700

@@ -17,6 +17,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import warnings
 from collections.abc import Iterable
 from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader
 from pathlib import Path
@@ -25,7 +26,8 @@ from typing import Any
 
 from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
-from pydy._errors import GeneratorError, MissingDependencyError
+from pydy._cache_folder import unsafe
+from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning
 from pydy._graph.node import BOOLEAN
 from pydy._graph.program import Program, operands
 from pydy._kernel import Kernel
@@ -43,8 +45,8 @@ class CythonBackend:
         and underscores, not beginning with a digit.
     tmp_dir : path, optional
         Where the files are written and kept, each build in a new folder of its own; made if it
-        does not exist. By default they lie in a temporary directory, which is removed once the
-        module is loaded.
+        does not exist. Others must not be able to write there. By default the files lie in a
+        temporary directory, which is removed once the module is loaded.
     verbose : bool, optional
         Whether the output of the build is written to `sys.stdout`.
     cse : bool, optional
@@ -117,9 +119,17 @@ class CythonBackend:
                 f"`tmp_dir` must be a directory or a path where one can be made, got "
                 f"'{folder}', which is a file or lies below one."
             ) from None
+        if trouble := unsafe(folder.resolve()):
+            kept = tempfile.mkdtemp(prefix=f"{self.options['prefix']}_")
+            message = (
+                f"{trouble}, so that code loaded from `tmp_dir` could be somebody else's. The "
+                f"files are in '{kept}' instead; pass a directory that only you can write to."
+            )
+            warnings.warn(message, PyDyUserWarning, stacklevel=2)
+            return next(names), Path(kept)
         for name in names:
             try:
-                (folder / name).mkdir()
+                (folder / name).mkdir(0o700)
             except FileExistsError:
                 continue  # of an earlier process, or of another one at work in the same folder
             return name, folder / name

@@ -14,6 +14,7 @@ from typing import Any
 from llvmlite import __version__ as llvmlite_version
 from llvmlite import binding
 
+from pydy import _cache_folder
 from pydy._backends import background, cache
 
 __all__ = ["Code", "Source", "find", "load", "load_quickly", "registers"]
@@ -151,7 +152,7 @@ def find(source: Source, calls: Code | None = None) -> Code | None:
     key = source.key
     known: Code | None = cache.memory.get(key)
     if known is None:
-        stored = cache.read(key)
+        stored = _cache_folder.read(key)
         if stored is not None:
             try:
                 known = _linked(stored, source.names, calls)
@@ -166,7 +167,7 @@ def load(source: Source, calls: Code | None = None) -> Code:
     known = find(source, calls)
     if known is None:
         stored = _object_code(source.text(False), source.loops, quick=False)
-        cache.write(source.key, stored)
+        _cache_folder.write(source.key, stored)
         known = _linked(stored, source.names, calls)
         cache.memory.put(source.key, known)
     return known

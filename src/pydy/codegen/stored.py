@@ -9,7 +9,7 @@ from functools import cache as once
 from pathlib import Path
 
 import pydy._graph
-from pydy._backends import cache
+from pydy import _cache_folder
 from pydy._graph.program import Program
 from pydy._programs import Assembly
 
@@ -45,9 +45,9 @@ def stored_program(assembly: Assembly, what: str, make: Callable[[], Program]) -
         return make()
     parts = (_circumstances(), assembly.fingerprint(), what.encode())
     key = hashlib.sha256(b"".join(parts)).hexdigest()
-    data = cache.read(key)
+    data = _cache_folder.read(key)
     if data is not None:
         return Program.from_bytes(data)
     program = make()
-    cache.write(key, program.to_bytes())
+    _cache_folder.write(key, program.to_bytes())
     return program

@@ -2,13 +2,15 @@
 
 numba's own cache looks at the file of the outermost function only, and lies beside the sources.
 This one is keyed by the text of the whole package of solvers and lies with the machine code of
-kernels, where PYDY_CACHE_DIR says.
+kernels, in `_cache_folder`.
 """
 
 from __future__ import annotations
 
 import hashlib
 import logging
+import pickle
+import sys
 from collections.abc import Callable
 from contextlib import suppress
 from functools import cache, cached_property
@@ -17,16 +19,18 @@ from typing import Any
 
 import llvmlite.binding as llvm
 import numba
-from numba.core import sigutils
-from numba.core.caching import CompileResultCacheImpl, FunctionCache, _CacheLocator
+from numba.core import serialize, sigutils
+from numba.core.caching import NullCache
 from numba.core.ccallback import CFunc
+from numba.core.compiler import CompileResult
 from numba.core.runtime.nrt import rtsys
 
-from pydy._cache_folder import folder
+from pydy import _cache_folder
 
 __all__ = ["compiled", "inlined", "part"]
 
 _LOG = logging.getLogger("pydy")
+_FOLDER = "solvers"  # within the cache: tests share it among runs
 
 # Arrays belong to the caller, who outlives the call: counting references to them, atomically, took
 # half of the time. Functions that make arrays have to say so.
@@ -42,76 +46,63 @@ def _digest() -> str:
     return digest.hexdigest()
 
 
-class _Locator(_CacheLocator):
+class _Cache(NullCache):  # numba calls it at each compilation
+    """numba's cache, in the package's folder: reading an entry runs what it says (see pickle).
+
+    numba's own class believes whatever files it finds.
+    """
+
     def __init__(self, function: Callable[..., Any]) -> None:
-        self._name = function.__module__
+        code = function.__code__
+        self._name = f"{function.__module__}.{code.co_qualname} {code.co_firstlineno}"
 
-    def get_cache_path(self) -> str:
-        place = folder()
-        assert place is not None  # `compiled` asks first
-        return str(place / "solvers")
-
-    def get_source_stamp(self) -> str:
-        return _digest()
-
-    def get_disambiguator(self) -> str:
-        return str(self._name.rpartition(".")[2])
-
-    @classmethod
-    def from_function(cls, function: Callable[..., Any], _file: str) -> _Locator:
-        return cls(function)
-
-
-class _Implementation(CompileResultCacheImpl):
-    _locator_classes: Any = (_Locator,)
-
-    def reduce(self, data: Any) -> Any:
-        """Leave out the code that other functions could inline: reading it is most of a load.
-
-        numba reads from it which functions there are: those stay, without bodies.
-        """
-        # The last are functions' modules, for what Python does in them: nothing here.
-        state, *rest, _ = super().reduce(data)  # type: ignore[no-untyped-call]
-        name, kind, (machine_code, bitcode) = state
-        functions = llvm.parse_bitcode(bitcode).functions
-        stubs = [
-            f'define void @"{function.name}"() {{ ret void }}'
-            for function in functions
-            if not function.is_declaration
-        ]
-        bitcode = llvm.parse_assembly("\n".join(stubs)).as_bitcode()
-        return ((name, kind, (machine_code, bitcode)), *rest, ())
-
-
-class _Cache(FunctionCache):
-    _impl_class = _Implementation
+    def _key(self, signature: Any, codegen: Any) -> str:
+        parts = (self._name, _digest(), sys.version, numba.__version__)
+        what = "\n".join(map(str, (*parts, signature, *codegen.magic_tuple())))
+        return hashlib.sha256(what.encode()).hexdigest()
 
     def load_overload(self, signature: Any, target_context: Any) -> Any:
-        try:
-            # Not `super().load_overload`: that makes numba ready to compile first, which takes ten
-            # times as long as to load. Arrays need its runtime.
-            rtsys.initialize(target_context)
-            found = self._load_overload(signature, target_context)  # type: ignore[no-untyped-call]
-        except Exception:  # noqa: BLE001 - whatever a broken entry raises, it is a miss
-            found = None
-            with suppress(OSError):
-                self.flush()  # type: ignore[no-untyped-call]
+        # Without `target_context.refresh()`, which makes numba ready to compile and takes ten
+        # times as long as to load. Arrays need its runtime.
+        rtsys.initialize(target_context)
+        found = None
+        data = _cache_folder.read(self._key(signature, target_context.codegen()), _FOLDER)
+        if data is not None:
+            with suppress(Exception):  # whatever a broken entry raises, it is a miss
+                found = CompileResult._rebuild(target_context, *pickle.loads(data))
         if found is None:
             _LOG.warning("Compiling a solver, once on this machine: this takes some seconds.")
         return found
 
-    def save_overload(self, signature: Any, data: Any) -> None:
-        try:
-            super().save_overload(signature, data)  # type: ignore[no-untyped-call]
-        except OSError:
-            _LOG.info("The compiled solver could not be kept on disk.", exc_info=True)
+    def save_overload(self, signature: Any, result: Any) -> None:
+        assert not result.library.has_dynamic_globals  # addresses of this process
+        key = self._key(signature, result.codegen)
+        _cache_folder.write(key, serialize.dumps(_reduced(result)), _FOLDER)
+
+
+def _reduced(result: Any) -> Any:
+    """Leave out the code that other functions could inline: reading it is most of a load.
+
+    numba reads from it which functions there are: those stay, without bodies.
+    """
+    # The last are functions' modules, for what Python does in them: nothing here.
+    state, *rest, _ = result._reduce()
+    name, kind, (machine_code, bitcode) = state
+    functions = llvm.parse_bitcode(bitcode).functions
+    stubs = [
+        f'define void @"{function.name}"() {{ ret void }}'
+        for function in functions
+        if not function.is_declaration
+    ]
+    bitcode = llvm.parse_assembly("\n".join(stubs)).as_bitcode()
+    return ((name, kind, (machine_code, bitcode)), *rest, ())
 
 
 def compiled(function: Callable[..., Any]) -> Any:
     """Compile a function that Python calls; it releases the interpreter's lock."""
     dispatcher: Any = numba.njit(**_OPTIONS)(function)
-    if folder() is not None:
-        dispatcher._cache = _Cache(function)  # type: ignore[no-untyped-call]
+    if _cache_folder.folder(_FOLDER) is not None:
+        dispatcher._cache = _Cache(function)
     return dispatcher
 
 
@@ -129,8 +120,8 @@ class _Part:
         options = {**_OPTIONS, "_nrt": True}
         arguments = sigutils.normalize_signature(self._signature)
         native: Any = CFunc(self._function, arguments, locals={}, options=options)
-        if folder() is not None:
-            native._cache = _Cache(self._function)  # type: ignore[no-untyped-call]
+        if _cache_folder.folder(_FOLDER) is not None:
+            native._cache = _Cache(self._function)
         native.compile()
         self._native = native  # keeps the code
         return int(native.address)

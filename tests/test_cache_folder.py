@@ -1,0 +1,406 @@
+"""Machine code on disk: whatever happens to it, results stay right and nobody sees an error.
+
+What somebody else could have written there is never run.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import random
+import signal
+import stat
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import pytest
+
+from pydy import _cache_folder as cache
+from pydy.errors import PyDyUserWarning
+
+SCRIPT = """
+import sys
+import numpy as np
+from pydy._backends import background
+from pydy.models import multi_mass_spring_damper
+background._QUIET_SECONDS = 0.0
+for n in (1, 2, 3):
+    system = multi_mass_spring_damper(n)
+    x = np.arange(1.0, 2 * n + 1)
+    system.generate_ode_function()
+    assert system._current().kernel.addresses
+    rates = system.evaluate_ode(x)
+    np.testing.assert_array_equal(rates[:n], x[n:])
+print("right")
+"""
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+def start():
+    return subprocess.Popen(
+        [sys.executable, "-c", SCRIPT], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+
+
+def finishes_right(process):
+    out, errors = process.communicate(timeout=120)
+    assert out.strip() == "right", errors
+
+
+def test_an_entry_comes_back_as_it_was(folder):
+    cache.write("key", b"content")
+    assert cache.read("key") == b"content"
+
+
+def test_what_was_never_written_is_a_miss(folder):
+    assert cache.read("key") is None
+
+
+@pytest.mark.parametrize("length", [0, 5, 12, 30, 44, 50])
+def test_a_truncated_entry_is_a_miss(folder, length):
+    cache.write("key", b"content")
+    path = folder / "key.code"
+    path.write_bytes(path.read_bytes()[:length])
+    assert cache.read("key") is None
+
+
+def test_an_entry_with_one_wrong_bit_is_a_miss(folder):
+    cache.write("key", b"content")
+    path = folder / "key.code"
+    data = bytearray(path.read_bytes())
+    data[-1] ^= 1
+    path.write_bytes(data)
+    assert cache.read("key") is None
+
+
+def test_the_least_recently_used_entry_goes_first(folder, monkeypatch):
+    monkeypatch.setattr(cache, "LIMIT_BYTES", 300)  # three entries
+    for age, key in enumerate(["old", "used", "new"]):
+        cache.write(key, b"x" * 50)
+        os.utime(folder / f"{key}.code", (age, age))
+    cache.read("old")  # used again: now the most recent
+    cache.write("newest", b"x" * 50)
+    assert cache.read("used") is None
+    assert cache.read("old") is not None
+    assert cache.read("newest") is not None
+
+
+def test_what_a_killed_process_left_behind_is_swept_up(folder):
+    folder.mkdir()
+    left = folder / "tmp-left"
+    left.write_bytes(b"half")
+    os.utime(left, (0, 0))
+    cache.write("key", b"content")
+    assert not left.exists()
+
+
+def test_a_folder_that_is_a_file_costs_only_the_cache(tmp_path, monkeypatch):
+    (tmp_path / "cache").write_text("not a folder")
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "cache"))
+    cache.write("key", b"content")
+    assert cache.read("key") is None
+
+
+def test_the_cache_can_be_turned_off(tmp_path, monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", "off")
+    monkeypatch.chdir(tmp_path)
+    cache.write("key", b"content")
+    assert cache.folder() is None
+    assert cache.read("key") is None
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_entries_under_each_others_names_are_compiled_anew(folder):
+    finishes_right(start())
+    paths = sorted(folder.glob("*.code"))
+    contents = [path.read_bytes() for path in paths]
+    for path, data in zip(paths, contents[1:] + contents[:1], strict=True):
+        path.write_bytes(data)
+    finishes_right(start())
+
+
+def test_killed_processes_truncated_entries_and_eight_at_once_give_right_results(folder):
+    rng = random.Random(0)
+    for _ in range(3):
+        process = start()
+        time.sleep(rng.uniform(0.5, 2.5))
+        process.send_signal(signal.SIGKILL)
+        process.communicate()
+    for path in folder.glob("*.code"):
+        if rng.random() < 0.5:
+            path.write_bytes(path.read_bytes()[: rng.randrange(200)])
+    processes = [start() for _ in range(8)]
+    for process in processes:
+        finishes_right(process)
+    assert list(folder.glob("*.code"))
+
+
+# -- nobody else's code ---------------------------------------------------------------------------
+
+owned = pytest.mark.skipif(not hasattr(os, "geteuid"), reason="files have no owners here")
+second_user = pytest.mark.skipif(
+    not hasattr(os, "geteuid") or os.geteuid() != 0,
+    reason="only root can start a process of another user",
+)
+NOBODY = 65534
+
+
+@pytest.fixture(autouse=True)
+def nothing_said_yet(monkeypatch):
+    monkeypatch.setattr(cache, "_warned", set())
+
+
+@owned
+@pytest.mark.parametrize("umask", [0o000, 0o002, 0o022])
+def test_folders_and_entries_are_made_for_the_user_alone(tmp_path, monkeypatch, umask):
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "new" / "cache"))
+    before = os.umask(umask)
+    try:
+        cache.write("key", b"content", "within")
+    finally:
+        os.umask(before)
+    made = [tmp_path / "new", tmp_path / "new/cache", tmp_path / "new/cache/within"]
+    assert [stat.S_IMODE(path.stat().st_mode) for path in made] == [0o700] * 3
+    assert stat.S_IMODE((made[-1] / "key.code").stat().st_mode) == 0o600
+    assert cache.read("key", "within") == b"content"
+
+
+@owned
+@pytest.mark.parametrize("mode", [0o720, 0o770, 0o702, 0o777, 0o1777])
+def test_a_folder_that_others_can_write_to_is_not_used(folder, mode):
+    cache.write("key", b"content")
+    folder.chmod(mode)
+    with pytest.warns(PyDyUserWarning, match=f"cache' can be written by others .mode {mode:04o}"):
+        assert cache.read("key") is None
+    cache.write("other", b"content")  # it is said once
+    assert not (folder / "other.code").exists()
+    folder.chmod(0o700)
+    assert cache.read("key") == b"content"
+
+
+@owned
+def test_the_warning_names_the_remedy(folder):
+    folder.mkdir()
+    folder.chmod(0o777)
+    with pytest.warns(PyDyUserWarning, match="chmod go-w.*PYDY_CACHE_DIR"):
+        cache.read("key")
+
+
+@owned
+@pytest.mark.parametrize("mode", [0o620, 0o602, 0o666])
+def test_an_entry_that_others_can_write_to_is_not_used(folder, mode):
+    cache.write("key", b"content")
+    (folder / "key.code").chmod(mode)
+    with pytest.warns(PyDyUserWarning, match="key.code' can be written by others"):
+        assert cache.read("key") is None
+    cache.write("key", b"content")
+    assert cache.read("key") == b"content"
+
+
+@owned
+def test_what_belongs_to_another_user_is_not_used(folder, monkeypatch):
+    cache.write("key", b"content")
+    owner = os.getuid()
+    monkeypatch.setattr(os, "geteuid", lambda: owner + 1)
+    with pytest.warns(PyDyUserWarning, match=f"belongs to another user .uid {owner}"):
+        assert cache.read("key") is None
+
+
+@owned
+@pytest.mark.parametrize("mode", [0o777, 0o770])
+def test_a_folder_that_others_could_exchange_is_not_used(tmp_path, monkeypatch, mode):
+    shared = tmp_path / "shared"
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(shared / "cache"))
+    cache.write("key", b"content")
+    shared.chmod(mode)
+    with pytest.warns(PyDyUserWarning, match="shared' can be written by others"):
+        assert cache.read("key") is None
+
+
+@owned
+def test_a_folder_of_ones_own_where_everybody_may_have_one_is_used(tmp_path, monkeypatch):
+    (tmp_path / "tmp").mkdir()
+    (tmp_path / "tmp").chmod(0o1777)
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "tmp" / "cache"))
+    cache.write("key", b"content")
+    assert cache.read("key") == b"content"
+
+
+@owned
+def test_a_link_is_judged_by_where_it_leads(tmp_path, monkeypatch):
+    (tmp_path / "open").mkdir()
+    (tmp_path / "open").chmod(0o777)
+    (tmp_path / "link").symlink_to(tmp_path / "open", target_is_directory=True)
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "link"))
+    with pytest.warns(PyDyUserWarning, match="open' can be written by others"):
+        assert cache.folder() is None
+
+
+@owned
+@pytest.mark.parametrize("kind", ["link", "pipe", "folder"])
+def test_an_entry_is_a_file(folder, kind, tmp_path):
+    cache.write("other", b"content")
+    cache.write("key", b"content")
+    path = folder / "key.code"
+    path.rename(tmp_path / "elsewhere")
+    if kind == "link":
+        path.symlink_to(tmp_path / "elsewhere")
+    elif kind == "pipe":
+        os.mkfifo(path)
+    else:
+        path.mkdir()
+    assert cache.read("key") is None
+
+
+@owned
+def test_an_entry_is_checked_when_it_is_open(folder, monkeypatch):
+    # Another one may lie there by the time it is looked at by name.
+    cache.write("key", b"content")
+    seen = []
+    fstat = os.fstat
+    monkeypatch.setattr(os, "fstat", lambda number: seen.append(number) or fstat(number))
+    assert cache.read("key") == b"content"
+    assert seen
+
+
+def test_where_files_have_no_owners_the_cache_works(folder, monkeypatch):
+    monkeypatch.delattr(os, "geteuid", raising=False)
+    cache.write("key", b"content")
+    assert cache.read("key") == b"content"
+
+
+@pytest.fixture
+def shared():
+    """A folder that any user can reach and write to."""
+    with tempfile.TemporaryDirectory(prefix="pydy-shared-") as place:
+        os.chmod(place, 0o777)
+        yield Path(place)
+
+
+def as_nobody(*command):
+    subprocess.run(command, check=True, user=NOBODY, group=NOBODY, extra_groups=[])
+
+
+def put_by_somebody_else(prepared, place):
+    """Copy a folder as another user, who may read it for the moment."""
+    for path in (prepared, *prepared.rglob("*")):
+        path.chmod(0o755)
+    with tempfile.TemporaryDirectory() as way:
+        os.chmod(way, 0o755)
+        subprocess.run(["cp", "-r", str(prepared), f"{way}/prepared"], check=True)
+        as_nobody("mkdir", "-p", str(place))
+        as_nobody("cp", "-r", f"{way}/prepared/.", str(place))
+
+
+EQUATIONS = """
+import sys, warnings
+import numpy as np
+from pydy._backends import background, jit
+background._QUIET_SECONDS = 0.0
+if sys.argv[1:] == ["wrong"]:
+    right = jit._object_code
+    def wrong(text, *rest, **options):
+        return right(text.replace("fsub", "fadd").replace("fneg double", "fadd double 1.0,"),
+                     *rest, **options)
+    jit._object_code = wrong
+from pydy.models import multi_mass_spring_damper
+with warnings.catch_warnings(record=True) as said:
+    warnings.simplefilter("always")
+    system = multi_mass_spring_damper(2)
+    system.generate_ode_function()
+    assert system._current().kernel.addresses
+    rates = system.evaluate_ode(np.arange(1.0, 5.0))
+print(*(type(w.message).__name__ for w in said), *rates)
+"""
+
+
+def equations(place, *how):
+    done = subprocess.run(
+        [sys.executable, "-c", EQUATIONS, *how],
+        env={**os.environ, "PYDY_CACHE_DIR": str(place)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return done.stdout.split()
+
+
+# Open to all; open to all until just now; a place where everybody may have a folder.
+places = pytest.mark.parametrize(
+    ("within", "mode"), [(".", 0o777), (".", 0o755), ("cache", 0o777), ("cache", 0o1777)]
+)
+
+
+@second_user
+@places
+def test_another_users_machine_code_ends_in_a_warning_and_a_correct_number(
+    shared, tmp_path, within, mode
+):
+    right = equations("off")
+    wrong = equations(tmp_path / "prepared", "wrong")
+    assert wrong != right
+    assert equations(tmp_path / "prepared") == wrong  # one's own code is believed
+    put_by_somebody_else(tmp_path / "prepared", shared / within)
+    shared.chmod(mode)
+    *said, first, second, third, fourth = equations(shared / within)
+    assert set(said) == {"PyDyUserWarning"}
+    assert [first, second, third, fourth] == right
+
+
+class Touch:
+    """Makes a file where it is unpickled."""
+
+    def __init__(self, path):
+        self.path = path
+
+    def __reduce__(self):
+        return open, (self.path, "w")
+
+
+SOLVER = """
+from pydy.solvers.compiled import compiled
+@compiled
+def plus_one(x):
+    return x + 1.0
+print(plus_one(41.0))
+"""
+
+
+def solver(place):
+    done = subprocess.run(
+        [sys.executable, "-c", SOLVER],
+        env={**os.environ, "PYDY_CACHE_DIR": str(place)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return done.stdout.strip(), done.stderr
+
+
+@second_user
+@places
+def test_another_users_pickles_are_not_read(shared, tmp_path, within, mode, monkeypatch):
+    prepared = tmp_path / "prepared"
+    assert solver(prepared)[0] == "42.0"
+    (entry,) = (prepared / "solvers").glob("*.code")
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(prepared))
+    cache.write(entry.stem, pickle.dumps(Touch(str(tmp_path / "run"))), "solvers")
+    put_by_somebody_else(prepared, shared / within)
+    shared.chmod(mode)
+    number, said = solver(shared / within)
+    assert number == "42.0"
+    assert said.count("PyDyUserWarning") == 1
+    assert not (tmp_path / "run").exists()
+    prepared.chmod(0o700)
+    for path in (prepared / "solvers", entry):
+        path.chmod(0o700)
+    solver(prepared)  # the exploit itself works: one's own entries are read
+    assert (tmp_path / "run").exists()
