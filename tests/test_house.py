@@ -43,6 +43,7 @@ FLOORS = {
     "_errors": 0,
     "_names": 0,
     "_optional": 0,
+    "_array_layout": 0,
     "_checks": 0,
     "_version": 0,
 }

@@ -16,9 +16,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
+from pydy._array_layout import DATA, FLAGS, SHAPE
 from pydy._backends.ir import Function, vector_type
 
 __all__ = [
+    "ARRAYS",
     "KERNEL_WORDS",
     "SWEEP_GATE",
     "row_sweep_function",
@@ -39,8 +41,8 @@ KERNEL_WORDS = (
 _WORDS = (*KERNEL_WORDS, "m", "r_step", "by_columns")
 _POINTERS = KERNEL_WORDS[:4]
 # The arrays that follow it.
-_ARRAYS = ("t", "x", "r", "p", "out", "failed", "scratch")
-_PARAMETERS = ", ".join(f"ptr %{name}" for name in ("words", *_ARRAYS))
+ARRAYS = ("t", "x", "r", "p", "out", "failed", "scratch")
+_PARAMETERS = ", ".join(f"ptr %{name}" for name in ("words", *ARRAYS))
 
 
 def sweep_name(lanes: int) -> str:
@@ -63,7 +65,7 @@ def _word(f: Function, name: str) -> str:
 
 def _opened(f: Function) -> dict[str, str]:
     """Return what a sweep works with, by name."""
-    arrays = {name: f"%{name}" for name in _ARRAYS}
+    arrays = {name: f"%{name}" for name in ARRAYS}
     return arrays | {k: _word(f, k) for k in _WORDS}
 
 
@@ -75,27 +77,27 @@ def sweep_gate_function() -> str:
     work.
     """
     f = Function(SWEEP_GATE, "ptr", "ptr %self, ptr %args, i64 %count", "|nounwind")
-    names = ("words", *_ARRAYS)
+    names = ("words", *ARRAYS)
     arrays = {name: f.load("ptr", "%args", str(k)) for k, name in enumerate(names)}
 
     def field(name: str, offset: int, kind: str) -> str:
-        return f.load(kind, f.at(arrays[name], str(offset), "i8"))  # see `native`
+        return f.load(kind, f.at(arrays[name], str(offset), "i8"))
 
-    data = {name: field(name, 16, "ptr") for name in names}
+    data = {name: field(name, DATA, "ptr") for name in names}
     words = f.slot("i64", len(_WORDS))
     for k in range(len(KERNEL_WORDS)):
         f.store("i64", f.load("i64", data["words"], str(k)), words, str(k))
-    samples, rows = (f.load("i64", field(name, 32, "ptr")) for name in "tr")
+    samples, rows = (f.load("i64", field(name, SHAPE, "ptr")) for name in "tr")
     s = f.load("i64", words, str(_WORDS.index("s")))
     r_step = f.let(f"select i1 {f.let(f'icmp sgt i64 {rows}, 1')}, i64 {s}, i64 0")
     # Contiguous columns, and not contiguous rows as well.
-    order = f.let(f"and i32 {field('x', 64, 'i32')}, {0x0003}")
+    order = f.let(f"and i32 {field('x', FLAGS, 'i32')}, {0x0003}")
     by_columns = f.let(f"zext i1 {f.let(f'icmp eq i32 {order}, {0x0002}')} to i64")
     for name, value in (("m", samples), ("r_step", r_step), ("by_columns", by_columns)):
         f.store("i64", value, words, str(_WORDS.index(name)))
     state = f.let("call ptr @PyEval_SaveThread()")
     sweep = f.load("ptr", words, str(_WORDS.index("sweep")))
-    arguments = [words, *(data[name] for name in _ARRAYS)]
+    arguments = [words, *(data[name] for name in ARRAYS)]
     f.do(f"call void {sweep}({', '.join(f'ptr {a}' for a in arguments)})")
     f.do(f"call void @PyEval_RestoreThread(ptr {state})")
     f.do(f"ret ptr {f.let('call ptr @PyLong_FromLong(i64 0)')}")

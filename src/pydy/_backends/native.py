@@ -3,11 +3,8 @@
 Both are written once in LLVM IR and take a kernel by its address, so a model compiles nothing but
 its own equations. Sweeps are in `ir_sweep`. The *gate* is a C function of Python's own interface:
 for arguments that are already float64 arrays of the right length it costs about a tenth of a
-microsecond, where ctypes alone would cost ten times as much. It reads three fields of NumPy's array
-object, whose layout is part of NumPy's published binary interface (PyArrayObject in
-ndarrayobject.h)::
-
-    16 data    24 ndim    32 shape    56 descr    64 flags
+microsecond, where ctypes alone would cost ten times as much. It reads NumPy's array object at the
+offsets of `_array_layout`; where those do not hold, ctypes does it after all.
 
 What a kernel is, and the binding of its constants, lies in an array of 64-bit words::
 
@@ -24,11 +21,14 @@ from typing import Any, Literal
 
 import numpy as np
 
+from pydy import _array_layout
+from pydy._array_layout import DATA, DESCR, FLAGS, FLOAT, KIND, NDIM, SHAPE
 from pydy._backends import jit
 from pydy._backends.background import Task, submit
 from pydy._backends.base import strict
 from pydy._backends.ir import Function
 from pydy._backends.ir_sweep import (
+    ARRAYS,
     KERNEL_WORDS,
     SWEEP_GATE,
     row_sweep_function,
@@ -119,7 +119,8 @@ class _Runtime:
         self.code = code
         self.gate = _method(b"native_call", code.addresses["gate"])
         self._sweep = _method(b"native_sweep", code.addresses[SWEEP_GATE])
-        self.sweep: Callable[..., None] = _function(self._sweep, None)
+        gate: Callable[..., None] = _function(self._sweep, None)
+        self.sweep = gate if _array_layout.FITS else _careful_sweep
 
 
 def _method(name: bytes, address: int) -> tuple[ctypes.Array[ctypes.c_void_p], bytes]:
@@ -134,6 +135,18 @@ def _function(method: tuple[ctypes.Array[ctypes.c_void_p], bytes], owner: Any) -
     make.restype = ctypes.py_object
     make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p]
     return make(ctypes.addressof(method[0]), owner, None)
+
+
+_SWEEP = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * (1 + len(ARRAYS)))
+
+
+def _careful_sweep(words: np.ndarray, *arrays: np.ndarray) -> None:
+    """Do what the sweep's gate does, without a look into NumPy's objects."""
+    t, x, r = arrays[:3]
+    r_step = r.shape[1] if len(r) > 1 else 0
+    by_columns = x.flags.f_contiguous and not x.flags.c_contiguous
+    words = np.array([*words, len(t), r_step, by_columns], np.int64)
+    _SWEEP(int(words[3]))(*(array.ctypes.data for array in (words, *arrays)))
 
 
 @cache
@@ -192,7 +205,7 @@ def _make_call(
     sweep: Callable[..., tuple[np.ndarray, np.ndarray]],
     runtime: _Runtime,
 ) -> Callable[..., int]:
-    if lanes == 1 and not sysconfig.get_config_var("Py_GIL_DISABLED"):
+    if lanes == 1 and _array_layout.FITS and not sysconfig.get_config_var("Py_GIL_DISABLED"):
         words = np.zeros(_HEADER + program.num_constants + len(program.carried), dtype=np.int64)
         words[2:7] = [
             program.num_states,
@@ -231,26 +244,26 @@ def _gate_text() -> str:
 
     def array(value: str, kind: str, descr: str, size: str) -> str:
         """Return the data of a float64 vector of that size, or leave by the slow exit."""
-        need(f.let(f"icmp eq ptr {field(value, 8, 'ptr')}, {kind}"))
-        need(f.let(f"icmp eq ptr {field(value, 56, 'ptr')}, {descr}"))
-        need(f.let(f"icmp eq i32 {field(value, 24, 'i32')}, 1"))
-        flags = f.let(f"and i32 {field(value, 64, 'i32')}, {0x0101}")  # contiguous, aligned
+        need(f.let(f"icmp eq ptr {field(value, KIND, 'ptr')}, {kind}"))
+        need(f.let(f"icmp eq ptr {field(value, DESCR, 'ptr')}, {descr}"))
+        need(f.let(f"icmp eq i32 {field(value, NDIM, 'i32')}, 1"))
+        flags = f.let(f"and i32 {field(value, FLAGS, 'i32')}, {0x0101}")  # contiguous, aligned
         need(f.let(f"icmp eq i32 {flags}, {0x0101}"))
-        need(f.let(f"icmp eq i64 {f.load('i64', field(value, 32, 'ptr'))}, {size}"))
-        return field(value, 16, "ptr")
+        need(f.let(f"icmp eq i64 {f.load('i64', field(value, SHAPE, 'ptr'))}, {size}"))
+        return field(value, DATA, "ptr")
 
     need(f.let("icmp eq i64 %count, 5"))
-    words = field("%self", 16, "ptr")
+    words = field("%self", DATA, "ptr")
     kernel, prepare = f.load("ptr", words), f.load("ptr", words, "1")
     n, s, k = (f.load("i64", words, str(j)) for j in (2, 3, 4))
     x, t, r, p, out = (f.load("ptr", "%args", str(j)) for j in range(5))
-    kind, descr = field(out, 8, "ptr"), field(out, 56, "ptr")  # our own np.empty: the pattern
+    kind, descr = field(out, KIND, "ptr"), field(out, DESCR, "ptr")  # our own np.empty: the pattern
     x_data = array(x, kind, descr, n)
-    need(f.let(f"icmp eq ptr {field(t, 8, 'ptr')}, @PyFloat_Type"))
-    t_slot = f.variable("double", field(t, 16, "double"))
+    need(f.let(f"icmp eq ptr {field(t, KIND, 'ptr')}, @PyFloat_Type"))
+    t_slot = f.variable("double", field(t, FLOAT, "double"))
     r_data = array(r, kind, descr, s)
     p_data = array(p, kind, descr, k)
-    out_data = field(out, 16, "ptr")
+    out_data = field(out, DATA, "ptr")
     p_bound = f.at(words, str(_HEADER), "i64")
     c = f.at(p_bound, k, "i64")
     size = f.let(f"mul i64 {k}, 8")

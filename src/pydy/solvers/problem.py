@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._array_layout import address
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.layout import Problem, Watch
@@ -18,6 +19,7 @@ _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
 __all__ = [
     "Callback",
+    "address",
     "bind_constants",
     "callback_problem",
     "kernel_problem",
@@ -46,17 +48,6 @@ def bind_constants(kernel: Kernel, p: np.ndarray) -> tuple[int, np.ndarray]:
     p = np.ascontiguousarray(p, dtype=float)
     _prepare(addresses[1])(address(p), address(c))
     return addresses[0], c
-
-
-def address(array: np.ndarray) -> int:
-    """Return where an array's numbers lie: `ndarray.ctypes`, seven times as fast.
-
-    The place is part of NumPy's binary interface; see `pydy._backends.native`.
-    """
-    return _word_at(id(array) + 16).value
-
-
-_word_at = ctypes.c_size_t.from_address
 
 
 def lined_up(*shape: int) -> np.ndarray:
