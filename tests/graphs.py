@@ -7,10 +7,15 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
+from pydy._graph.operations import OPERATIONS
 from pydy._graph.passes import Passes
 from pydy._programs import Assembly
 
 __all__ = [
+    "BINARY",
+    "COMPARISONS",
+    "ELEMENTARY",
+    "UNARY",
     "P",
     "T",
     "X",
@@ -26,6 +31,13 @@ X = sm.symbols("x0:4")
 P = sm.symbols("p0:3")
 T = sm.Symbol("t")
 SIZES = (len(X), 0, len(P))
+
+ELEMENTARY = frozenset(OPERATIONS)
+_ARITHMETIC = {"add", "sub", "mul", "div", "neg", "select"}
+_FUNCTIONS = {k: row for k, row in OPERATIONS.items() if not row.truth and k not in _ARITHMETIC}
+UNARY = {name: row.numpy for name, row in _FUNCTIONS.items() if row.arity == 1}
+BINARY = {name: row.numpy for name, row in _FUNCTIONS.items() if row.arity == 2}
+COMPARISONS = {name: OPERATIONS[name].numpy for name in ("lt", "le", "eq", "ne")}
 
 
 def nodes_of(expressions, graph=None):

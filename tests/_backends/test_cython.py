@@ -17,13 +17,13 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from graphs import BINARY, COMPARISONS, ELEMENTARY, UNARY
 from pydy._backends.cython_ import CythonBackend, c_source
 from pydy._backends.registry import resolve
 from pydy._errors import GeneratorError, PyDyUserWarning
 from pydy._graph.interpret import run
 from pydy._graph.linsolve import UnrolledLDL
-from pydy._graph.node import BINARY, COMPARISONS, UNARY
-from pydy._graph.program import ELEMENTARY, Program, Tape
+from pydy._graph.program import Program, Tape
 from pydy.codegen.ode_function_generators import generate_ode_function
 
 NAN, INF = np.nan, np.inf

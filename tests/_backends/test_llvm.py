@@ -10,13 +10,24 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from graphs import P, T, X, on_tape, program_of, solve_program
+from graphs import (
+    BINARY,
+    COMPARISONS,
+    ELEMENTARY,
+    UNARY,
+    P,
+    T,
+    X,
+    on_tape,
+    program_of,
+    solve_program,
+)
 from pydy._backends import cache as cache_of_code
 from pydy._backends import ir
 from pydy._backends.llvm import LLVMBackend, kernel_text
 from pydy._graph.interpret import run
-from pydy._graph.node import BINARY, COMPARISONS, UNARY, Graph
-from pydy._graph.program import ELEMENTARY, Program, Tape
+from pydy._graph.node import Graph
+from pydy._graph.program import Program, Tape
 
 LANES = [1, 2, 4, 8]
 NAN, INF = np.nan, np.inf

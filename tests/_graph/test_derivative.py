@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from graphs import P, X, nodes_of, on_tape, values
+from graphs import BINARY, UNARY, P, X, nodes_of, on_tape, values
 from pydy._backends.llvm import LLVMBackend
 from pydy._graph.derivative import jacobian
-from pydy._graph.node import BINARY, UNARY, Graph
+from pydy._graph.node import Graph
 
 x, y, z, w = X
 

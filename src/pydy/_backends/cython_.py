@@ -28,8 +28,8 @@ from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
 from pydy._cache_folder import unsafe
 from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning
-from pydy._graph.node import BOOLEAN
-from pydy._graph.program import Program, operands
+from pydy._graph.operations import OPERATIONS, TRUTHS, operands
+from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
 __all__ = ["CythonBackend", "c_source"]
@@ -358,17 +358,6 @@ static inline void lu_solve(int n, const double *a, const int *pivots, double *b
 """
 
 _EPS = 2.0**-52
-_INFIX = {"add": "+", "sub": "-", "mul": "*", "div": "/", "and": "&", "or": "|"}
-_INFIX |= {"lt": "<", "le": "<=", "eq": "==", "ne": "!="}
-_PREFIX = {"neg": "-", "not": "!"}
-_CALLS = {"abs": "fabs", "min": "minimum", "max": "maximum"}
-_CALLS |= {
-    name: name
-    for name in (
-        *("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh"),
-        *("tanh", "asinh", "acosh", "atanh", "sign", "floor", "ceil", "pow", "atan2"),
-    )
-}
 
 
 def c_source(program: Program) -> str:
@@ -422,7 +411,7 @@ class _Stage:
     def carried(self, nodes: Iterable[int]) -> None:
         """Read the values of the setup stage."""
         for index, node in enumerate(nodes):
-            test = " != 0.0" if self.program.ops[node] in BOOLEAN else ""
+            test = " != 0.0" if self.program.ops[node] in TRUTHS else ""
             self._let(node, f"c[{index}]{test}")
 
     def node(self, node: int) -> None:
@@ -433,14 +422,8 @@ class _Stage:
             pass
         elif op == "input":
             self._let(node, f"{args[0]}[{args[1]}]")
-        elif op in _INFIX:
-            self._let(node, f"{names[0]} {_INFIX[op]} {names[1]}")
-        elif op in _PREFIX:
-            self._let(node, f"{_PREFIX[op]}{names[0]}")
-        elif op in _CALLS:
-            self._let(node, f"{_CALLS[op]}({', '.join(names)})")
-        elif op == "select":
-            self._let(node, f"{names[0]} ? {names[1]} : {names[2]}")
+        elif op in OPERATIONS:
+            self._let(node, OPERATIONS[op].c.format(*names))
         elif op == "item":
             self._let(node, f"s{args[0]}[{args[1]}]")
         elif op == "factor":
@@ -457,7 +440,7 @@ class _Stage:
         self.lines.append(indent + text)
 
     def _let(self, node: int, value: str) -> None:
-        kind = "int" if self.program.ops[node] in BOOLEAN else "double"
+        kind = "int" if self.program.ops[node] in TRUTHS else "double"
         self.names[node] = f"v{node}"
         self._line(f"const {kind} v{node} = {value};", "    ")
 

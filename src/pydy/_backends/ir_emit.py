@@ -7,29 +7,22 @@ how many states are taken at once.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from pydy._backends.ir import Function, literal, vector_type
 from pydy._backends.ir_guards import Solves
 from pydy._backends.ir_math import sincos, sincos_call, sincos_together
-from pydy._backends.ir_plan import BLOCK, TRUTHS, Place, Registers, fusion, readers
-from pydy._graph.program import Program, operands
+from pydy._backends.ir_plan import BLOCK, Place, Registers, fusion, readers
+from pydy._graph.operations import ANGLES, OPERATIONS, TRUTHS, operands
+from pydy._graph.program import Program
 
-__all__ = ["BRANCH_WEIGHTS", "INTRINSICS", "LIBM", "Emitter"]
+__all__ = ["BRANCH_WEIGHTS", "Emitter", "called"]
 
-INTRINSICS = {"sqrt": "sqrt", "abs": "fabs", "floor": "floor", "ceil": "ceil"}
-INTRINSICS |= {"min": "minimum", "max": "maximum"}
-LIBM = (
-    *("exp", "log", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"),
-    *("asinh", "acosh", "atanh", "pow", "atan2"),
-)
-_ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv"}
 # Hints for the two kinds of branches: to a fallback when true, and when false.
 BRANCH_WEIGHTS = (
     '!0 = !{!"branch_weights", i32 1, i32 2000}',
     '!1 = !{!"branch_weights", i32 2000, i32 1}',
 )
-_COMPARISONS = {"lt": "olt", "le": "ole", "eq": "oeq", "ne": "une"}
-
-
 # Registers for intermediate results, and for those of sine and cosine.
 _TEMPORARY = 5
 _SINCOS = 12
@@ -198,50 +191,62 @@ class Emitter:
 
     def _write(self, node: int) -> None:
         op, args = self.program.ops[node], self.program.args[node]
-        f, v, names = self.f, self.v, self.names
         if node in self.fused:
-            names[node] = self._fused(op, *args)
-        elif op in _ARITHMETIC:
-            a, b = (names[k] for k in args)
-            names[node] = f.let(f"{_ARITHMETIC[op]} {v} {a}, {b}")
-        elif op == "neg":
-            names[node] = f.let(f"fneg {v} {names[args[0]]}")
-        elif op in INTRINSICS:
-            text = ", ".join(f"{v} {names[k]}" for k in args)
-            names[node] = f.let(f"call {v} @llvm.{INTRINSICS[op]}.{self.suffix}({text})")
-        elif op in ("sin", "cos"):
-            angle = args[0]
-            if angle not in self.angles:
-                self._take_angles(node)
-            self._name(node, self.angles[angle][op == "cos"])
-        elif op in LIBM:
-            text = ", ".join(f"{v} {names[k]}" for k in args)
-            name = op if self.lanes == 1 else f"{op}.lanes"
-            names[node] = f.let(f"call {v} @{name}({text})")
-        elif op in _COMPARISONS:
-            a, b = (names[k] for k in args)
-            names.fix(node, f.let(f"fcmp {_COMPARISONS[op]} {v} {a}, {b}"))
-        elif op in ("and", "or"):
-            a, b = (names[k] for k in args)
-            names.fix(node, f.let(f"{op} {self.b} {a}, {b}"))
-        elif op == "not":
-            true = "true" if self.lanes == 1 else "splat (i1 true)"
-            names.fix(node, f.let(f"xor {self.b} {names[args[0]]}, {true}"))
-        elif op == "select":
-            c, yes, no = (names[k] for k in args)
-            names[node] = f.let(f"select {self.b} {c}, {v} {yes}, {v} {no}")
-        elif op == "sign":
-            names[node] = self._sign(names[args[0]])
-        elif op == "factor":
-            self.solves.factor(node, *args)
-        elif op == "solve":
-            self.solves.solve(node, *args)
-        elif op == "guard":
-            self.solves.guard(node, *args)
+            self.names[node] = self._fused(op, *args)
+        elif op in OPERATIONS:
+            kind, _, word = OPERATIONS[op].llvm.partition(" ")
+            EMITTERS[kind](self, node, word, *args)
         elif op == "item":
             self._name(node, self.solves.vectors[args[0]][args[1]])
         else:
-            raise AssertionError(f"no IR for {op!r}")
+            SOLVES[op](self.solves, node, *args)
+
+    # What the table of operations names: each writes one, given its word and its operands.
+
+    def _arithmetic(self, node: int, word: str, a: int, b: int) -> None:
+        names = self.names
+        names[node] = self.f.let(f"{word} {self.v} {names[a]}, {names[b]}")
+
+    def _negation(self, node: int, word: str, a: int) -> None:
+        self.names[node] = self.f.let(f"fneg {self.v} {self.names[a]}")
+
+    def _intrinsic(self, node: int, word: str, *args: int) -> None:
+        self._call(node, f"llvm.{word}.{self.suffix}", args)
+
+    def _libm(self, node: int, word: str, *args: int) -> None:
+        self._call(node, word if self.lanes == 1 else f"{word}.lanes", args)
+
+    def _call(self, node: int, name: str, args: tuple[int, ...]) -> None:
+        text = ", ".join(f"{self.v} {self.names[k]}" for k in args)
+        self.names[node] = self.f.let(f"call {self.v} @{name}({text})")
+
+    def _sincos(self, node: int, word: str, angle: int) -> None:
+        if angle not in self.angles:
+            self._take_angles(node)
+        self._name(node, self.angles[angle][int(word)])
+
+    def _comparison(self, node: int, word: str, a: int, b: int) -> None:
+        names = self.names
+        names.fix(node, self.f.let(f"fcmp {word} {self.v} {names[a]}, {names[b]}"))
+
+    def _logic(self, node: int, word: str, a: int, b: int) -> None:
+        names = self.names
+        names.fix(node, self.f.let(f"{word} {self.b} {names[a]}, {names[b]}"))
+
+    def _inversion(self, node: int, word: str, a: int) -> None:
+        true = "true" if self.lanes == 1 else "splat (i1 true)"
+        self.names.fix(node, self.f.let(f"xor {self.b} {self.names[a]}, {true}"))
+
+    def _selection(self, node: int, word: str, *args: int) -> None:
+        c, yes, no = (self.names[k] for k in args)
+        self.names[node] = self.f.let(f"select {self.b} {c}, {self.v} {yes}, {self.v} {no}")
+
+    def _sign(self, node: int, word: str, a: int) -> None:
+        f, v, n, x = self.f, self.v, self.lanes, self.names[a]
+        above = f.let(f"fcmp ogt {v} {x}, {literal(0.0, n)}")
+        below = f.let(f"fcmp olt {v} {x}, {literal(0.0, n)}")
+        inner = f.let(f"select {self.b} {below}, {v} {literal(-1.0, n)}, {v} {x}")
+        self.names[node] = f.let(f"select {self.b} {above}, {v} {literal(1.0, n)}, {v} {inner}")
 
     def _name(self, node: int, place: Place) -> None:
         """Name a value, or say where in memory it lies."""
@@ -269,7 +274,7 @@ class Emitter:
         waiting = dict.fromkeys(
             program.args[k][0]
             for k in range(node, len(program.ops))
-            if program.ops[k] in ("sin", "cos") and program.setup[k] == program.setup[node]
+            if program.ops[k] in ANGLES and program.setup[k] == program.setup[node]
         )
         ready = [k for k in waiting if k in self.names and k not in self.angles]
         if self.lanes > 1:
@@ -303,9 +308,28 @@ class Emitter:
         for lane, angle in enumerate(group):
             self.angles[angle] = ((room, lane), (room, width + lane))
 
-    def _sign(self, x: str) -> str:
-        f, v, n = self.f, self.v, self.lanes
-        above = f.let(f"fcmp ogt {v} {x}, {literal(0.0, n)}")
-        below = f.let(f"fcmp olt {v} {x}, {literal(0.0, n)}")
-        inner = f.let(f"select {self.b} {below}, {v} {literal(-1.0, n)}, {v} {x}")
-        return f.let(f"select {self.b} {above}, {v} {literal(1.0, n)}, {v} {inner}")
+
+EMITTERS: dict[str, Callable[..., None]] = {
+    "arithmetic": Emitter._arithmetic,
+    "negation": Emitter._negation,
+    "intrinsic": Emitter._intrinsic,
+    "libm": Emitter._libm,
+    "sincos": Emitter._sincos,
+    "comparison": Emitter._comparison,
+    "logic": Emitter._logic,
+    "inversion": Emitter._inversion,
+    "selection": Emitter._selection,
+    "sign": Emitter._sign,
+}
+SOLVES: dict[str, Callable[..., None]] = {
+    "factor": Solves.factor,
+    "solve": Solves.solve,
+    "guard": Solves.guard,
+}
+
+
+def called(program: Program, kind: str) -> dict[str, int]:
+    """Return what a Program's operations call by an emitter: names, with how many arguments."""
+    rows = [OPERATIONS[op] for op in sorted(set(program.ops)) if op in OPERATIONS]
+    words = [(row.llvm.partition(" "), row.arity) for row in rows]
+    return {word: arity for (name, _, word), arity in words if name == kind}

@@ -10,12 +10,10 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from pydy._backends.ir import Function
-from pydy._graph.node import COMPARISONS
-from pydy._graph.program import Program, operands
+from pydy._graph.operations import operands
+from pydy._graph.program import Program
 
-__all__ = ["BLOCK", "TRUTHS", "Place", "Registers", "fusion", "readers"]
-
-TRUTHS = frozenset({*COMPARISONS, "and", "or", "not"})
+__all__ = ["BLOCK", "Place", "Registers", "fusion", "readers"]
 
 # Operations in one basic block. LLVM's time grows faster than a block's length.
 BLOCK = 60

@@ -12,18 +12,16 @@ from typing import Any
 
 from pydy._backends import background, jit
 from pydy._backends.ir import HEAP_DECLARATIONS, MALLOC, Function, vector_type
-from pydy._backends.ir_emit import BRANCH_WEIGHTS, INTRINSICS, LIBM, Emitter
+from pydy._backends.ir_emit import BRANCH_WEIGHTS, SOLVES, Emitter, called
 from pydy._backends.ir_math import sincos_declarations, sincos_functions, sincos_names
 from pydy._backends.ir_solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
+from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
 __all__ = ["LLVMBackend", "kernel_text"]
-
-_SOLVES = frozenset({"factor", "solve", "guard"})
-_ANGLES = frozenset({"sin", "cos"})
 
 
 class LLVMBackend:
@@ -56,7 +54,7 @@ class LLVMBackend:
             ("kernel", "prepare", "strided")[: 2 + (lanes > 1)],
             loops=lanes == 1 and _repeats(program),
         )
-        calls = bool((_SOLVES | _ANGLES) & set(program.ops))
+        calls = bool({*SOLVES, *ANGLES} & set(program.ops))
         routines = _routines(lanes, at_best=lanes > 1) if calls else None
         code = jit.load(source, routines) if lanes > 1 else jit.find(source, routines)
         quick = code is None
@@ -143,15 +141,11 @@ def kernel_text(program: Program, lanes: int, brief: bool = False) -> str:
         if f"@pydy_sincos_{kind}{width}(" in body
     ]
     if lanes > 1:
-        parts += [_lane_by_lane(name, lanes) for name in _used(program) if name in LIBM]
+        parts += [_lane_by_lane(*call, lanes) for call in called(program, "libm").items()]
     return "\n".join([*parts, body])
 
 
-def _used(program: Program) -> list[str]:
-    return sorted(set(program.ops))
-
-
-_LIBM_ANGLES = tuple(f"declare double @{name}(double) nounwind" for name in ("sin", "cos"))
+_LIBM_ANGLES = tuple(f"declare double @{name}(double) nounwind" for name in ANGLES)
 
 
 def _arithmetic_declarations(widths: Iterable[int]) -> str:
@@ -167,32 +161,27 @@ def _declarations(program: Program, lanes: int) -> str:
     v = vector_type("double", lanes)
     suffix = "f64" if lanes == 1 else f"v{lanes}f64"
     lines = [
-        f"declare double @{name}({'double, double' if name in ('pow', 'atan2') else 'double'})"
-        " nounwind willreturn memory(none)"
-        for name in LIBM
-        if name in program.ops
+        f"declare double @{name}({', '.join(['double'] * arity)}) nounwind willreturn memory(none)"
+        for name, arity in called(program, "libm").items()
     ]
-    if _SOLVES & set(program.ops):
+    if SOLVES.keys() & set(program.ops):
         lines.append(solver_declarations(lanes))
-    packs = (1, 2, 4, 8) if lanes == 1 and _ANGLES & set(program.ops) else (lanes,)
+    packs = (1, 2, 4, 8) if lanes == 1 and set(ANGLES) & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
-    for name in sorted({INTRINSICS[op] for op in INTRINSICS if op in program.ops} - {"fabs"}):
-        two = name in ("minimum", "maximum")
-        lines.append(f"declare {v} @llvm.{name}.{suffix}({v}{', ' + v if two else ''})")
+    for name, arity in called(program, "intrinsic").items():
+        if name != "fabs":
+            lines.append(f"declare {v} @llvm.{name}.{suffix}({', '.join([v] * arity)})")
     return "\n".join(lines) + "\n"
 
 
-def _lane_by_lane(name: str, lanes: int) -> str:
+def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
     """Return a vector function that calls libm for each lane."""
     v = vector_type("double", lanes)
-    two = name in ("pow", "atan2")
-    parameters = f"{v} %a, {v} %b" if two else f"{v} %a"
-    f = Function(f"{name}.lanes", v, parameters, "internal|nounwind memory(none)")
+    vectors = [f"{v} %a{k}" for k in range(arity)]
+    f = Function(f"{name}.lanes", v, ", ".join(vectors), "internal|nounwind memory(none)")
     result = "poison"
     for lane in range(lanes):
-        args = [f.let(f"extractelement {v} %a, i32 {lane}")]
-        if two:
-            args.append(f.let(f"extractelement {v} %b, i32 {lane}"))
+        args = [f.let(f"extractelement {vector}, i32 {lane}") for vector in vectors]
         value = f.let(f"call double @{name}({', '.join('double ' + a for a in args)})")
         result = f.let(f"insertelement {v} {result}, double {value}, i32 {lane}")
     f.do(f"ret {v} {result}")

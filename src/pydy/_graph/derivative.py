@@ -8,60 +8,14 @@ of a derivative of the elimination (Griewank & Walther, Evaluating Derivatives, 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from pydy._graph.node import Graph
+from pydy._graph.operations import OPERATIONS
 
 __all__ = ["jacobian"]
 
 Row = dict[int, int]
-
-
-def _sin(g: Graph, n: int, x: int) -> int:
-    return g.call("cos", x)
-
-
-# d f(x)/dx, given the graph, the node f(x) itself and x.
-_UNARY: dict[str, Callable[[Graph, int, int], int]] = {
-    "sqrt": lambda g, n, x: g.product([(n, -1)], 0.5),
-    "exp": lambda g, n, x: n,
-    "log": lambda g, n, x: g.powi(x, -1),
-    "sin": _sin,
-    "cos": lambda g, n, x: g.neg(g.call("sin", x)),
-    "tan": lambda g, n, x: g.sum([(g.powi(n, 2), 1.0)], 1.0),
-    "asin": lambda g, n, x: g.powi(g.call("sqrt", g.sum([(g.powi(x, 2), -1.0)], 1.0)), -1),
-    "acos": lambda g, n, x: g.product(
-        [(g.call("sqrt", g.sum([(g.powi(x, 2), -1.0)], 1.0)), -1)], -1.0
-    ),
-    "atan": lambda g, n, x: g.powi(g.sum([(g.powi(x, 2), 1.0)], 1.0), -1),
-    "sinh": lambda g, n, x: g.call("cosh", x),
-    "cosh": lambda g, n, x: g.call("sinh", x),
-    "tanh": lambda g, n, x: g.sum([(g.powi(n, 2), -1.0)], 1.0),
-    "asinh": lambda g, n, x: g.powi(g.call("sqrt", g.sum([(g.powi(x, 2), 1.0)], 1.0)), -1),
-    "acosh": lambda g, n, x: g.powi(g.call("sqrt", g.sum([(g.powi(x, 2), 1.0)], -1.0)), -1),
-    "atanh": lambda g, n, x: g.powi(g.sum([(g.powi(x, 2), -1.0)], 1.0), -1),
-    "abs": lambda g, n, x: g.call("sign", x),
-    "sign": lambda g, n, x: g.zero,
-    "floor": lambda g, n, x: g.zero,
-    "ceil": lambda g, n, x: g.zero,
-}
-
-
-def _binary(g: Graph, op: str, n: int, a: int, b: int) -> tuple[int, int]:
-    """Return the two partial derivatives of a function of two arguments."""
-    if op == "pow":
-        by_base = g.mul(b, g.call("pow", a, g.sum([(b, 1.0)], -1.0)))
-        # log(0) · 0 at a zero base would be NaN where the derivative is 0.
-        by_exponent = g.call("select", g.call("eq", a, g.zero), g.zero, g.mul(n, g.call("log", a)))
-        return by_base, by_exponent
-    if op == "atan2":
-        square = g.add(g.powi(a, 2), g.powi(b, 2))
-        return g.div(b, square), g.neg(g.div(a, square))
-    first = g.call("le", a, b) if op == "min" else g.call("le", b, a)
-    return (
-        g.call("select", first, g.one, g.zero),
-        g.call("select", first, g.zero, g.one),
-    )
 
 
 def jacobian(
@@ -107,15 +61,6 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
                 others = [(m, f) for j, (m, f) in enumerate(args) if j != k]
                 parts.append((rows[n], g.product([*others, (n, e - 1)], float(e)), 1.0))
         return _combine(g, parts)
-    if op in _UNARY:
-        inner = rows[args[0]]
-        return _combine(g, [(inner, _UNARY[op](g, node, args[0]), 1.0)]) if inner else {}
-    if op in ("pow", "atan2", "min", "max"):
-        a, b = args
-        if not rows[a] and not rows[b]:
-            return {}
-        by_a, by_b = _binary(g, op, node, a, b)
-        return _combine(g, [(rows[a], by_a, 1.0), (rows[b], by_b, 1.0)])
     if op == "select":
         condition, yes, no = args
         keys = sorted({*rows[yes], *rows[no]})
@@ -130,7 +75,11 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
     if op == "item":
         row: Row = vectors[args[0]][args[1]]
         return row
-    return {}  # constants, other inputs, conditions, factors
+    operation = OPERATIONS.get(op)
+    if operation is None or operation.partials is None or not any(rows[n] for n in args):
+        return {}  # constants, other inputs, steps, conditions, factors
+    partials = operation.partials(g, node, *args)
+    return _combine(g, [(rows[n], d, 1.0) for n, d in zip(args, partials, strict=True)])
 
 
 def _combine(g: Graph, parts: Sequence[tuple[Row, int | None, float]]) -> Row:

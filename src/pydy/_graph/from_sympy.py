@@ -18,6 +18,7 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.node import Graph
+from pydy._graph.operations import named_in_sympy
 
 __all__ = ["SymPyReader"]
 
@@ -121,42 +122,25 @@ def _log(graph: Graph, expr: Any, args: list[int]) -> int:
     return node if len(args) == 1 else graph.div(node, graph.call("log", args[1]))
 
 
+# What is not a row of the table of operations under its own name.
 HANDLERS: dict[Any, Handler] = {
     sm.Add: lambda graph, expr, args: graph.add(*args),
     sm.Mul: lambda graph, expr, args: graph.mul(*args),
     sm.Pow: _power,
-    sm.exp: _same("exp"),
     sm.log: _log,
-    sm.sin: _same("sin"),
-    sm.cos: _same("cos"),
-    sm.tan: _same("tan"),
     sm.cot: _reciprocal("tan"),
     sm.sec: _reciprocal("cos"),
     sm.csc: _reciprocal("sin"),
     sm.sinc: _sinc,
-    sm.asin: _same("asin"),
-    sm.acos: _same("acos"),
-    sm.atan: _same("atan"),
     sm.acot: _acot,
     sm.asec: _of_reciprocal("acos"),
     sm.acsc: _of_reciprocal("asin"),
-    sm.atan2: _same("atan2"),
-    sm.sinh: _same("sinh"),
-    sm.cosh: _same("cosh"),
-    sm.tanh: _same("tanh"),
     sm.coth: _reciprocal("tanh"),
     sm.sech: _reciprocal("cosh"),
     sm.csch: _reciprocal("sinh"),
-    sm.asinh: _same("asinh"),
-    sm.acosh: _same("acosh"),
-    sm.atanh: _same("atanh"),
     sm.acoth: _of_reciprocal("atanh"),
     sm.asech: _of_reciprocal("acosh"),
     sm.acsch: _of_reciprocal("asinh"),
-    sm.Abs: _same("abs"),
-    sm.sign: _same("sign"),
-    sm.floor: _same("floor"),
-    sm.ceiling: _same("ceil"),
     sm.frac: lambda graph, expr, args: graph.sub(args[0], graph.call("floor", args[0])),
     sm.Mod: _mod,
     sm.Min: _fold("min"),
@@ -166,15 +150,8 @@ HANDLERS: dict[Any, Handler] = {
     sm.functions.elementary.piecewise.ExprCondPair: lambda graph, expr, args: graph.make(
         "pair", tuple(args)
     ),
-    sm.StrictLessThan: _same("lt"),
-    sm.LessThan: _same("le"),
     sm.StrictGreaterThan: _swapped("lt"),
     sm.GreaterThan: _swapped("le"),
-    sm.Equality: _same("eq"),
-    sm.Unequality: _same("ne"),
-    sm.And: _same("and"),
-    sm.Or: _same("or"),
-    sm.Not: _same("not"),
     sm.Xor: _xor,
     sm.Implies: lambda graph, expr, args: graph.call("or", graph.call("not", args[0]), args[1]),
     sm.Equivalent: _equivalent,
@@ -184,6 +161,15 @@ HANDLERS: dict[Any, Handler] = {
     sm.conjugate: lambda graph, expr, args: args[0],
     sm.im: lambda graph, expr, args: graph.zero,
 }
+
+
+def _handler(kind: type) -> Handler | None:
+    """Return what translates expressions of a SymPy class, or None."""
+    handler = HANDLERS.get(kind)
+    if handler is None and issubclass(kind, sm.Basic) and not issubclass(kind, AppliedUndef):
+        name = named_in_sympy(kind.__name__)
+        return None if name is None else _same(name)
+    return handler
 
 
 class SymPyReader:
@@ -237,13 +223,13 @@ class SymPyReader:
                 seen[key] = handler(graph, expr, [seen[id(a)] for a in args])
                 continue
             alive.append(expr)
-            handler = HANDLERS.get(type(expr)) if args else None
+            handler = _handler(type(expr)) if args else None
             if handler is None:
                 leaf = self._leaf(expr)
                 if leaf is not None:
                     seen[key] = leaf
                     continue
-                handler = HANDLERS.get(expr.func)
+                handler = _handler(expr.func)
                 if handler is None:
                     raise UnsupportedFunctionError(self._unsupported(expr))
             stack.append((expr, handler))

@@ -2,28 +2,23 @@
 
 Equations of motion hold the same quantity in several forms: a speed beside the derivatives it was
 defined by, written out; an entry of a matrix and its mirror image; the sum of a squared sine and
-cosine. Every node is evaluated in arithmetic modulo a prime, at a random point, without rounding:
-sums, products and quotients of the inputs that agree there agree everywhere, but for a chance of
-about the degree in 2⁶¹ (J. T. Schwartz, "Fast probabilistic algorithms for verification of
-polynomial identities", Journal of the ACM 27 (1980) 701–717). The sine and cosine of an argument
-are a random point of the unit circle; any other function is a random number for each value of its
-arguments. Angle sums and the like are so not seen, and nothing is that does not hold.
+cosine. Every node is evaluated in arithmetic modulo a prime (`pydy._graph.modular`), at a random
+point. The sine and cosine of an argument are a random point of the unit circle; any other function
+is a random number for each value of its arguments. Angle sums and the like are so not seen, and
+nothing is that does not hold.
 """
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Sequence
 
 from pydy._graph.expand import is_exact
+from pydy._graph.modular import PRIME, arbitrary, residue
 from pydy._graph.node import Graph
+from pydy._graph.operations import ANGLES, OPERATIONS
 from pydy._graph.rewrite import again, replaced
 
 __all__ = ["merge_equal", "signatures"]
-
-# Floats are whole numbers times powers of two: p = 2 q + 1 with a prime q, so that these powers
-# repeat after q of them. p = 3 (mod 4), so that −1 is no square and no 1 + x² vanishes.
-_PRIME = 2**61 - 2373
 
 
 def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
@@ -42,7 +37,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
     order = sorted(nodes, key=lambda node: (costs[node], node))
     for node in order:
         value = values[node]
-        group = best.setdefault(min(value, _PRIME - value), [])
+        group = best.setdefault(min(value, PRIME - value), [])
         stand_in[node] = node
         if graph.ops[node] in ("factor", "solve", "bool"):
             continue
@@ -86,7 +81,7 @@ def _with_candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
         op, args = graph.ops[node], graph.args[node]
         if op == "prod":
             found.update((graph.powi(n, -1), None) for n, e in args if e < 0)
-        elif op in ("sin", "cos"):
+        elif op in ANGLES:
             angles.setdefault(args[0], []).append(node)
     both = [node for pair in angles.values() if len(pair) == 2 for node in pair]
     found.update((graph.powi(node, 2), None) for node in both)
@@ -107,19 +102,6 @@ def _is_rougher(graph: Graph, other: int, node: int) -> bool:
     return any(is_exact(graph, n) for n, _ in graph.args[product])
 
 
-def _random(*what: object) -> int:
-    """Return a number below the prime that depends on nothing but the arguments."""
-    digest = hashlib.blake2b(repr(what).encode(), digest_size=8).digest()
-    return int.from_bytes(digest, "big") % _PRIME
-
-
-def _modular(number: float) -> int:
-    if number != number or number in (float("inf"), float("-inf")):
-        return _random("const", number)
-    top, bottom = number.as_integer_ratio()
-    return top * pow(bottom, -1, _PRIME) % _PRIME
-
-
 def _evaluated(
     graph: Graph, nodes: Sequence[int]
 ) -> tuple[dict[int, int], dict[int, frozenset[int]], dict[int, float]]:
@@ -132,7 +114,6 @@ def _evaluated(
     poles = {graph.zero: nothing, graph.one: nothing}
     costs = {graph.zero: 0.0, graph.one: 0.0}
     known: dict[float, int] = {}
-    circle: dict[int, tuple[int, int]] = {}
     for node in nodes:
         op, args = graph.ops[node], graph.args[node]
         operands = graph.operands(node)
@@ -145,7 +126,7 @@ def _evaluated(
             total = _known(known, args[0])
             for n, c in args[1]:
                 total += values[n] if c == 1.0 else _known(known, c) * values[n]
-            value = total % _PRIME
+            value = total % PRIME
             cost += len(args[1])
         elif op == "prod":
             value = 1
@@ -153,28 +134,23 @@ def _evaluated(
                 cost += abs(e)
                 factor = values[n]
                 if e < 0:
-                    own |= {min(factor, _PRIME - factor)}
+                    own |= {min(factor, PRIME - factor)}
                     cost += 4.0
                 if e != 1:
                     zero = e < 0 and factor == 0
-                    factor = _random("pole", e) if zero else pow(factor, e, _PRIME)
-                value = value * factor % _PRIME
+                    factor = arbitrary("pole", e) if zero else pow(factor, e, PRIME)
+                value = value * factor % PRIME
         elif op == "const":
             value, cost = _known(known, args[0]), 0.0
         elif op == "input":
-            value, cost = _random(op, *args), 0.0
-        elif op in ("sin", "cos"):
-            angle = values[args[0]]
-            if angle not in circle:
-                half = _random("angle", angle)
-                scale = pow(1 + half * half, -1, _PRIME)
-                circle[angle] = 2 * half * scale % _PRIME, (1 - half * half) * scale % _PRIME
-            value = circle[angle][op == "cos"]
+            value, cost = arbitrary(op, *args), 0.0
+        elif op in OPERATIONS and (rule := OPERATIONS[op].modular) is not None:
+            value = rule(*(values[n] for n in operands))
             cost += 8.0
         else:
-            value = _random(op, *_kind(op, args), *(values[n] for n in operands))
+            value = arbitrary(op, *_kind(op, args), *(values[n] for n in operands))
             # What a function divides by inside may be guarded by it.
-            own = frozenset({_random("within", value, *sorted(own))} if own else {value})
+            own = frozenset({arbitrary("within", value, *sorted(own))} if own else {value})
             cost += 8.0
         values[node], poles[node], costs[node] = value, own, cost
     return values, poles, costs
@@ -182,7 +158,7 @@ def _evaluated(
 
 def _known(known: dict[float, int], number: float) -> int:
     if number not in known:
-        known[number] = _modular(number)
+        known[number] = residue(number)
     return known[number]
 
 

@@ -11,28 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph.node import BINARY, COMPARISONS, UNARY
+from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program
 
 __all__ = ["run"]
 
 Values = list[Any]
 EPS = float(np.finfo(float).eps)
-
-OPERATIONS: dict[str, Callable[..., Any]] = {
-    "add": np.add,
-    "sub": np.subtract,
-    "mul": np.multiply,
-    "div": np.divide,
-    "neg": np.negative,
-    **UNARY,
-    **BINARY,
-    **COMPARISONS,
-    "and": np.logical_and,
-    "or": np.logical_or,
-    "not": np.logical_not,
-    "select": np.where,
-}
 
 
 def run(
@@ -79,7 +64,7 @@ def run(
             elif op == "item":
                 values[k] = values[args[0]][:, args[1]]
             else:
-                values[k] = OPERATIONS[op](*(values[a] for a in args))
+                values[k] = OPERATIONS[op].numpy(*(values[a] for a in args))
         return _stack(values, program.outputs, m), failed
 
 

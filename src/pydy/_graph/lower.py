@@ -14,7 +14,8 @@ import numpy as np
 
 from pydy._graph.interpret import run
 from pydy._graph.linsolve import LoopFactor, UnrolledLDL, UnrolledLU, symmetric
-from pydy._graph.node import BOOLEAN, Graph
+from pydy._graph.node import Graph
+from pydy._graph.operations import TRUTHS
 from pydy._graph.passes import Passes
 from pydy._graph.program import Program, Tape
 from pydy._graph.semiseparable import Part, SemiseparableLDL, separate
@@ -99,7 +100,7 @@ class _Lowering:
     def _output(self, node: int) -> int:
         """Return the value of an output; a truth value is 1 or 0."""
         value = self.new[node]
-        if self.graph.ops[node] in BOOLEAN:
+        if self.graph.ops[node] in TRUTHS:
             value = self.tape.make("select", value, self.tape.const(1.0), self.tape.const(0.0))
         return value
 

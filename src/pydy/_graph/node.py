@@ -17,54 +17,17 @@ A ``prod`` never holds a number: numbers go to the coefficients of sums, so that
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
-__all__ = ["BINARY", "BOOLEAN", "COMPARISONS", "UNARY", "Graph"]
+from pydy._graph.operations import OPERATIONS, Operation, operands
 
+__all__ = ["Graph"]
 
-# Every real function of one argument that the graph knows; each back end has an entry for each.
-# Constants are folded by NumPy, which gives NaN and infinity where the machine would.
-UNARY: dict[str, Callable[..., Any]] = {
-    "sqrt": np.sqrt,
-    "exp": np.exp,
-    "log": np.log,
-    "sin": np.sin,
-    "cos": np.cos,
-    "tan": np.tan,
-    "asin": np.arcsin,
-    "acos": np.arccos,
-    "atan": np.arctan,
-    "sinh": np.sinh,
-    "cosh": np.cosh,
-    "tanh": np.tanh,
-    "asinh": np.arcsinh,
-    "acosh": np.arccosh,
-    "atanh": np.arctanh,
-    "abs": np.abs,
-    "sign": np.sign,
-    "floor": np.floor,
-    "ceil": np.ceil,
-}
-BINARY: dict[str, Callable[..., Any]] = {
-    "pow": np.power,
-    "atan2": np.arctan2,
-    "min": np.minimum,
-    "max": np.maximum,
-}
-COMPARISONS: dict[str, Callable[[float, float], bool]] = {
-    "lt": lambda a, b: a < b,
-    "le": lambda a, b: a <= b,
-    "eq": lambda a, b: a == b,
-    "ne": lambda a, b: a != b,
-}
-BOOLEAN = frozenset(COMPARISONS) | {"and", "or", "not", "bool"}
-
-# f(-x) = -f(x), and f(-x) = f(x): both save a negation and let sin(a - b) share with sin(b - a).
-_ODD = frozenset({"sin", "tan", "asin", "atan", "sinh", "tanh", "asinh", "atanh", "sign"})
-_EVEN = frozenset({"cos", "cosh", "abs"})
+# Solves report failures, which only calls can do.
+_REPORTING = frozenset({"factor", "solve", "item"})
 
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
@@ -117,17 +80,10 @@ class Graph:
         return node
 
     def _is_constant(self, op: str, args: tuple[Any, ...]) -> bool:
-        constant = self.constant
-        if op == "sum":
-            return all(constant[n] for n, _ in args[1])
-        if op == "prod":
-            return all(constant[n] for n, _ in args)
-        if op in ("const", "bool"):
-            return True
         if op == "input":
             return bool(args[0] == "p")
-        # Solves report failures, which only calls can do.
-        return op not in ("factor", "solve", "item") and all(constant[n] for n in args)
+        constant = self.constant
+        return op not in _REPORTING and all(constant[n] for n in operands(op, args))
 
     # -- leaves ---------------------------------------------------------------------------------
 
@@ -287,49 +243,26 @@ class Graph:
 
     def call(self, op: str, *nodes: int) -> int:
         """Return a function, comparison, Boolean operation or ``select`` applied to nodes."""
-        if op in UNARY:
-            return self._unary(op, nodes[0])
+        row = OPERATIONS[op]
         values = [self.args[n][0] if self.ops[n] in ("const", "bool") else None for n in nodes]
-        if op in BINARY:
-            a, b = nodes
-            if op in ("min", "max") and a == b:
-                return a
-            if values[0] is not None and values[1] is not None:
-                return self.const(_folded(BINARY[op], values[0], values[1]))
-            return self.make(op, nodes)
-        if op in COMPARISONS:
-            if values[0] is not None and values[1] is not None:
-                return self.boolean(COMPARISONS[op](values[0], values[1]))
-            return self.make(op, nodes)
-        if op == "not":
-            return self.make(op, nodes) if values[0] is None else self.boolean(not values[0])
-        if op in ("and", "or"):
-            neutral = op == "and"
-            rest = tuple(dict.fromkeys(n for n, v in zip(nodes, values, strict=True) if v is None))
-            if any(v is (not neutral) for v in values):
-                return self.boolean(not neutral)
-            if not rest:
-                return self.boolean(neutral)
-            node = rest[0]
-            for other in rest[1:]:
-                node = self.make(op, (node, other))
-            return node
-        if op == "select":
-            condition, yes, no = nodes
-            if values[0] is not None:
-                return yes if values[0] else no
-            return yes if yes == no else self.make(op, (condition, yes, no))
-        raise AssertionError(f"unknown operation {op!r}")
-
-    def _unary(self, op: str, node: int) -> int:
-        if self.ops[node] == "const":
-            return self.const(_folded(UNARY[op], self.args[node][0]))
-        if (op in _ODD or op in _EVEN) and self.ops[node] == "sum":
-            c0, terms = self.args[node]
+        if row.rewrite is not None:
+            simpler = row.rewrite(self, nodes, values)
+            if simpler is not None:
+                return simpler
+        if None not in values:
+            return self._folded(row, values)
+        if row.parity and self.ops[nodes[0]] == "sum":
+            # Saves a negation, and lets sin(a - b) share with sin(b - a).
+            c0, terms = self.args[nodes[0]]
             if terms[0][1] < 0.0:
                 flipped = self.make(op, (self.sum([(n, -c) for n, c in terms], -c0),))
-                return flipped if op in _EVEN else self.neg(flipped)
-        return self.make(op, (node,))
+                return flipped if row.parity == 1 else self.neg(flipped)
+        return self.make(op, nodes)
+
+    def _folded(self, row: Operation, values: Sequence[Any]) -> int:
+        if row.truth:
+            return self.boolean(row.numpy(*values))
+        return self.const(_folded(row.numpy, *values))
 
     # -- linear systems -------------------------------------------------------------------------
 
@@ -359,30 +292,18 @@ class Graph:
 
     # -- walking --------------------------------------------------------------------------------
 
-    def operands(self, node: int) -> list[int]:
+    def operands(self, node: int) -> tuple[int, ...]:
         """Return the nodes that `node` refers to, in order."""
-        op, args = self.ops[node], self.args[node]
-        if op == "sum":
-            return [n for n, _ in args[1]]
-        if op == "prod":
-            return [n for n, _ in args]
-        if op in ("const", "input", "bool"):
-            return []
-        if op == "factor":
-            return list(args[2])
-        if op == "solve":
-            return [args[0], *args[1]]
-        if op == "item":
-            return [args[0]]
-        return list(args)
+        return operands(self.ops[node], self.args[node])
 
     def reachable(self, roots: Iterable[int]) -> list[int]:
         """Return every node the roots need, in topological (ascending) order."""
-        operands = self.operands
+        ops, args = self.ops, self.args
         seen = set(roots)
         stack = list(seen)
         while stack:
-            new = set(operands(stack.pop())) - seen
+            node = stack.pop()
+            new = set(operands(ops[node], args[node])) - seen
             seen |= new
             stack += new
         return sorted(seen)

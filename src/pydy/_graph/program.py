@@ -28,28 +28,13 @@ from functools import cached_property
 from math import prod
 from typing import Any
 
-from pydy._graph.node import BINARY, COMPARISONS, UNARY
+from pydy._graph.operations import ANGLES, operands, with_operands
 
 __all__ = ["Block", "Program", "Tape"]
 
 FREE = frozenset({"const", "bool", "input", "item", "factor", "solve", "guard"})
 # What back ends read or compute in groups.
-_NEVER_PUT_OFF = FREE | {"sin", "cos"}
-
-
-def operands(op: str, args: tuple[Any, ...]) -> tuple[int, ...]:
-    """Return the nodes that an elementary operation refers to."""
-    if op in ("const", "bool", "input"):
-        return ()
-    if op == "factor":
-        return tuple(args[2])
-    if op == "solve":
-        return (args[0], *args[1])
-    if op == "guard":
-        return (*args[1], *args[2], args[3], *args[4])
-    if op == "item":
-        return (args[0],)
-    return args
+_NEVER_PUT_OFF = FREE | set(ANGLES)
 
 
 class Tape:
@@ -216,7 +201,7 @@ class Program:
         order = _in_order_of_need(tape, roots)
         new = {old: k for k, old in enumerate(order)}
         ops = tuple(tape.ops[n] for n in order)
-        args = tuple(_renumber(tape.ops[n], tape.args[n], new) for n in order)
+        args = tuple(with_operands(tape.ops[n], tape.args[n], new) for n in order)
         setup = tuple(tape.setup[n] for n in order)
         outputs = tuple(new[n] for n in roots)
         needed = {
@@ -385,7 +370,7 @@ def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
     levels: dict[int, list[int]] = {}
     for node in sorted(seen):
         inner = max((depth[k] for k in operands(tape.ops[node], tape.args[node])), default=0)
-        if tape.ops[node] in ("sin", "cos"):
+        if tape.ops[node] in ANGLES:
             levels.setdefault(inner, []).append(node)
             inner += 1
         depth[node] = inner
@@ -394,28 +379,3 @@ def _angles_first(tape: Tape, roots: Sequence[int]) -> list[int]:
         order += dict.fromkeys(tape.args[node][0] for node in levels[level])
         order += levels[level]
     return order
-
-
-def _renumber(op: str, args: tuple[Any, ...], new: dict[int, int]) -> tuple[Any, ...]:
-    if op in ("const", "bool", "input"):
-        return args
-    if op == "factor":
-        return (args[0], args[1], tuple(new[n] for n in args[2]))
-    if op == "solve":
-        return (new[args[0]], tuple(new[n] for n in args[1]))
-    if op == "guard":
-        n, entries, column, sound, fast = args
-        parts = (tuple(new[k] for k in part) for part in (entries, column, fast))
-        entries, column, fast = parts
-        return (n, entries, column, new[sound], fast)
-    if op == "item":
-        return (new[args[0]], args[1])
-    return tuple(new[n] for n in args)
-
-
-ELEMENTARY = (
-    frozenset({"add", "sub", "mul", "div", "neg", "and", "or", "not", "select"})
-    | set(UNARY)
-    | set(BINARY)
-    | set(COMPARISONS)
-)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from pydy._graph.node import Graph
+from pydy._graph.operations import OPERATIONS, with_operands
 
 __all__ = ["again", "rebuild", "substitute"]
 
@@ -45,20 +46,7 @@ def substitute(graph: Graph, roots: Sequence[int], mapping: Mapping[int, int]) -
 
 def replaced(graph: Graph, node: int, new: dict[int, int]) -> tuple[Any, ...]:
     """Return the arguments of `node` with its operands looked up in `new`."""
-    op, args = graph.ops[node], graph.args[node]
-    if op == "sum":
-        return (args[0], tuple((new[n], c) for n, c in args[1]))
-    if op == "prod":
-        return tuple((new[n], e) for n, e in args)
-    if op in ("const", "input", "bool"):
-        return args
-    if op == "factor":
-        return (args[0], args[1], tuple(new[n] for n in args[2]))
-    if op == "solve":
-        return (new[args[0]], tuple(new[n] for n in args[1]))
-    if op == "item":
-        return (new[args[0]], args[1])
-    return tuple(new[n] for n in args)
+    return with_operands(graph.ops[node], graph.args[node], new)
 
 
 def again(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
@@ -67,6 +55,4 @@ def again(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
         return graph.sum(args[1], args[0])
     if op == "prod":
         return graph.product(args)
-    if op in ("const", "input", "bool", "factor", "solve", "item"):
-        return graph.make(op, args)
-    return graph.call(op, *args)
+    return graph.call(op, *args) if op in OPERATIONS else graph.make(op, args)

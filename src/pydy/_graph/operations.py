@@ -1,0 +1,319 @@
+"""The table of operations: all that the package knows of each, in one row.
+
+Differentiation, evaluation with NumPy, values modulo a prime, C and LLVM code are made from these
+rows. To add an operation is to `register` one more. What has other arguments than nodes (sums with
+coefficients, powers, linear solves) is in a second table, which says where the nodes are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._graph.modular import cosine, sine
+
+__all__ = [
+    "ANGLES",
+    "OPERATIONS",
+    "TRUTHS",
+    "Operation",
+    "named_in_sympy",
+    "operands",
+    "register",
+    "with_operands",
+]
+
+Nodes = tuple[int, ...]
+Args = tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Operation:
+    """An elementary operation: real numbers or truth values in, one number or truth value out.
+
+    Attributes
+    ----------
+    name : str
+        Its kind in graphs and Programs.
+    arity : int
+    numpy : callable
+        Evaluates it for arrays. Numbers are folded with it too, so that NaN and infinity arise
+        where the machine would give them.
+    c : str
+        An expression in C with ``{0}``, ``{1}``, … for the operands.
+    llvm : str
+        The name of an emitter of `pydy._backends.ir_emit` and its argument, such as
+        ``'libm cbrt'``: the C library's function of that name.
+    partials : callable, optional
+        ``partials(graph, node, *operands)`` returns the nodes of the partial derivatives with
+        respect to each operand. Both forward and reverse accumulation use them. Without it the
+        operation is piecewise constant.
+    rewrite : callable, optional
+        ``rewrite(graph, operands, values)`` returns a simpler node or None; ``values`` holds the
+        operands' numbers and truth values, None for those that are not known.
+    parity : int, optional
+        1 for an even function, −1 for an odd one: signs then leave the argument.
+    truth : bool, optional
+        Whether the result is a truth value.
+    modular : callable, optional
+        Its value modulo `pydy._graph.modular.PRIME` from the operands' values. Without it, a
+        number that depends on the operands' values alone.
+    sympy : str, optional
+        The name of the SymPy class with the same arguments.
+    """
+
+    name: str
+    arity: int
+    numpy: Callable[..., Any]
+    c: str
+    llvm: str
+    partials: Callable[..., Nodes] | None = None
+    rewrite: Callable[[Any, Nodes, Sequence[Any]], int | None] | None = None
+    parity: int = 0
+    truth: bool = False
+    modular: Callable[..., int] | None = None
+    sympy: str = ""
+
+
+OPERATIONS: dict[str, Operation] = {}
+TRUTHS: set[str] = {"bool"}
+"""The operations whose result is a truth value."""
+ANGLES = ("sin", "cos")
+"""Computed as a pair, and for several angles together."""
+_SYMPY: dict[str, str] = {}
+
+
+def register(row: Operation) -> None:
+    """Add an operation, or replace the one of the same name."""
+    OPERATIONS[row.name] = row
+    if row.truth:
+        TRUTHS.add(row.name)
+    if row.sympy:
+        _SYMPY[row.sympy] = row.name
+
+
+def named_in_sympy(name: str) -> str | None:
+    """Return the operation that a SymPy class of this name stands for."""
+    return _SYMPY.get(name)
+
+
+# -- rules of simplification ----------------------------------------------------------------------
+
+
+def _extremum(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+    return nodes[0] if nodes[0] == nodes[1] else None
+
+
+def _not(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+    return None if values[0] is None else int(g.boolean(not values[0]))
+
+
+def _joined(op: str) -> Callable[[Any, Nodes, Sequence[Any]], int | None]:
+    """Return the rule of ``and`` or ``or``, which take any number of operands here."""
+    neutral = op == "and"
+
+    def rule(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+        if any(v is (not neutral) for v in values):
+            return int(g.boolean(not neutral))
+        rest = tuple(dict.fromkeys(n for n, v in zip(nodes, values, strict=True) if v is None))
+        if not rest:
+            return int(g.boolean(neutral))
+        node = rest[0]
+        for other in rest[1:]:
+            node = g.make(op, (node, other))
+        return node
+
+    return rule
+
+
+def _select(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+    _, yes, no = nodes
+    if values[0] is not None:
+        return yes if values[0] else no
+    return yes if yes == no else None
+
+
+# -- derivatives ----------------------------------------------------------------------------------
+
+
+def _root_of(g: Any, x: int, sign: float, c0: float) -> int:
+    """Return ``1/√(c0 + sign·x²)``."""
+    return int(g.powi(g.call("sqrt", g.sum([(g.powi(x, 2), sign)], c0)), -1))
+
+
+def _pow(g: Any, n: int, a: int, b: int) -> Nodes:
+    by_base = g.mul(b, g.call("pow", a, g.sum([(b, 1.0)], -1.0)))
+    # log(0) · 0 at a zero base would be NaN where the derivative is 0.
+    by_exponent = g.call("select", g.call("eq", a, g.zero), g.zero, g.mul(n, g.call("log", a)))
+    return by_base, by_exponent
+
+
+def _atan2(g: Any, n: int, y: int, x: int) -> Nodes:
+    square = g.add(g.powi(y, 2), g.powi(x, 2))
+    return g.div(x, square), g.neg(g.div(y, square))
+
+
+def _chosen(first: Callable[[Any, int, int], int]) -> Callable[..., Nodes]:
+    """Return the derivatives of a function that is one of its two operands."""
+
+    def partials(g: Any, n: int, a: int, b: int) -> Nodes:
+        which = first(g, a, b)
+        return g.call("select", which, g.one, g.zero), g.call("select", which, g.zero, g.one)
+
+    return partials
+
+
+# -- the table ------------------------------------------------------------------------------------
+
+
+def _function(
+    name: str, numpy: Callable[..., Any], llvm: str, partials: Any = None, **more: Any
+) -> None:
+    """Register a function of one operand."""
+    c = more.pop("c", name)
+    register(Operation(name, 1, numpy, f"{c}({{0}})", llvm, partials, **more))
+
+
+def _infix(name: str, numpy: Callable[..., Any], c: str, llvm: str, **more: Any) -> None:
+    register(Operation(name, 2, numpy, f"{{0}} {c} {{1}}", llvm, **more))
+
+
+# Graphs hold sums and products, which Programs write out with these.
+_infix("add", np.add, "+", "arithmetic fadd")
+_infix("sub", np.subtract, "-", "arithmetic fsub")
+_infix("mul", np.multiply, "*", "arithmetic fmul")
+_infix("div", np.divide, "/", "arithmetic fdiv")
+register(Operation("neg", 1, np.negative, "-{0}", "negation"))
+
+_function("sqrt", np.sqrt, "intrinsic sqrt", lambda g, n, x: (g.product([(n, -1)], 0.5),))
+_function("exp", np.exp, "libm exp", lambda g, n, x: (n,), sympy="exp")
+_function("log", np.log, "libm log", lambda g, n, x: (g.powi(x, -1),))
+_function(
+    "sin", np.sin, "sincos 0", lambda g, n, x: (g.call("cos", x),),
+    parity=-1, modular=sine, sympy="sin",
+)  # fmt: skip
+_function(
+    "cos", np.cos, "sincos 1", lambda g, n, x: (g.neg(g.call("sin", x)),),
+    parity=1, modular=cosine, sympy="cos",
+)  # fmt: skip
+_function(
+    "tan", np.tan, "libm tan", lambda g, n, x: (g.sum([(g.powi(n, 2), 1.0)], 1.0),),
+    parity=-1, sympy="tan",
+)  # fmt: skip
+_function(
+    "asin", np.arcsin, "libm asin", lambda g, n, x: (_root_of(g, x, -1.0, 1.0),),
+    parity=-1, sympy="asin",
+)  # fmt: skip
+_function(
+    "acos", np.arccos, "libm acos", lambda g, n, x: (g.neg(_root_of(g, x, -1.0, 1.0)),),
+    sympy="acos",
+)  # fmt: skip
+_function(
+    "atan", np.arctan, "libm atan",
+    lambda g, n, x: (g.powi(g.sum([(g.powi(x, 2), 1.0)], 1.0), -1),), parity=-1, sympy="atan",
+)  # fmt: skip
+_function(
+    "sinh", np.sinh, "libm sinh", lambda g, n, x: (g.call("cosh", x),), parity=-1, sympy="sinh"
+)
+_function(
+    "cosh", np.cosh, "libm cosh", lambda g, n, x: (g.call("sinh", x),), parity=1, sympy="cosh"
+)
+_function(
+    "tanh", np.tanh, "libm tanh", lambda g, n, x: (g.sum([(g.powi(n, 2), -1.0)], 1.0),),
+    parity=-1, sympy="tanh",
+)  # fmt: skip
+_function(
+    "asinh", np.arcsinh, "libm asinh", lambda g, n, x: (_root_of(g, x, 1.0, 1.0),),
+    parity=-1, sympy="asinh",
+)  # fmt: skip
+_function(
+    "acosh", np.arccosh, "libm acosh", lambda g, n, x: (_root_of(g, x, 1.0, -1.0),), sympy="acosh"
+)
+_function(
+    "atanh", np.arctanh, "libm atanh",
+    lambda g, n, x: (g.powi(g.sum([(g.powi(x, 2), -1.0)], 1.0), -1),), parity=-1, sympy="atanh",
+)  # fmt: skip
+_function(
+    "abs", np.abs, "intrinsic fabs", lambda g, n, x: (g.call("sign", x),),
+    parity=1, c="fabs", sympy="Abs",
+)  # fmt: skip
+_function("sign", np.sign, "sign", parity=-1, sympy="sign")
+_function("floor", np.floor, "intrinsic floor", sympy="floor")
+_function("ceil", np.ceil, "intrinsic ceil", sympy="ceiling")
+
+register(Operation("pow", 2, np.power, "pow({0}, {1})", "libm pow", _pow))
+register(Operation("atan2", 2, np.arctan2, "atan2({0}, {1})", "libm atan2", _atan2, sympy="atan2"))
+register(
+    Operation(
+        "min", 2, np.minimum, "minimum({0}, {1})", "intrinsic minimum",
+        _chosen(lambda g, a, b: g.call("le", a, b)), _extremum,
+    )
+)  # fmt: skip
+register(
+    Operation(
+        "max", 2, np.maximum, "maximum({0}, {1})", "intrinsic maximum",
+        _chosen(lambda g, a, b: g.call("le", b, a)), _extremum,
+    )
+)  # fmt: skip
+
+_infix("lt", np.less, "<", "comparison olt", truth=True, sympy="StrictLessThan")
+_infix("le", np.less_equal, "<=", "comparison ole", truth=True, sympy="LessThan")
+_infix("eq", np.equal, "==", "comparison oeq", truth=True, sympy="Equality")
+_infix("ne", np.not_equal, "!=", "comparison une", truth=True, sympy="Unequality")
+_infix("and", np.logical_and, "&", "logic and", rewrite=_joined("and"), truth=True, sympy="And")
+_infix("or", np.logical_or, "|", "logic or", rewrite=_joined("or"), truth=True, sympy="Or")
+register(
+    Operation("not", 1, np.logical_not, "!{0}", "inversion", rewrite=_not, truth=True, sympy="Not")
+)
+register(Operation("select", 3, np.where, "{0} ? {1} : {2}", "selection", rewrite=_select))
+
+
+# -- operations with other arguments than nodes ---------------------------------------------------
+
+Renamed = Callable[[Args, Mapping[int, int]], Args]
+
+
+def _all(nodes: Sequence[int], new: Mapping[int, int]) -> Nodes:
+    return tuple([new[n] for n in nodes])
+
+
+def _leaf(args: Args, new: Mapping[int, int]) -> Args:
+    return args
+
+
+# For each kind: its operands, in order, and its arguments with other operands.
+_STRUCTURES: dict[str, tuple[Callable[[Args], Nodes], Renamed]] = {
+    "const": (lambda a: (), _leaf),
+    "bool": (lambda a: (), _leaf),
+    "input": (lambda a: (), _leaf),
+    "sum": (
+        lambda a: tuple([n for n, _ in a[1]]),
+        lambda a, new: (a[0], tuple([(new[n], c) for n, c in a[1]])),
+    ),
+    "prod": (
+        lambda a: tuple([n for n, _ in a]),
+        lambda a, new: tuple([(new[n], e) for n, e in a]),
+    ),
+    "factor": (lambda a: a[2], lambda a, new: (a[0], a[1], _all(a[2], new))),
+    "solve": (lambda a: (a[0], *a[1]), lambda a, new: (new[a[0]], _all(a[1], new))),
+    "guard": (
+        lambda a: (*a[1], *a[2], a[3], *a[4]),
+        lambda a, new: (a[0], _all(a[1], new), _all(a[2], new), new[a[3]], _all(a[4], new)),
+    ),
+    "item": (lambda a: (a[0],), lambda a, new: (new[a[0]], a[1])),
+}
+
+
+def operands(op: str, args: Args) -> Nodes:
+    """Return the nodes that an operation refers to, in order."""
+    structure = _STRUCTURES.get(op)
+    return args if structure is None else structure[0](args)
+
+
+def with_operands(op: str, args: Args, new: Mapping[int, int]) -> Args:
+    """Return an operation's arguments with its operands looked up in `new`."""
+    structure = _STRUCTURES.get(op)
+    return _all(args, new) if structure is None else structure[1](args, new)
