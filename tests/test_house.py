@@ -270,3 +270,9 @@ def test_importing_system_loads_no_optional_library():
     # SciPy and SymPy load Cython's shadow module and its version; the compiler is what costs.
     late = (LATE - {"Cython"}) | {"Cython.Compiler.Main"}
     assert not modules_loaded_by("import pydy.system") & late
+
+
+def test_no_picture_lies_in_the_root():
+    # Tests and examples draw into folders of their own.
+    root = SRC.parent
+    assert not [p.name for end in ("png", "html", "gif") for p in root.glob(f"*.{end}")]
