@@ -273,6 +273,46 @@ def test_a_file_of_something_else_is_refused(tmp_path):
         Trajectory.load(tmp_path / "a.nc")
 
 
+def test_a_file_cut_short_anywhere_is_a_named_error(tmp_path):
+    pytest.importorskip("xarray")
+    path = tmp_path / "run.nc"
+    simulated("bare")[1].save(path)
+    content = path.read_bytes()
+    for size in range(0, len(content), 97):
+        path.write_bytes(content[:size])
+        with pytest.raises(ValueError, match=r"`path` must be a file that Trajectory\.save wrote"):
+            Trajectory.load(path)
+
+
+@pytest.mark.parametrize("name", [b"pydy_events", b"role", b"latex", b"time", b"before", b'"nfe"'])
+def test_a_file_with_a_damaged_name_is_a_named_error(name, tmp_path):
+    pytest.importorskip("xarray")
+    path = tmp_path / "run.nc"
+    _, trajectory = simulated("bare")
+    trajectory.events = (EventRecord(0.5, "hit", 0, np.zeros(2), np.zeros(2)),)
+    trajectory.save(path)
+    content = path.read_bytes()
+    assert name in content
+    path.write_bytes(content.replace(name, b"\x01" * len(name)))
+    with pytest.raises(ValueError, match=r"must be a file that Trajectory\.save wrote"):
+        Trajectory.load(path)
+
+
+@pytest.mark.parametrize("path", [None, 5, ["a.nc"]])
+def test_what_is_no_path_is_a_type_error(path):
+    pytest.importorskip("xarray")
+    _, trajectory = simulated("bare")
+    for call in (trajectory.save, Trajectory.load):
+        with pytest.raises(TypeError, match=r"`path` must be the name of a file, .* got"):
+            call(path)
+
+
+def test_a_file_that_does_not_exist_is_the_usual_error(tmp_path):
+    pytest.importorskip("xarray")
+    with pytest.raises(FileNotFoundError):
+        Trajectory.load(tmp_path / "none.nc")
+
+
 def test_loading_needs_no_sympy(tmp_path):
     pytest.importorskip("xarray")
     simulated("bare")[1].save(tmp_path / "run.nc")

@@ -6,10 +6,10 @@ The caller hands in the module xarray, which is optional.
 from __future__ import annotations
 
 import json
+import os
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
-from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -62,12 +62,14 @@ def from_dataset(dataset: Any) -> Parts:
     """Return what a Dataset of `to_dataset` holds."""
     parts = Parts(np.array(dataset["time"]))
     for name, variable in dataset.variables.items():
-        role = variable.attrs.get("role")
-        if role is None:
+        if name == "time":
             continue
+        role = variable.attrs["role"]
         if role == "constant":
             parts.constants[name.removesuffix(" (constant)")] = float(variable)
         else:
+            if variable.shape != parts.times.shape:
+                raise ValueError(f"'{name}' has the shape {variable.shape}")
             parts.columns.setdefault(role, {})[name] = np.array(variable)
         parts.latex[name] = variable.attrs["latex"]
     return parts
@@ -75,11 +77,12 @@ def from_dataset(dataset: Any) -> Parts:
 
 def write_netcdf(
     dataset: Any,
-    path: str | PathLike[str],
+    path: str | os.PathLike[str],
     statistics: dict[str, Any] | None,
     events: Sequence[dict[str, Any]],
 ) -> None:
     """Write a Dataset to a NetCDF 3 file, which SciPy alone can read and write."""
+    path = _checked(path)
     dataset = dataset.copy()
     plain: dict[str, str] = {}
     for name, variable in dataset.variables.items():
@@ -101,15 +104,51 @@ def _plain(value: Any) -> Any:
     return str(value)
 
 
+def _checked(path: Any) -> str:
+    """Return a path as a string; xarray takes None for "return the bytes"."""
+    try:
+        return os.fsdecode(path)
+    except TypeError:
+        raise TypeError(
+            f"`path` must be the name of a file, a string or a path, got {path!r}."
+        ) from None
+
+
 def read_netcdf(
-    xarray: Any, path: str | PathLike[str]
-) -> tuple[Any, dict[str, Any] | None, list[Any]]:
-    """Return the Dataset, statistics and events of a file of `write_netcdf`."""
-    with xarray.open_dataset(path, engine="scipy") as opened:
-        dataset = opened.load()
-    if "pydy_events" not in dataset.attrs:
-        raise ValueError(f"`path` must be a file that Trajectory.save wrote; {path} is not.")
-    names = {n: variable.attrs.pop("name", n) for n, variable in dataset.variables.items()}
-    dataset = dataset.rename({n: name for n, name in names.items() if n != name})
-    statistics = json.loads(dataset.attrs["pydy_statistics"])
-    return dataset, statistics, json.loads(dataset.attrs["pydy_events"])
+    xarray: Any, path: str | os.PathLike[str], record: Callable[..., Any]
+) -> tuple[Parts, dict[str, Any] | None, list[Any]]:
+    """Return the Parts, statistics and events of a file of `write_netcdf`.
+
+    Parameters
+    ----------
+    xarray : module
+    path : path
+    record : callable
+        Makes an event of its attributes.
+
+    Raises
+    ------
+    ValueError
+        The file is damaged, or it is another one.
+    """
+    path = _checked(path)
+    try:
+        with xarray.open_dataset(path, engine="scipy") as opened:
+            dataset = opened.load()
+        if "pydy_events" in dataset.attrs:
+            names = {n: variable.attrs.pop("name", n) for n, variable in dataset.variables.items()}
+            dataset = dataset.rename({n: name for n, name in names.items() if n != name})
+            statistics = json.loads(dataset.attrs["pydy_statistics"])
+            events = [
+                record(**{**e, "before": np.array(e["before"]), "after": np.array(e["after"])})
+                for e in json.loads(dataset.attrs["pydy_events"])
+            ]
+            return from_dataset(dataset), statistics, events
+    except OSError:
+        raise  # no such file, no permission
+    except Exception as error:  # SciPy, xarray and json raise of all kinds
+        raise ValueError(
+            f"`path` must be a file that Trajectory.save wrote, but '{path}' is damaged or of "
+            f"another kind ({type(error).__name__}: {error}). Save the trajectory again."
+        ) from error
+    raise ValueError(f"`path` must be a file that Trajectory.save wrote; '{path}' is not.")

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pydy._dataset import from_dataset, read_netcdf, to_dataset, write_netcdf
+from pydy._dataset import read_netcdf, to_dataset, write_netcdf
 from pydy._names import latex_of, latex_of_rate, name_of, unique_names
 from pydy._optional import require
 
@@ -429,6 +429,8 @@ class Trajectory:
         ------
         ImportError
             xarray is not installed.
+        TypeError
+            `path` is no path.
         """
         dataset = self.to_xarray(
             derivatives=self._model is not None or self._derivatives is not None,
@@ -450,13 +452,14 @@ class Trajectory:
         ------
         ImportError
             xarray is not installed.
+        TypeError
+            `path` is no path.
         ValueError
-            The file holds no trajectory.
+            The file is damaged, or holds no trajectory.
         """
-        dataset, statistics, events = read_netcdf(
-            require("xarray", "labels", "Trajectory.load"), path
+        parts, statistics, events = read_netcdf(
+            require("xarray", "labels", "Trajectory.load"), path, EventRecord
         )
-        parts = from_dataset(dataset)
         m = len(parts.times)
         table = {
             kind: np.array(list(columns.values())).reshape(len(columns), m).T
@@ -474,12 +477,7 @@ class Trajectory:
             outputs=together(*OUTPUTS),
             specifieds=together("specified"),
             constants=parts.constants,
-            events=[
-                EventRecord(
-                    e["time"], e["name"], e["index"], np.array(e["before"]), np.array(e["after"])
-                )
-                for e in events
-            ],
+            events=events,
             statistics=statistics,
         )
         loaded._latex = parts.latex
