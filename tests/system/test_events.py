@@ -90,13 +90,13 @@ def impacts(factor, count, height=1.0, g=9.81):
 @pytest.mark.parametrize("solver", ALL)
 def test_both_directions_are_seen_by_default(solver):
     _, info = run(oscillator(solver), [Event(Z)])
-    close(moments(info), [np.pi, 2 * np.pi, 3 * np.pi], 1e-9)
+    close(moments(info), np.pi * np.arange(4), 1e-9)
 
 
 @pytest.mark.parametrize("solver", ALL)
 def test_one_direction_is_seen_if_asked_for(solver):
     _, info = run(oscillator(solver), [Event(Z, direction=1, name="up"), Event(Z, -1, name="down")])
-    close(moments(info, "up"), [2 * np.pi], 1e-9)
+    close(moments(info, "up"), [0.0, 2 * np.pi], 1e-9)
     close(moments(info, "down"), [np.pi, 3 * np.pi], 1e-9)
 
 
@@ -126,7 +126,7 @@ def test_watching_changes_nothing():
 
 def test_records_come_in_the_order_of_time():
     _, info = run(oscillator(), [Event(Z), Event(V, name="turn"), Event(Z - V, name="equal")])
-    assert [r.name for r in info["events"][:5]] == ["equal", "turn", str(Z), "equal", "turn"]
+    assert [r.name for r in info["events"][:5]] == [str(Z), "equal", "turn", str(Z), "equal"]
     assert (np.diff(moments(info)) > 0.0).all()
 
 
@@ -196,15 +196,64 @@ def test_an_event_that_only_touches_zero_is_not_seen():
 
 
 @pytest.mark.parametrize("solver", ALL)
-def test_a_root_at_the_very_start_is_no_event(solver):
-    _, info = run(oscillator(solver), [Event(Z)])
-    assert moments(info)[0] > 3.0
+def test_an_event_exactly_at_the_first_time_is_reported(solver):
+    x, info = run(oscillator(solver), [Event(Z)])
+    record = info["events"][0]
+    assert (record.time, record.name) == (0.0, "z(t)")
+    np.testing.assert_array_equal(record.before, x[0])
+    np.testing.assert_array_equal(record.after, x[0])
 
 
 def test_a_root_at_the_start_that_is_left_backwards_counts_when_it_comes_again():
     system = oscillator(initial_conditions={V: -1.0})
     _, info = run(system, [Event(Z, direction=1)])
     close(moments(info), [np.pi, 3 * np.pi], 1e-9)
+
+
+def test_an_event_at_the_first_time_counts_in_its_direction_only():
+    _, info = run(oscillator(end=1.0), [Event(Z, 1, name="up"), Event(Z, -1, name="down")])
+    assert [(r.time, r.name) for r in info["events"]] == [(0.0, "up")]
+
+
+def test_an_event_at_the_first_time_neither_resets_nor_ends():
+    # Let go at an apex, the ball flies to the next one.
+    events = [bounce(0.8), Event(V, direction=-1, terminal=True, reset={V: 5}, name="apex")]
+    _, info = run(ball(), events)
+    assert [r.name for r in info["events"]] == ["apex", "bounce", "apex"]
+    np.testing.assert_array_equal(info["events"][0].after, [1.0, 0.0])
+    close(moments(info, "apex"), [0.0, 1.8 * np.sqrt(2 / 9.81)], 1e-9)
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_an_event_exactly_at_the_last_time_is_reported(solver):
+    system = ball(solver, times=np.linspace(0.0, 1.5, 4))
+    x, info = run(system, [Event(T - 1.5, name="end"), Event(T - 1.5, -1, name="other way")])
+    assert [(r.name, r.time) for r in info["events"]] == [("end", 1.5)]
+    assert info["status"] == "finished"
+    close(info["events"][0].before, x[-1], 1e-14)
+
+
+def test_an_event_a_rounding_after_the_last_time_is_reported():
+    times = [0.0, 0.3]
+    _, info = run(ball(times=times), [Event(T - np.nextafter(0.3, 1.0))])
+    close(moments(info), [0.3])
+    _, info = run(ball(times=times), [Event(T - 0.3001)])
+    assert len(moments(info)) == 0
+
+
+def test_a_terminal_event_at_the_last_time_ends_what_is_complete():
+    x, info = run(ball(times=[0.0, 0.4]), [Event(T - 0.4, terminal=True, reset={V: 0}, name="end")])
+    assert info["status"] == "terminated by `end`"
+    assert info["reached"] == 2
+    close(x[1, 1], -0.4 * 9.81, 1e-9)
+    assert info["events"][0].after[1] == 0.0
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_a_reset_to_zero_at_the_last_time_is_one_event(solver):
+    end = float(np.sqrt(2 / 9.81))
+    _, info = run(ball(solver, times=[0.0, end + 1e-13]), [Event(Z, -1, reset={Z: 0, V: 1})])
+    assert len(info["events"]) == 1
 
 
 # -- terminal events ------------------------------------------------------------------------------
@@ -378,9 +427,38 @@ def test_wrong_events_say_what_they_must_be(events, kind, message):
         run(ball(), events)
 
 
-def test_a_wrong_direction_is_refused_at_once():
-    with pytest.raises(ValueError, match="`direction` must be −1, 0 or 1, got 2"):
-        Event(Z, direction=2)
+@pytest.mark.parametrize(
+    ("condition", "remedy"),
+    [(Z > 0.1, r"z\(t\) - 0\.1"), (Z < 2, r"2 - z\(t\)"), (sm.Eq(Z, V), r"-v\(t\) \+ z\(t\)")],
+)
+def test_an_inequality_is_refused_with_the_expression_that_crosses_zero(condition, remedy):
+    with pytest.raises(ValueError, match=f"`expression` must cross zero, .* Pass `{remedy}`"):
+        Event(condition)
+
+
+@pytest.mark.parametrize("wrong", [None, "z", True, [Z], sm.Matrix([Z]), (Z > 0) & (V > 0), sm.Abs])
+def test_what_is_no_expression_is_refused_at_once(wrong):
+    with pytest.raises(TypeError, match="`expression` must be a SymPy expression or a number, got"):
+        Event(wrong)
+    with pytest.raises(TypeError, match=r"`reset\[z\(t\)\]` must be a SymPy expression or a numbe"):
+        Event(V, reset={Z: wrong})
+
+
+@pytest.mark.parametrize("wrong", ["no", None, 2, []])
+def test_terminal_is_true_or_false(wrong):
+    with pytest.raises(TypeError, match="`terminal` must be True or False, got"):
+        Event(Z, terminal=wrong)
+
+
+def test_a_name_is_a_string():
+    with pytest.raises(TypeError, match="`name` must be a string, got 5"):
+        Event(Z, name=5)
+
+
+@pytest.mark.parametrize("wrong", [2, "up", None, np.array([1, 2])])
+def test_a_wrong_direction_is_refused_at_once(wrong):
+    with pytest.raises(ValueError, match="`direction` must be −1, 0 or 1, got"):
+        Event(Z, direction=wrong)
 
 
 def test_a_reset_that_is_no_mapping_is_refused_at_once():
@@ -406,7 +484,7 @@ def test_more_events_than_the_log_holds_are_all_kept(solver):
     end = 1000.25 * np.pi
     system = oscillator(solver, end=end)
     x, info = run(system, [Event(Z), Event(V, name="turn")], rtol=1e-9, atol=1e-9)
-    close(moments(info, str(Z)), np.pi * np.arange(1, 1001), 1e-6)
+    close(moments(info, str(Z)), np.pi * np.arange(1001), 1e-6)
     close(moments(info, "turn"), np.pi * (np.arange(1000) + 0.5), 1e-6)
     close(x[:, 0], np.sin(system.times), 1e-4)
 

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from numbers import Real
 from typing import Any
+
+import numpy as np
 
 from pydy._kernel import Kernel
 from pydy.trajectory import EventRecord
@@ -32,13 +35,20 @@ class Event:
 
     Raises
     ------
+    TypeError
+        `expression` or an entry of `reset` is no expression, or `terminal` is neither True nor
+        False.
     ValueError
-        Another direction.
+        Another direction, or `expression` is an inequality.
 
     Notes
     -----
     Signs are compared at the ends of four parts of each step: an expression that only touches zero,
     or crosses and returns within such a part, is not seen.
+
+    An expression that is exactly zero at the first or the last time is an event there. At the first
+    it is recorded only, whatever `reset` and `terminal` say: the initial conditions are the state
+    after it, as for a ball that is let go at an apex.
 
     Examples
     --------
@@ -56,16 +66,46 @@ class Event:
     name: str = ""
 
     def __post_init__(self) -> None:
-        if self.direction not in (-1, 0, 1):
+        expression = self.expression
+        if getattr(expression, "is_Relational", False):
+            upper = getattr(expression, "gts", expression.lhs)
+            lower = getattr(expression, "lts", expression.rhs)
+            raise ValueError(
+                f"`expression` must cross zero, but `{expression}` is only true or false. Pass "
+                f"`{upper - lower}`; with direction=1 it counts where it becomes positive."
+            )
+        _check_expression(expression, "`expression`")
+        if not isinstance(self.direction, Real) or self.direction not in (-1, 0, 1):
             raise ValueError(f"`direction` must be −1, 0 or 1, got {self.direction!r}.")
+        if not isinstance(self.terminal, bool | np.bool_ | int) or self.terminal not in (0, 1):
+            raise TypeError(f"`terminal` must be True or False, got {self.terminal!r}.")
         if self.reset is None:
             object.__setattr__(self, "reset", {})
         if not isinstance(self.reset, Mapping):
             raise TypeError(
                 f"`reset` must map states to expressions, got {type(self.reset).__name__}."
             )
+        for state, value in self.reset.items():
+            _check_expression(value, f"`reset[{state}]`")
+        if not isinstance(self.name or "", str):
+            raise TypeError(f"`name` must be a string, got {self.name!r}.")
         if not self.name:
-            object.__setattr__(self, "name", str(self.expression))
+            object.__setattr__(self, "name", str(expression))
+
+
+def _check_expression(value: Any, what: str) -> None:
+    """Refuse what is no scalar expression, told by its attributes: solvers never import SymPy."""
+    number = isinstance(value, Real) and not isinstance(value, bool | np.bool_)
+    symbolic = isinstance(getattr(value, "free_symbols", None), set)
+    scalar = symbolic and getattr(value, "is_commutative", False)
+    others = ("is_Relational", "is_Boolean", "is_Matrix")
+    if not (number or (scalar and not isinstance(value, type))) or any(
+        getattr(value, name, False) for name in others
+    ):
+        raise TypeError(
+            f"{what} must be a SymPy expression or a number, got the {type(value).__name__} "
+            f"{value!r}."
+        )
 
 
 @dataclass(frozen=True, eq=False)

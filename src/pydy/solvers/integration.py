@@ -143,6 +143,7 @@ class Integration:
                 with self.interrupts:
                     self._start()
                     self._run()
+                    self._look_at_end()
             else:
                 self._fail(code)
         except KeyboardInterrupt:
@@ -231,7 +232,7 @@ class Integration:
             self._project_start()
         if self.options.events is not None:
             self._check_events(self.options.events)
-            self._take_sides(())
+            self._look_at_start(self.options.events)
 
     def _tell_dependent(self, wanted: CompiledConstraints) -> None:
         """Warn, once for each system, of constraints that others imply."""
@@ -272,8 +273,11 @@ class Integration:
 
     # -- events -----------------------------------------------------------------------------------
 
-    def _take_sides(self, fired: tuple[int, ...]) -> None:
-        """Set the sign each event has just after now; where one is zero, its rate tells."""
+    def _take_sides(self, fired: tuple[int, ...]) -> np.ndarray:
+        """Set the sign each event has just after now; where one is zero, its rate tells.
+
+        Returns the values now.
+        """
         wanted, call = self.options.events, self.call
         assert wanted is not None
         assert call is not None
@@ -283,6 +287,36 @@ class Integration:
             if k in fired or value == 0.0:
                 value = rate
             self.watch.sides[k] = int(np.sign(value)) if np.isfinite(value) else 0
+        return values
+
+    def _look_at_start(self, wanted: CompiledEvents) -> None:
+        """Record events that are exactly zero at the start.
+
+        They do not act: a ball let go at rest is at an apex, and still flies to the next.
+        """
+        values = self._take_sides(())
+        x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
+        for k in np.flatnonzero(values == 0.0):
+            if wanted.directions[k] in (0, self.watch.sides[k]):
+                self.records.append(EventRecord(t, wanted.names[k], int(k), x, x))
+
+    def _look_at_end(self) -> None:
+        """See to events that are exactly zero at the last time, or would be a rounding later."""
+        wanted, call = self.options.events, self.call
+        if wanted is None or call is None or self.status != "finished":
+            return
+        self._empty_log()
+        x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
+        values, rates = call.evaluate(wanted.values, x, t), call.evaluate(wanted.rates, x, t)
+        told = {r.index for r in self.records if r.time == t}
+        sides, near = self.watch.sides, 2.0 * _EPS * abs(t)
+        for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
+            side = int(sides[k])
+            reaches = value == 0.0 or (rate * side < 0.0 <= value * side <= near * abs(rate))
+            wrong = wanted.directions[k] == side
+            self.watch.fired[k] = side != 0 and reaches and not wrong and k not in told
+        if self.watch.fired.any():
+            self._act()
 
     def _act(self) -> bool:
         """See to the events at which compiled code stopped; tell whether the integration ends."""
