@@ -11,7 +11,7 @@ from scipy.integrate import odeint
 from pydy import solvers
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.inputs import SampledInput
-from pydy.solvers import dop853, radau, rk4, tsit5, vern9
+from pydy.solvers import Event, dop853, radau, rk4, tsit5, vern9
 
 ALL = [dop853, tsit5, vern9, rk4, radau]
 ADAPTIVE = [dop853, tsit5, vern9, radau]
@@ -203,6 +203,27 @@ WRONG = [
     ({"max_step": 0.0}, ValueError, r"`max_step` must be positive, got 0\.0"),
     ({"first_step": -1}, ValueError, r"`first_step` must be positive, got -1"),
     ({"max_steps": 0}, ValueError, r"`max_steps` must be at least 1, got 0"),
+    ({"max_steps": "many"}, ValueError, r"`max_steps` must be a real number, got 'many'"),
+    ({"max_steps": None}, ValueError, r"`max_steps` must be a real number, got None"),
+    ({"max_steps": np.nan}, ValueError, r"`max_steps` must be at least 1, got nan"),
+    ({"max_steps": [5, 6]}, ValueError, r"`max_steps` must be a real number, got \[5, 6\]"),
+    ({"max_step": "long"}, ValueError, r"`max_step` must be a real number, got 'long'"),
+    ({"first_step": [1, 2]}, ValueError, r"`first_step` must be a real number, got \[1, 2\]"),
+    ({"rtol": None}, ValueError, r"`rtol` must hold real numbers, got None"),
+    ({"rtol": "1e-6"}, ValueError, r"`rtol` must hold real numbers, got '1e-6'"),
+    ({"full_output": "no"}, TypeError, r"`full_output` must be True or False, got 'no'"),
+    ({"progress": None}, TypeError, r"`progress` must be True or False, got None"),
+    (
+        {"events": [Event(K)]},
+        TypeError,
+        r"`events` cannot be handed to a solver as they are, .* Call system.integrate\(events=…\)",
+    ),
+    ({"events": 5}, TypeError, r"`events` cannot be handed to a solver as they are, got 5"),
+    (
+        {"constraints": "project"},
+        TypeError,
+        r"`constraints` cannot be handed to a solver .* got .project.: .*\(constraints=…\)",
+    ),
 ]
 
 
@@ -210,6 +231,17 @@ WRONG = [
 def test_a_wrong_option_says_what_it_must_be(options, kind, message):
     with pytest.raises(kind, match=message):
         dop853(spring, [1.0, 0.0], [0.0, 1.0], **options)
+
+
+@pytest.mark.parametrize("options", [{"max_steps": 1e5}, {"max_steps": np.inf}, {"max_step": None}])
+def test_limits_may_be_floats_infinite_or_none(options):
+    expected = dop853(spring, [1.0, 0.0], [0.0, 1.0])
+    np.testing.assert_array_equal(dop853(spring, [1.0, 0.0], [0.0, 1.0], **options), expected)
+
+
+def test_what_is_no_function_is_a_type_error():
+    with pytest.raises(TypeError, match=r"`f` must be a function f\(x, t\), got 5"):
+        dop853(5, [1.0, 0.0], [0.0, 1.0])
 
 
 def test_fixed_steps_need_their_size():

@@ -53,6 +53,7 @@ class Options:
     constraints: CompiledConstraints | None = None
 
 
+_MOST = 2**62
 _NAMES = {field.name for field in fields(Options)}
 
 
@@ -73,6 +74,14 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
         raise TypeError(
             f"`{method}` has no option `{unknown[0]}`; its options are {', '.join(sorted(names))}."
         )
+    _check_kinds(given)
+    if given.get("max_step", np.inf) is None:
+        given = {**given, "max_step": np.inf}
+    if "max_steps" in given:
+        most = number(given["max_steps"], "`max_steps`")
+        if not most >= 1.0:
+            raise ValueError(f"`max_steps` must be at least 1, got {given['max_steps']!r}.")
+        given = {**given, "max_steps": int(min(most, _MOST))}
     options = Options(**given)
     for name in given.keys() & {"first_step", "max_step", "step"}:
         value = given[name]
@@ -80,8 +89,6 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
             raise ValueError(f"`{name}` must be positive, got {value!r}.")
     if not adaptive and options.step is None:
         raise ValueError(f"`{method}` takes steps of fixed size: pass `step`, their largest size.")
-    if not options.max_steps >= 1:
-        raise ValueError(f"`max_steps` must be at least 1, got {options.max_steps!r}.")
     for name in given.keys() & {"rtol", "atol"}:
         value = given[name]
         if type(value) is float and 0.0 <= value < np.inf:
@@ -90,3 +97,19 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
         if not (np.isfinite(value).all() and (value >= 0.0).all()):
             raise ValueError(f"`{name}` must be finite and not negative, got {value}.")
     return options
+
+
+def _check_kinds(given: Mapping[str, Any]) -> None:
+    """Refuse flags that are no flags, and events and constraints that are not compiled."""
+    for name in given.keys() & {"full_output", "progress"}:
+        value = given[name]
+        if not isinstance(value, bool | np.bool_ | int) or value not in (0, 1):
+            raise TypeError(f"`{name}` must be True or False, got {value!r}.")
+    for name, kind in (("events", CompiledEvents), ("constraints", CompiledConstraints)):
+        value = given.get(name)
+        if not isinstance(value, kind | None):
+            raise TypeError(
+                f"`{name}` cannot be handed to a solver as they are, got {value!r}: they have to "
+                f"be compiled with the equations. Call system.integrate({name}=…), with "
+                "`system.ode_solver` set to this solver."
+            )

@@ -95,7 +95,7 @@ class Solver:
         Raises
         ------
         TypeError
-            An unknown option.
+            An unknown option, or one of the wrong kind.
         ValueError
             A value that does not fit.
         IntegrationError
@@ -129,6 +129,8 @@ class Solver:
         """
         from pydy.solvers.integration import Integration  # numba is loaded here
 
+        if not callable(f):
+            raise TypeError(f"`f` must be a function f(x, t), got {f!r}.")
         read = read_options(self.name, self.adaptive, options)
         x0 = real_array(x0, "`x0`")
         if x0.ndim == 0:
