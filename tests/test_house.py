@@ -34,9 +34,10 @@ FLOORS = {
     "_eom": 2,
     "_kernel": 2,
     "plot": 2,
+    "inputs": 2,
     "_graph": 1,  # below _eom, which classifies constraints numerically
     "_cache_folder": 1,
-    "inputs": 1,
+    "_checks": 1,
     "errors": 1,
     "trajectory": 1,
     "_dataset": 0,
@@ -44,7 +45,6 @@ FLOORS = {
     "_names": 0,
     "_optional": 0,
     "_array_layout": 0,
-    "_checks": 0,
     "_version": 0,
 }
 # Files that share a room with another: `pydy` itself holds the version and no more.

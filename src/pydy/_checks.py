@@ -1,23 +1,42 @@
-"""What users pass as numbers and arrays into floats, or an error that says what it was instead."""
+"""What users pass as numbers, arrays and dictionaries into floats in order, or an error.
+
+The error says what it was instead. This is the one place where symbols are looked up, by
+themselves or by name.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cached_property
+from math import isfinite
 from typing import Any
 
 import numpy as np
 
-__all__ = ["describe", "number", "real_array", "shown", "vector"]
+from pydy._names import name_of, unique_names, written_out
+
+__all__ = ["Places", "describe", "listed", "number", "real_array", "shown", "vector"]
 
 _HUGE = "a number beyond the range of floats"
 
 
 def describe(symbols: Sequence[Any]) -> str:
     """Return symbols as a list for a message, shortened when there are many."""
-    shown = [str(s) for s in symbols[:12]]
-    if len(symbols) > 12:
-        shown.append(f"and {len(symbols) - 12} more")
-    return ", ".join(shown) or "none"
+    names = [str(s) for s in symbols]
+    if len(set(names)) < len(names):
+        names = list(unique_names(symbols))
+    more = [f"and {len(symbols) - 12} more"] if len(symbols) > 12 else []
+    return ", ".join(names[:12] + more) or "none"
+
+
+def listed(argument: str, value: Any, what: str = "symbols") -> list[Any]:
+    """Return what must be a sequence of symbols as a list."""
+    if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
+        try:
+            return list(value)
+        except TypeError:  # an array without dimensions
+            pass
+    raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
 
 
 def shown(value: Any) -> str:
@@ -99,3 +118,158 @@ def _refuse_masked(value: Any, what: str) -> None:
             f"{what} must not have masked entries, got {shown(value)}. Leave them out, or fill "
             "them with numbers: `array.filled(...)`."
         )
+
+
+_PLAIN = frozenset((float, int, np.float64))
+
+
+class Places:
+    """Where each of some symbols lies in an array; its name stands for it where no other has it.
+
+    Parameters
+    ----------
+    symbols : sequence of symbols
+        In the order of the array.
+    what : str
+        What they are, for messages: ``'constants of the system'``.
+    """
+
+    def __init__(self, symbols: Sequence[Any], what: str) -> None:
+        self.symbols = tuple(symbols)
+        self.what = what
+        self._place = {s: k for k, s in enumerate(self.symbols)}
+        # The keys that were looked up last, and where they lie. The same dictionary, or one made
+        # in the same way, comes again and again: comparing keys costs a tenth of hashing them.
+        self._known: tuple[list[Any], np.ndarray | None] = ([], np.empty(0, dtype=np.int64))
+
+    def __len__(self) -> int:
+        return len(self.symbols)
+
+    @cached_property
+    def _named(self) -> dict[str, list[int]]:
+        named: dict[str, list[int]] = {}
+        for k, symbol in enumerate(self.symbols):
+            for name in {name_of(symbol), str(symbol)}:
+                named.setdefault(name, []).append(k)
+        return named
+
+    def get(self, key: Any, argument: str) -> int | None:
+        """Return the place of a symbol or name, or None; a name of several is refused."""
+        try:
+            place = self._place.get(key)
+        except TypeError:  # a list, or an array
+            return None
+        if place is None and isinstance(key, str):
+            alike = self._named.get(key, ())
+            if len(alike) > 1:
+                raise ValueError(
+                    f"`{argument}` has the name {key!r}, which several {self.what} have: "
+                    f"{', '.join(written_out(self.symbols[k]) for k in alike)}. Give the symbol "
+                    "itself."
+                )
+            return alike[0] if alike else None
+        return place
+
+    def find(self, key: Any, argument: str) -> int:
+        """Return the place of a symbol or name.
+
+        Raises
+        ------
+        ValueError
+            It is none of the symbols; the message tells those of the same name.
+        """
+        place = self.get(key, argument)
+        if place is None:
+            raise ValueError(
+                f"`{argument}` has the key `{key}`, which is not one of the {self.what}: "
+                f"{describe(self.symbols)}.{self._alike(key)}"
+            )
+        return place
+
+    def _alike(self, key: Any) -> str:
+        """Return a sentence about symbols that differ from a key in their assumptions alone."""
+        if isinstance(key, str):
+            return ""
+        alike = [self.symbols[k] for k in self._named.get(name_of(key), ())]
+        if not alike:
+            return ""
+        return (
+            f" Symbols of one name are different symbols where their assumptions differ: got "
+            f"{written_out(key)}, known is {', '.join(map(written_out, alike))}. Use the same "
+            f"symbol everywhere, or its name {name_of(key)!r}."
+        )
+
+    def columns(self, keys: Iterable[Any], argument: str) -> np.ndarray:
+        """Return the places of some symbols or names, none of which may occur twice."""
+        columns = np.array([self.find(key, argument) for key in keys], dtype=np.int64)
+        if len(set(columns.tolist())) < len(columns):
+            twice = next(k for k in columns.tolist() if (columns == k).sum() > 1)
+            raise ValueError(
+                f"`{argument}` gives `{self.symbols[twice]}` more than once, by the symbol or by "
+                "its name. Keep one of them."
+            )
+        return columns
+
+    def read(
+        self, argument: str, values: Mapping[Any, Any], base: np.ndarray | None = None
+    ) -> np.ndarray:
+        """Return the numbers of a dictionary in order.
+
+        Parameters
+        ----------
+        argument : str
+            Its name in messages.
+        values : mapping
+            From symbols, or their names, to numbers.
+        base : ndarray, optional
+            The numbers of symbols that are not given; the others must be finite then. Without it
+            all must be given.
+        """
+        array = self.plain(values) if base is None else None
+        if array is not None:
+            return array
+        keys, numbers = list(values), list(values.values())
+        known, columns = self._known
+        if columns is None or keys != known:
+            columns = self.columns(keys, argument)
+            self._known = (keys, columns)
+        if base is None and len(columns) < len(self.symbols):
+            given = set(columns.tolist())
+            missing = [s for k, s in enumerate(self.symbols) if k not in given]
+            raise ValueError(
+                f"`{argument}` has no value for the {self.what} {describe(missing)}: a dictionary "
+                "must give all of them."
+            )
+        result = np.empty(len(self.symbols)) if base is None else base.copy()
+        # SymPy takes longer to print a name than many a model to integrate.
+        if {*map(type, numbers)} <= {float} and isfinite(sum(numbers)):
+            result[columns] = numbers
+        else:
+            finite = base is not None
+            for key, column, value in zip(keys, columns.tolist(), numbers, strict=True):
+                usual = type(value) is float and isfinite(value)
+                result[column] = (
+                    value if usual else number(value, f"`{argument}[{key}]`", finite=finite)
+                )
+        return result
+
+    def plain(self, values: Mapping[Any, Any]) -> np.ndarray | None:
+        """Return the numbers of a dictionary that gives every symbol a plain one, else None."""
+        keys, numbers = list(values), list(values.values())
+        known, columns = self._known
+        if keys != known:
+            try:
+                columns = self.columns(keys, "")
+            except ValueError:
+                columns = None
+            self._known = (keys, columns)
+        if columns is None or len(columns) < len(self.symbols):
+            return None
+        if not {*map(type, numbers)} <= _PLAIN:
+            return None
+        result = np.empty(len(numbers))
+        try:
+            result[columns] = numbers
+        except OverflowError:
+            return None
+        return result

@@ -6,6 +6,9 @@ working in scripts that never heard of this module.
 
 from __future__ import annotations
 
+import sys
+import warnings
+
 import numpy as np
 
 __all__ = [
@@ -16,11 +19,20 @@ __all__ = [
     "PyDyUserWarning",
     "SingularMatrixError",
     "UnsupportedFunctionError",
+    "warn_user",
 ]
 
 
 class PyDyUserWarning(UserWarning):
     """Every warning that this package gives to a user is one of these."""
+
+
+def warn_user(message: str) -> None:
+    """Give a warning that points at the line of the user's that called this package."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("pydy."):
+        level, frame = level + 1, frame.f_back
+    warnings.warn(message, PyDyUserWarning, stacklevel=level)
 
 
 class SingularMatrixError(np.linalg.LinAlgError):

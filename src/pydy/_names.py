@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-__all__ = ["latex_of", "latex_of_rate", "name_of", "unique_names"]
+__all__ = ["latex_of", "latex_of_rate", "name_of", "unique_names", "written_out"]
 
 
 def name_of(symbol: Any) -> str:
@@ -18,12 +18,55 @@ def name_of(symbol: Any) -> str:
 
 
 def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
-    """Return a name for each symbol; those that would be alike are written out in full."""
+    """Return a name for each symbol, none twice.
+
+    Those that would be alike are written out in full, then with their assumptions, and numbered
+    where that does not tell them apart either.
+    """
     names = [name_of(s) for s in symbols]
-    if len(set(names)) < len(names):
+    for spelled in (str, written_out):
         counts = Counter(names)
-        names = [str(s) if counts[n] > 1 else n for s, n in zip(symbols, names, strict=True)]
+        if len(counts) == len(names):
+            break
+        names = [spelled(s) if counts[n] > 1 else n for s, n in zip(symbols, names, strict=True)]
+    taken: set[str] = set()
+    for k, name in enumerate(names):
+        number = 2
+        while names[k] in taken:
+            names[k] = f"{name} {number}"
+            number += 1
+        taken.add(names[k])
     return tuple(names)
+
+
+def written_out(symbol: Any) -> str:
+    """Return a symbol with its assumptions: ``m (positive)``, ``q(t) (real)``."""
+    notes = _assumptions(symbol.expr if hasattr(symbol, "expr") else symbol)
+    for argument in getattr(symbol, "args", ()):
+        if getattr(argument, "is_Symbol", False):
+            notes += [f"{argument} {note}" for note in _assumptions(argument)]
+    return f"{symbol} ({', '.join(notes)})" if notes else str(symbol)
+
+
+_ASSUMPTIONS = (
+    *("even", "odd", "prime", "integer", "rational", "irrational", "positive", "negative"),
+    *("nonnegative", "nonpositive", "nonzero", "zero", "real", "imaginary", "finite", "complex"),
+)
+
+
+def _assumptions(symbol: Any) -> list[str]:
+    """Return a symbol's assumptions in words, without those that follow from another."""
+    import sympy as sm
+
+    held = [name for name in _ASSUMPTIONS if getattr(symbol, f"is_{name}", None)]
+    implied = {
+        other
+        for name in held
+        for other in sm.Symbol("x", **{name: True}).assumptions0
+        if other != name
+    }
+    notes = [name for name in held if name not in implied]
+    return notes if getattr(symbol, "is_commutative", True) else ["not commutative", *notes]
 
 
 def latex_of(symbol: Any) -> str:

@@ -11,28 +11,26 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
-from warnings import warn
 
 import numpy as np
 import sympy as sm
 from scipy.integrate import odeint
 
 from pydy._eom.extract import extract
-from pydy._errors import PyDyUserWarning
+from pydy._errors import warn_user
 from pydy._kernel import Kernel
 from pydy._programs import check_accelerations
-from pydy._system.definition import Definition, define
+from pydy._system.definition import Definition, define, given_in
 from pydy._system.dependents import check_dependents, solve_dependents
 from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.ensemble_inputs import make_ensemble, split_specifieds
 from pydy._system.evaluation import Snapshot, evaluate, override, samples, specified_rows
-from pydy._system.expressions import check_expressions, driven, expressions_in
+from pydy._system.expressions import check_expressions, driven, unfollowed
 from pydy._system.inputs import (
     SymbolSet,
     check_mapping,
     check_symbols,
     check_times,
-    check_values,
     sort_out,
 )
 from pydy._system.solving import HANDLED, prepare
@@ -130,6 +128,7 @@ class System:
         self._exact: RightHandSide | None = None
         self._constants: dict[Any, Any] = {}
         self._specifieds: dict[Any, Any] = {}
+        self._unfollowed: set[Any] = set()  # what was warned of
         self._initial_conditions: dict[Any, Any] = {}
         self._outputs: dict[Any, Any] = {}
         self._define(outputs, noncontributing_forces)
@@ -164,11 +163,9 @@ class System:
             for k, v in check_mapping("outputs", outputs).items()
             if k not in self._residuals and not self._is_forces(k)
         }
-        expressions = expressions_in(self._specifieds)
-        definition = define(
-            self._equations, {**user, **self._residuals}, forces, self._base, expressions
-        )
-        self._expressions = expressions
+        given = given_in(self._specifieds)
+        definition = define(self._equations, {**user, **self._residuals}, forces, self._base, given)
+        self._given = given
         self._forces = forces
         merged = {**user, **self._residuals}
         if forces:
@@ -186,7 +183,7 @@ class System:
         if (
             self._outputs != self._snapshot
             or list(self._outputs) != list(self._snapshot)
-            or self._expressions != expressions_in(self._specifieds)
+            or self._given != given_in(self._specifieds)
         ):
             outputs = self._outputs
             self._define(outputs, self._forces)
@@ -334,7 +331,7 @@ class System:
     @constants.setter
     def constants(self, constants: dict[Any, Any] | None) -> None:
         values = check_mapping("constants", constants)
-        check_values("constants", values, self._definition.constants, 1.0, "constants")
+        self._numbers("constants", values, 1.0)
         self._constants = values
 
     @property
@@ -347,18 +344,23 @@ class System:
 
             sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
 
-        Expressions are compiled into the code. Symbols that occur only in them become constants
-        of the system, functions of time specifieds.
+        One number for a tuple holds for each. Expressions are compiled into the code. Symbols that
+        occur only in them become constants of the system, functions of time specifieds. Where the
+        equations hold derivatives of a function of time, they follow from its expression; with any
+        other value they need values of their own.
 
         In the second, which is faster with functions, all are given together::
 
             sys.specifieds = {'symbols': (a, b, c), 'values': lambda x, t: np.ones(3)}
+
+        The order of ``'symbols'`` is the order of r in the generated function.
         """
         return self._specifieds
 
     @specifieds.setter
     def specifieds(self, specifieds: dict[Any, Any] | None) -> None:
         before, self._specifieds = self._specifieds, check_mapping("specifieds", specifieds)
+        self._unfollowed.clear()
         try:
             check_expressions(self._definition, self._plan(self._specifieds))
         except Exception:
@@ -373,7 +375,7 @@ class System:
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: dict[Any, Any] | None) -> None:
         values = check_mapping("initial_conditions", initial_conditions)
-        check_values("initial_conditions", values, self._definition.states, 0.0, "states")
+        self._numbers("initial_conditions", values, 0.0)
         self._initial_conditions = values
 
     @property
@@ -505,11 +507,9 @@ class System:
         array([ 0., -2.])
         """
         if "specifieds" in kwargs:
-            warn(
+            warn_user(
                 "`specifieds` is ignored by System.generate_ode_function: the System takes care of "
-                "them. Set `system.specifieds` for their values.",
-                PyDyUserWarning,
-                stacklevel=2,
+                "them. Set `system.specifieds` for their values."
             )
             kwargs = {k: v for k, v in kwargs.items() if k != "specifieds"}
         refused = sorted(_REFUSED & set(kwargs))
@@ -570,38 +570,44 @@ class System:
 
     def _plan(self, values: dict[Any, Any]) -> SpecifiedsPlan:
         """Check a dictionary of specifieds in either format."""
-        symbols = self._definition.specifieds
-        if "symbols" in values or "values" in values:
-            if set(values) != {"symbols", "values"}:
-                raise ValueError(
-                    "`specifieds` must have just the keys 'symbols' and 'values' in this format, "
-                    f"got {', '.join(map(repr, values))}."
+        plan = SpecifiedsPlan(values, self._definition.places["specifieds"], argument="specifieds")
+        self._warn_of_unfollowed(plan)
+        return plan
+
+    def _warn_of_unfollowed(self, plan: SpecifiedsPlan) -> None:
+        """Warn once of derivatives that stay zero although their function moves."""
+        for rate, function in unfollowed(self._definition, plan):
+            if rate not in self._unfollowed:
+                self._unfollowed.add(rate)
+                warn_user(
+                    f"`specifieds` gives `{function}` as a function or as samples, but the "
+                    f"equations also hold `{rate}`, which stays zero: the motion contradicts "
+                    f"itself. Give `{function}` as a SymPy expression of time, from which its "
+                    f"derivatives follow, or give `{rate}` a function too."
                 )
-            table = {tuple(values["symbols"]): values["values"]}
-            return SpecifiedsPlan(
-                table, symbols, complete=True, argument="specifieds", what="`specifieds['values']`"
-            )
-        return SpecifiedsPlan(values, symbols, argument="specifieds")
+
+    def _numbers(self, argument: str, values: dict[Any, Any], default: float) -> np.ndarray:
+        """Return the constants or the initial conditions in order."""
+        what = "constants" if argument == "constants" else "states"
+        places = self._definition.places[what]
+        return places.read(argument, values, np.full(len(places), default))
 
     def _p(self) -> np.ndarray:
-        return check_values(
-            "constants", self._constants, self._definition.constants, 1.0, "constants"
-        )
+        return self._numbers("constants", self._constants, 1.0)
 
     def _x0(self) -> np.ndarray:
-        return check_values(
-            "initial_conditions", self._initial_conditions, self._definition.states, 0.0, "states"
-        )
+        return self._numbers("initial_conditions", self._initial_conditions, 0.0)
 
     def _plan_with(self, r: Any) -> SpecifiedsPlan:
         """Return the plan of the specifieds, with a user's values for one call."""
         if r is None:
             return self._plan(self._specifieds)
-        symbols = self._definition.specifieds
+        places = self._definition.places["specifieds"]
         if callable(r):
-            return SpecifiedsPlan({symbols: r}, symbols, argument="r")
-        own = self._plan(self._specifieds)
-        return own.updated(SpecifiedsPlan(r, symbols, argument="r"))
+            return SpecifiedsPlan({places.symbols: r}, places, argument="r")
+        plan = self._plan(self._specifieds).updated(SpecifiedsPlan(r, places, argument="r"))
+        self._warn_of_unfollowed(plan)
+        return plan
 
     def _evaluate(
         self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: str | None = None

@@ -257,11 +257,19 @@ def test_derivatives_of_a_prescribed_motion_follow_its_expression():
         close(given.evaluate_ode([0.6, -1.2], t), known.evaluate_ode([0.6, -1.2], t), 1e-12)
 
 
-@pytest.mark.parametrize("value", [5.0, sm.Integer(5), lambda x, t: 5.0])
+@pytest.mark.parametrize("value", [5.0, sm.Integer(5)])
 def test_a_derivative_given_explicitly_wins(value):
     # What lies above follows from the nearest value below, which is no expression here.
     x, t = np.array([0.6, -1.2]), 0.4
     system = System(shaken(Y), specifieds={Y: sm.sin(T), Y.diff(T): value})
+    twin = System(shaken(Y), specifieds={Y: np.sin(t), Y.diff(T): 5.0})
+    close(system.evaluate_ode(x, t), twin.evaluate_ode(x, t))
+
+
+def test_a_derivative_given_as_a_function_wins_and_leaves_the_next_one_zero():
+    x, t = np.array([0.6, -1.2]), 0.4
+    with pytest.warns(PyDyUserWarning, match=r"Derivative\(y\(t\), \(t, 2\)\)`, which stays zero"):
+        system = System(shaken(Y), specifieds={Y: sm.sin(T), Y.diff(T): lambda x, t: 5.0})
     twin = System(shaken(Y), specifieds={Y: np.sin(t), Y.diff(T): 5.0})
     close(system.evaluate_ode(x, t), twin.evaluate_ode(x, t))
 

@@ -4,18 +4,63 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
+import numpy as np
 import sympy as sm
 
+from pydy._checks import Places, listed
 from pydy._eom.equations import Equations
-from pydy._eom.symbols import sort_symbols
+from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
 from pydy._programs import Assembly, Group, assemble_system, auxiliary_groups
 from pydy._system.inputs import check_forces, output_groups, sort_out
+from pydy.codegen.arguments import symbolic_entries
 from pydy.codegen.right_hand_side import Layout
 
-__all__ = ["Definition", "define"]
+__all__ = ["Definition", "Given", "define", "given_in"]
+
+
+_CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
+
+
+@dataclass(frozen=True)
+class Given:
+    """What a dictionary of specifieds says about the symbols of a System. Nothing is checked.
+
+    Attributes
+    ----------
+    expressions : dict
+        The SymPy expressions, by symbol or name.
+    keys : tuple of symbols or names
+        All that have a value.
+    ordered : bool
+        Whether `keys` are the order of r: the dictionary is in the second format.
+    """
+
+    expressions: dict[Any, Any]
+    keys: tuple[Any, ...]
+    ordered: bool
+
+
+def given_in(specifieds: Mapping[Any, Any]) -> Given:
+    """Return what a dictionary of specifieds, in either format, says about symbols."""
+    ordered = "symbols" in specifieds and "values" in specifieds
+    if ordered:
+        symbols = listed("specifieds['symbols']", specifieds["symbols"], "specifieds")
+        specifieds = {tuple(symbols): specifieds["values"]}
+    keys: list[Any] = []
+    expressions: dict[Any, Any] = {}
+    for key, value in specifieds.items():
+        names = key if isinstance(key, (tuple, list)) else (key,)
+        keys += names
+        if isinstance(value, _CANDIDATES):
+            entries = zip(names, symbolic_entries(value) or (), strict=False)
+            expressions.update(
+                (n, e) for n, e in entries if isinstance(e, sm.Expr) and find_symbols([e])
+            )
+    return Given(expressions, tuple(keys), ordered)
 
 
 @dataclass(frozen=True)
@@ -29,8 +74,10 @@ class Definition:
         All outputs: the user's, the constraint residuals, the noncontributing forces.
     auxiliaries : tuple of Symbol
         The states that integrate outputs which depend on the derivatives of the speeds.
-    constants, specifieds : tuple of symbols
+    constants : tuple of Symbol
         Sorted.
+    specifieds : tuple of functions of time and their derivatives
+        Sorted, or as the user ordered them.
     """
 
     equations: Equations
@@ -49,10 +96,24 @@ class Definition:
         """The names of all outputs, in order."""
         return tuple(name for group in self.groups for name in group.names)
 
-    @property
+    @cached_property
     def layout(self) -> Layout:
         """The orders of the arrays x, r and p."""
         return Layout(self.states, self.specifieds, self.constants)
+
+    @cached_property
+    def lower_derivatives(self) -> dict[Any, tuple[Any, ...]]:
+        """For each specified that is a derivative, what it is a derivative of, lowest first."""
+        return {s: _lower(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
+
+    @cached_property
+    def places(self) -> dict[str, Places]:
+        """Where states, specifieds and constants lie in x, r and p."""
+        layout = self.layout
+        return {
+            what: Places(getattr(layout, what), f"{what} of the system")
+            for what in ("states", "specifieds", "constants")
+        }
 
     def assemble(self, equations: Equations, *, external: bool, simplified: bool) -> Assembly:
         """Return the graph of everything; `equations` may be these, solved beforehand."""
@@ -72,7 +133,7 @@ def define(
     outputs: Mapping[Any, Any],
     forces: Any,
     base: tuple[Sequence[Any], Sequence[Any]],
-    expressions: Mapping[Any, Any],
+    given: Given,
 ) -> Definition:
     """Check the outputs and forces of a System and sort out its symbols.
 
@@ -84,8 +145,9 @@ def define(
     forces : iterable of symbols or None
     base : (constants, specifieds)
         Those of the equations of motion, as found or as the user gave them.
-    expressions : mapping
-        The specifieds that are given as expressions; symbols that occur only there are added.
+    given : Given
+        How specifieds are given. Symbols that occur only in expressions are added, and so are
+        motions of which the equations hold derivatives only.
     """
     constants, specifieds = base
     groups = output_groups(outputs)
@@ -113,7 +175,7 @@ def define(
         for name in group.names
     )
     aux = set(auxiliaries)
-    for symbol, expression in expressions.items():
+    for symbol, expression in given.expressions.items():
         found = _symbols_of(symbol, expression, equations, set(results), auxiliaries)
         more_constants += found[0]
         more_specifieds += found[1]
@@ -122,8 +184,27 @@ def define(
         tuple(groups),
         auxiliaries,
         tuple(sort_symbols({*constants, *more_constants} - aux)),
-        tuple(sort_symbols({*specifieds, *more_specifieds})),
+        _ordered(sort_symbols({*specifieds, *more_specifieds}), given, set(results)),
     )
+
+
+def _lower(derivative: Any) -> tuple[Any, ...]:
+    """Return a function of time and its derivatives below a given one."""
+    function, variable = derivative.expr, derivative.variables[0]
+    return tuple(function.diff(variable, k) for k in range(derivative.derivative_count))
+
+
+def _ordered(found: list[Any], given: Given, outputs: set[Any]) -> tuple[Any, ...]:
+    """Return the specifieds in the order of r, with motions that occur by derivatives only."""
+    lower = {s for d in found if isinstance(d, sm.Derivative) for s in _lower(d)}
+    others = sort_symbols(lower - {*found} - outputs)
+    places = Places([*found, *others], "specifieds of the system")
+    keys = [places.get(key, "specifieds") for key in given.keys]
+    chosen = [places.symbols[k] for k in keys if k is not None]
+    if given.ordered:
+        return tuple(dict.fromkeys([*chosen, *found]))
+    motions = [s for s in others if s in chosen]
+    return tuple(sort_symbols([*found, *motions]) if motions else found)
 
 
 def _symbols_of(

@@ -11,7 +11,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
 import sympy as sm
 
 from pydy._eom.symbols import find_symbols
@@ -21,12 +20,10 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._programs import Assembly
 from pydy._system.definition import Definition
-from pydy.codegen.arguments import SpecifiedsPlan, describe, symbolic_entries
+from pydy.codegen.arguments import SpecifiedsPlan, describe
 from pydy.codegen.right_hand_side import RightHandSide
 
-__all__ = ["check_expressions", "driven", "expressions_in"]
-
-_CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
+__all__ = ["check_expressions", "driven", "unfollowed"]
 
 
 @dataclass(frozen=True)
@@ -44,24 +41,6 @@ class _Formula:
     symbol: Any
     source: Any
     order: int = 0
-
-
-def expressions_in(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
-    """Return the SymPy expressions in a dictionary of specifieds, in either format.
-
-    Nothing is checked here: this finds the symbols that need values, which must be known before
-    anything can be checked.
-    """
-    if not any(isinstance(v, _CANDIDATES) for v in specifieds.values()):
-        return {}
-    if "symbols" in specifieds and "values" in specifieds:
-        specifieds = {tuple(specifieds["symbols"]): specifieds["values"]}
-    found: dict[Any, Any] = {}
-    for key, value in specifieds.items():
-        names = key if isinstance(key, (tuple, list)) else (key,)
-        entries = zip(names, symbolic_entries(value) or (), strict=False)
-        found.update((n, e) for n, e in entries if isinstance(e, sm.Expr) and find_symbols([e]))
-    return found
 
 
 def driven(
@@ -101,6 +80,28 @@ def check_expressions(definition: Definition, plan: SpecifiedsPlan) -> None:
     formulas = _formulas(definition, plan)
     if formulas:
         _resolve(Graph(), definition, formulas, None, False)
+
+
+def unfollowed(definition: Definition, plan: SpecifiedsPlan) -> list[tuple[Any, Any]]:
+    """Return derivatives that are zero for want of a value although their function moves.
+
+    Returns
+    -------
+    list of (derivative, function)
+        `function`, or a derivative of it, is given as a function or as samples, of which no
+        derivative is taken; numbers and expressions have derivatives that follow.
+    """
+    if plan.constant or not definition.lower_derivatives:
+        return []
+    places = [part[0] for part in plan.sampled] + [part[0] for part in plan.functions]
+    moving = {plan.symbols[k] for columns in places for k in columns.tolist()}
+    result = []
+    for symbol, lower in definition.lower_derivatives.items():
+        if symbol not in plan.given:
+            nearest = next((s for s in reversed(lower) if s in plan.given), None)
+            if nearest in moving:
+                result.append((symbol, nearest))
+    return result
 
 
 def _formulas(definition: Definition, plan: SpecifiedsPlan) -> tuple[_Formula, ...]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from math import isfinite
 from typing import Any
 
 import numpy as np
@@ -14,7 +13,7 @@ from pydy._eom.equations import Equations
 from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
 from pydy._programs import Group
-from pydy.codegen.arguments import describe, number, real_array
+from pydy.codegen.arguments import describe, real_array
 
 __all__ = [
     "SymbolSet",
@@ -73,25 +72,6 @@ def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
     if isinstance(value, Mapping):
         return dict(value)
     raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
-
-
-def check_values(
-    argument: str, values: Mapping[Any, Any], symbols: Sequence[Any], default: float, what: str
-) -> np.ndarray:
-    """Return the values of symbols in order; those without one get the default."""
-    place = {s: k for k, s in enumerate(symbols)}
-    array = np.full(len(symbols), default)
-    for key, value in values.items():
-        if key not in place:
-            raise ValueError(
-                f"`{argument}` has the key `{key}`, which is not one of the {what} of the system: "
-                f"{describe(symbols)}."
-            )
-        # SymPy takes longer to print a name than many a model to integrate.
-        if not (type(value) is float and isfinite(value)):
-            value = number(value, f"`{argument}[{key}]`", finite=True)
-        array[place[key]] = value
-    return array
 
 
 def check_symbols(argument: str, symbols: Iterable[Any], kind: str) -> list[Any]:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._checks import describe, number, real_array, vector
+from pydy._checks import Places, describe, listed, number, real_array, vector
 from pydy._eom.symbols import find_symbols
 from pydy.inputs import SampledInput
 
@@ -19,11 +19,13 @@ __all__ = [
     "SpecifiedsPlan",
     "describe",
     "number",
+    "one_format",
     "real_array",
     "symbolic_entries",
 ]
 
 ARGUMENT_TYPES = ("array", "dictionary", "function")
+_SPECIFIEDS = "specifieds of the system"
 
 
 class ConstantsArgument:
@@ -39,36 +41,18 @@ class ConstantsArgument:
 
     def __init__(self, symbols: Sequence[Any], arg_type: str | None = None) -> None:
         _check_type("constants_arg_type", arg_type, ("array", "dictionary"))
-        self.symbols = list(symbols)
+        self.places = Places(symbols, "constants of the equations")
         self.arg_type = arg_type
 
     def __call__(self, p: Any) -> np.ndarray:
         """Return p as an array of shape (k,)."""
-        as_dictionary = self.arg_type == "dictionary" or (
-            self.arg_type is None and isinstance(p, Mapping)
-        )
-        if not as_dictionary:
-            return vector(p, len(self.symbols), "`p`, the constants,")
-        if not isinstance(p, Mapping):
+        if self.arg_type == "dictionary" and not isinstance(p, Mapping):
             raise ValueError(
                 f"`p` must be a dictionary, as `constants_arg_type` says, got {type(p).__name__}."
             )
-        missing = [s for s in self.symbols if s not in p]
-        if missing:
-            raise ValueError(
-                f"`p` has no value for the constants {describe(missing)}: a dictionary must give "
-                "all of them."
-            )
-        self._refuse_unknown(p)
-        return np.array([number(p[s], f"`p[{s}]`") for s in self.symbols])
-
-    def _refuse_unknown(self, p: Mapping[Any, Any]) -> None:
-        unknown = [s for s in p if s not in self.symbols]
-        if unknown:
-            raise ValueError(
-                f"`p` has values for {describe(unknown)}, which are not constants of the "
-                f"equations: {describe(self.symbols)}."
-            )
+        if self.arg_type == "array" or not isinstance(p, Mapping):
+            return vector(p, len(self.places), "`p`, the constants,")
+        return self.places.read("p", p)
 
 
 class SpecifiedsArgument:
@@ -88,33 +72,37 @@ class SpecifiedsArgument:
         self, symbols: Sequence[Any], arg_type: str | None = None, time_first: bool = False
     ) -> None:
         _check_type("specifieds_arg_type", arg_type, ARGUMENT_TYPES)
-        self.symbols = list(symbols)
+        self.places = Places(symbols, _SPECIFIEDS)
         self.arg_type = arg_type
         self.time_first = time_first
 
     def __call__(self, r: Any, x: np.ndarray, t: float) -> np.ndarray:
         """Return r at one state and time as an array of shape (s,)."""
         kind = self.arg_type
+        symbols = self.places.symbols
         if isinstance(r, SampledInput):
-            r = {tuple(self.symbols): r}
+            r = {symbols: r}
         if kind is None:
             kind = (
                 "dictionary" if isinstance(r, Mapping) else "function" if callable(r) else "array"
             )
         if kind == "array":
-            return vector(r, len(self.symbols), "`r`, the specifieds,")
+            return vector(r, len(symbols), "`r`, the specifieds,")
         if kind == "function":
             if not callable(r):
                 raise ValueError(
                     "`r` must be a function, as `specifieds_arg_type` says, got "
                     f"{type(r).__name__}."
                 )
-            return evaluate_function(r, self.symbols, x, t, self.time_first)
+            return evaluate_function(r, symbols, x, t, self.time_first)
         if not isinstance(r, Mapping):
             raise ValueError(
                 f"`r` must be a dictionary, as `specifieds_arg_type` says, got {type(r).__name__}."
             )
-        plan = SpecifiedsPlan(r, self.symbols, time_first=self.time_first, complete=True)
+        numbers = self.places.plain(r)
+        if numbers is not None:
+            return numbers
+        plan = SpecifiedsPlan(r, self.places, time_first=self.time_first, complete=True)
         if plan.expressions:
             raise ValueError(
                 f"`r` gives a SymPy expression for {describe(list(plan.expressions))}, but this "
@@ -122,6 +110,22 @@ class SpecifiedsArgument:
                 "`system.specifieds` to have an expression compiled in, or give a function."
             )
         return plan(x, t)
+
+
+def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, Any], bool]:
+    """Return a dictionary of specifieds in the first format, and whether it was in the second.
+
+    The second has the keys 'symbols' and 'values'.
+    """
+    if "symbols" not in values and "values" not in values:
+        return values, False
+    if set(values) != {"symbols", "values"}:
+        raise ValueError(
+            f"`{argument}` must have just the keys 'symbols' and 'values' in this format, got "
+            f"{', '.join(map(repr, values))}."
+        )
+    symbols = listed(f"{argument}['symbols']", values["symbols"], "specifieds")
+    return {tuple(symbols): values["values"]}, True
 
 
 def symbolic_entries(value: Any) -> list[Any] | None:
@@ -165,17 +169,17 @@ class SpecifiedsPlan:
     ----------
     values : mapping
         From a symbol, or a tuple of symbols, to a number, an array, a function, a SampledInput, a
-        SymPy expression, or a sequence of numbers and expressions.
-    symbols : sequence of functions of time
+        SymPy expression, or a sequence of numbers and expressions; or in the second format. Names
+        may stand for symbols.
+    symbols : Places or sequence of functions of time
         All specifieds, in the order of the array.
     time_first : bool
         Whether functions are called as g(t, x).
     complete : bool
-        Whether every symbol must have a value; missing ones are zero otherwise.
+        Whether every symbol must have a value, as in the second format; missing ones are zero
+        otherwise.
     argument : str
         What the user calls `values`, for messages.
-    what : str
-        What to call an entry, for messages; by default by its symbols.
 
     Attributes
     ----------
@@ -203,34 +207,31 @@ class SpecifiedsPlan:
     def __init__(
         self,
         values: Mapping[Any, Any],
-        symbols: Sequence[Any],
+        symbols: Places | Sequence[Any],
         *,
         time_first: bool = False,
         complete: bool = False,
         argument: str = "r",
-        what: str = "",
     ) -> None:
-        self.symbols = tuple(symbols)
+        places = symbols if isinstance(symbols, Places) else Places(symbols, _SPECIFIEDS)
+        self.places = places
+        self.symbols = places.symbols
         self.values = np.zeros(len(self.symbols))
         self.expressions: dict[Any, Any] = {}
         sampled: list[tuple[np.ndarray, SampledInput]] = []
         functions: list[tuple[np.ndarray, _Checked]] = []
-        place = {s: k for k, s in enumerate(self.symbols)}
         seen: set[Any] = set()
+        values, together = one_format(values, argument)
         for key, value in values.items():
             several = isinstance(key, (tuple, list))
-            names = tuple(key) if several else (key,)
-            for name in names:
-                if name not in place:
-                    raise ValueError(
-                        f"`{argument}` has a value for `{name}`, which is not a specified of the "
-                        f"system: {describe(symbols)}."
-                    )
-                if name in seen:
+            places_of_key = [places.find(k, argument) for k in (key if several else (key,))]
+            names = tuple(self.symbols[k] for k in places_of_key)
+            for k, name in enumerate(names):
+                if name in seen or name in names[:k]:
                     raise ValueError(f"`{argument}` gives `{name}` more than once.")
-                seen.add(name)
-            columns = np.array([place[n] for n in names], dtype=np.int64)
-            if type(value) is float and not several:
+            seen.update(names)
+            columns = np.array(places_of_key, dtype=np.int64)
+            if type(value) is float:
                 self.values[columns] = value  # the usual case, without the cost of a label
             elif isinstance(value, SampledInput) and value.size == len(names):
                 sampled.append((columns, value))
@@ -238,10 +239,11 @@ class SpecifiedsPlan:
                 whole = tuple(range(len(names)))
                 functions.append((columns, _Checked(value, names, time_first, whole)))
             else:
-                label = what or f"`{argument}` for {describe(names)}"
+                label = f"`{argument}['values']`" if together else f"`{argument}` for "
+                label += "" if together else describe(names)
                 self._take(value, names, columns, label, several)
         missing = [s for s in self.symbols if s not in seen]
-        if complete and missing:
+        if (complete or together) and missing:
             raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
         self.given = frozenset(seen)
         self.sampled = tuple(sampled)
@@ -259,8 +261,9 @@ class SpecifiedsPlan:
         _refuse_mixtures(value, label)
         entries = symbolic_entries(value)
         if entries is None:
-            value = vector(value, len(names), label) if several else number(value, label)
-            self.values[columns] = value
+            # One number for several symbols holds for each.
+            one = not several or np.ndim(value) == 0
+            self.values[columns] = number(value, label) if one else vector(value, len(names), label)
             return
         if len(entries) != len(names):
             raise ValueError(
@@ -290,7 +293,7 @@ class SpecifiedsPlan:
 
     def updated(self, other: SpecifiedsPlan) -> SpecifiedsPlan:
         """Return this plan with another's values in place of its own, where the other has any."""
-        result = SpecifiedsPlan({}, self.symbols)
+        result = SpecifiedsPlan({}, self.places)
         kept = [s not in other.given for s in self.symbols]
         result.values = np.where(kept, self.values, other.values)
         mine = {s: e for s, e in self.expressions.items() if s not in other.given}
