@@ -28,6 +28,7 @@ from functools import cached_property
 from math import prod
 from typing import Any
 
+from pydy._graph.listing import listing
 from pydy._graph.operations import ANGLES, operands, with_operands
 
 __all__ = ["Block", "Program", "Tape"]
@@ -220,6 +221,9 @@ class Program:
             table.append(Block(name, tuple(shape), start, start + len(nodes)))
             start += len(nodes)
         return cls(*sizes, ops, args, setup, carried, outputs, tuple(table))
+
+    def __str__(self) -> str:
+        return listing(self)
 
     def to_bytes(self) -> bytes:
         """Return the Program as bytes, for this version of Python."""
