@@ -89,6 +89,23 @@ def test_the_error_of_a_users_solver_shows():
         rhs(*model.sample(), *arrays(model))
 
 
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda x: x + 0j, "must hold real numbers"),
+        (lambda x: x[:1], r"must return the shape \(3,\) or \(3, 1\), got \(1,\)"),
+        (lambda x: x[None], r"must return the shape \(3,\) or \(3, 1\), got \(1, 3\)"),
+    ],
+)
+def test_a_solution_of_a_users_solver_that_does_not_fit_is_refused(change, message):
+    model = zoo.pendulum()
+    rhs = generate_ode_function(
+        linear_sys_solver=lambda a, b: change(np.linalg.solve(a, b)), **given(model, "[3]")
+    )
+    with pytest.raises(ValueError, match=f"`linear_sys_solver`.* {message}"):
+        rhs(*model.sample(), *arrays(model))
+
+
 @pytest.mark.parametrize("solver", ["nmupy", "sympy:NOPE", 5])
 def test_an_unknown_linear_solver_is_named(solver):
     with pytest.raises((ValueError, NotImplementedError, TypeError), match=str(solver)):

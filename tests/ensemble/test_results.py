@@ -181,6 +181,55 @@ def test_a_function_that_drops_samples_is_refused():
         )
 
 
+def halves(dataset):
+    """Whether these are the first of the samples 0 to 199."""
+    return float(dataset.initial_x0.max()) < 100.0
+
+
+DIFFERENT = [
+    (lambda d: d[["x0", "v0"] if halves(d) else ["x0"]], "`v0` is there for some samples only"),
+    (lambda d: d[["x0"] if halves(d) else ["x0", "v0"]], "`v0` is there for some samples only"),
+    (
+        lambda d: d.x0[:, : 2 if halves(d) else 1].rename(time="k").to_dataset(),
+        r"`x0` is float64 along \{'k': 2\} for some, float64 along \{'k': 1\} for others",
+    ),
+    (
+        lambda d: (d.steps if halves(d) else d.steps + 0.5).to_dataset(name="work"),
+        "`work` is int64 for some, float64 for others",
+    ),
+]
+
+
+@pytest.mark.parametrize("way", ["memory", "chunks", "store"])
+@pytest.mark.parametrize(("reduce", "message"), DIFFERENT)
+def test_results_that_differ_from_block_to_block_are_refused(
+    oscillator, tmp_path, way, reduce, message
+):
+    x, _ = oscillator.states
+    options = {"initial_conditions": {x: np.arange(200.0)}, "reduce": reduce, "workers": 1}
+    if way != "memory":
+        options["chunks"] = 100
+    if way == "store":
+        options["store"] = tmp_path / "s.zarr"
+    with pytest.raises(ValueError, match=message):
+        oscillator.integrate_ensemble(**options).compute()
+
+
+@pytest.mark.parametrize(
+    ("reduce", "name"),
+    [
+        (lambda d: d[["x0"]].sortby("initial_x0", ascending=False), "initial_x0"),
+        (lambda d: d[["x0"]].isel(time=slice(None, None, -1)), "time"),
+        (lambda d: d[["x0"]].isel(time=[0, 2]), "time"),
+        (lambda d: d[["x0"]].isel(time=[0, 2]).drop_vars("time"), "time"),
+    ],
+)
+def test_a_function_that_moves_samples_or_times_is_refused(oscillator, reduce, name):
+    x, _ = oscillator.states
+    with pytest.raises(ValueError, match=f"leave samples and times in their places: `{name}`"):
+        oscillator.integrate_ensemble(initial_conditions={x: np.arange(20.0)}, reduce=reduce)
+
+
 def test_event_times_are_kept_for_each_sample(oscillator):
     x, _ = oscillator.states
     k = constant(oscillator, "k0")

@@ -274,6 +274,51 @@ def test_bad_states_and_times_are_value_errors(arguments, message):
 # -- functions ------------------------------------------------------------------------------------
 
 
+REFUSED = [
+    ([1.0], r"must have the shape \(3,\), got \(1,\)"),
+    (1.0, r"must have the shape \(3,\), got \(\)"),
+    ([1.0, 2.0], r"must have the shape \(3,\), got \(2,\)"),
+    ([[1.0, 2.0, 3.0]], r"must have the shape \(3,\), got \(1, 3\)"),
+    (np.ones((3, 1)), r"must have the shape \(3,\), got \(3, 1\)"),
+    (np.ones(4), r"must have the shape \(3,\), got \(4,\)"),
+    (np.array([1.0, 2.0, 3.0j]), r"must hold real numbers, got array"),
+    (["1", "2", "3"], r"must hold real numbers, got \['1', '2', '3'\]"),
+    (None, r"must hold real numbers, got None"),
+    (np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0]), r"must not have masked entries"),
+]
+
+
+@pytest.mark.parametrize(("derivative", "message"), REFUSED)
+@pytest.mark.parametrize("good", [0, 10])
+@pytest.mark.parametrize("solver", ALL)
+def test_a_derivative_that_does_not_fit_the_state_is_refused(solver, good, derivative, message):
+    calls = []
+
+    def f(x, t):
+        calls.append(t)
+        return -x if len(calls) <= good else derivative
+
+    with pytest.raises(ValueError, match=r"What `f\(x, t\)` returns, .*" + message):
+        solver(f, [1.0, 2.0, 3.0], [0.0, 1.0], **tight(solver))
+    assert len(calls) == good + 1
+
+
+@pytest.mark.parametrize(
+    "make", [list, tuple, np.array, lambda v: np.array(v, dtype=np.float32), lambda v: v[0]]
+)
+def test_derivatives_may_be_any_real_numbers(make):
+    x = dop853(lambda x, t: make([2.0]), [1.0], [0.0, 1.0])
+    np.testing.assert_allclose(x[1], 3.0)
+
+
+def test_specifieds_and_constants_that_do_not_fit_are_refused():
+    f = generate_ode_function([U, PUSH - K * Q], [Q], [U], [K], specifieds=[PUSH])
+    with pytest.raises(ValueError, match=r"`r`, the specifieds, must have the shape \(1,\), got"):
+        dop853(f, [1.0, 0.0], [0.0, 1.0], args=([0.0, 0.0], [4.0]))
+    with pytest.raises(ValueError, match=r"`p`, the constants, must have the shape \(1,\), got"):
+        dop853(f, [1.0, 0.0], [0.0, 1.0], args=([0.0], [4.0, 1.0]))
+
+
 @pytest.mark.parametrize("solver", ALL)
 def test_an_exception_in_the_function_comes_out_as_itself(solver):
     def f(x, t):
@@ -283,11 +328,6 @@ def test_an_exception_in_the_function_comes_out_as_itself(solver):
 
     with pytest.raises(LookupError, match="at last"):
         solver(f, [1.0, 0.0], [0.0, 1.0], **tight(solver))
-
-
-def test_a_function_of_the_wrong_length_is_a_value_error():
-    with pytest.raises(ValueError, match="broadcast"):
-        dop853(lambda x, t: [1.0, 2.0, 3.0], [1.0, 0.0], [0.0, 1.0])
 
 
 def generated(**options):

@@ -100,6 +100,35 @@ def test_only_functions_are_called_from_python():
         assert calls[0].kernel.addresses is not None
 
 
+@pytest.mark.parametrize("native", [False, True])
+def test_other_arguments_in_a_solver_of_the_user_are_used_or_refused(native):
+    system = pendulum(SPECIFIEDS["numbers"], "dop853")
+    x0 = np.zeros(len(system.states))
+
+    def derivative(change):
+        found = []
+
+        def solver(f, x0, t, args):
+            args = change(*args)
+            if native:
+                found.append(solvers.rk4(f, x0, [0.0, 1e-6], args, step=1.0)[1] / 1e-6)
+            else:
+                found.append(f(x0, 0.0, *args))
+
+        system.initial_conditions = dict.fromkeys(system.states, 0.0)
+        system.ode_solver = solver
+        system.integrate()
+        return found[0]
+
+    assert len(x0) == len(derivative(lambda r, p: (r, p)))
+    close(derivative(lambda r, p: (0 * r, p)), x0, 1e-12)
+    assert abs(derivative(lambda r, p: (r + 1, p))).max() > 0.1
+    with pytest.raises(ValueError, match=r"`p`, the constants, must have the shape"):
+        derivative(lambda r, p: (r, p[:1]))
+    with pytest.raises(ValueError, match=r"`r`, the specifieds, must have the shape"):
+        derivative(lambda r, p: (np.ones(9), p))
+
+
 def test_an_exception_in_a_specified_comes_out_as_itself():
     def push(x, t):
         raise LookupError("no push")

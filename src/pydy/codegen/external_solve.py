@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
+from pydy._checks import real_array
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
@@ -81,10 +82,11 @@ def with_external_solver(program: Program, system: Kernel, solver: Solver, rest:
             solution = solver(matrices[: n * n].reshape(n, n), matrices[n * n :])
         except np.linalg.LinAlgError:
             return 1
-        solution = np.asarray(solution, dtype=float)
-        if solution.size != n:
+        solution = real_array(solution, "What `linear_sys_solver` returns")
+        if solution.shape not in ((n,), (n, 1)):
             raise ValueError(
-                f"`linear_sys_solver` must return {n} numbers, got the shape {solution.shape}."
+                f"`linear_sys_solver` must return the shape ({n},) or ({n}, 1), got "
+                f"{solution.shape}."
             )
         return rest.call(x, t, np.concatenate([r, solution.ravel()]), p, out)
 

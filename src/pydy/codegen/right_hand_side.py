@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import vector
 from pydy._errors import SingularMatrixError
 from pydy._graph.program import Program
 from pydy._kernel import Kernel, KernelCall
@@ -273,14 +274,27 @@ class RightHandSide:
             return f(x, t, plan(x, float(t)), p)
 
         chosen: Any = f if plan.constant else f_with_functions
-        chosen.native = lambda args: self._native_call(kernel, plan, args[1])
+
+        def native(args: tuple[Any, ...]) -> KernelCall:
+            r, p = args
+            return self._native_call(kernel, plan, self._r(r) if plan.constant else plan.values, p)
+
+        chosen.native = native
         return chosen
 
-    def _native_call(self, kernel: Kernel, plan: SpecifiedsPlan, p: Any) -> KernelCall:
+    def _r(self, r: Any) -> np.ndarray:
+        return vector(r, len(self.layout.specifieds), "`r`, the specifieds,")
+
+    def _p(self, p: Any) -> np.ndarray:
+        return vector(p, len(self.layout.constants), "`p`, the constants,")
+
+    def _native_call(
+        self, kernel: Kernel, plan: SpecifiedsPlan, r: np.ndarray, p: Any
+    ) -> KernelCall:
         return KernelCall(
             kernel,
-            real_array(p, "`p`"),
-            plan.values,
+            self._p(p),
+            r,
             plan.sampled,
             plan if plan.functions else None,
             lambda: tuple(map(str, self.layout.states)),
@@ -309,7 +323,7 @@ class RightHandSide:
                 return None
             else:
                 plan.values = self.specifieds(r, _NOTHING, 0.0)
-        return self._native_call(self.kernel, plan, p)
+        return self._native_call(self.kernel, plan, plan.values, p)
 
     # -- the slow path ----------------------------------------------------------------------------
 
@@ -341,8 +355,7 @@ class RightHandSide:
     def _convert_arrays(
         self, kernel: Kernel, x: Any, t: Any, r: Any, p: Any, out: np.ndarray
     ) -> None:
-        r, p = real_array(r, "`r`"), real_array(p, "`p`")
-        self._call_strict(kernel, self._state(x), _time(t), r, p, out)
+        self._call_strict(kernel, self._state(x), _time(t), self._r(r), self._p(p), out)
 
     def _call_strict(
         self,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from math import prod
@@ -14,7 +14,7 @@ import numpy as np
 
 from pydy._optional import require
 from pydy.ensemble import store as stores
-from pydy.ensemble.labels import Variable, to_dataset
+from pydy.ensemble.labels import Form, Variable, check_forms, to_dataset
 from pydy.ensemble.samples import Block, Samples, block_sizes
 from pydy.ensemble.work import Work
 
@@ -65,13 +65,16 @@ class Ensemble:
             if states is not None:  # blocks are runs of samples: see `block_sizes`
                 first = int(np.ravel_multi_index([s.start for s in block], shape)) if block else 0
                 here = states[:, first : first + part.size]
-            for name, v in self.work(part, stop, here).items():
-                sizes = (*shape, *v.values.shape[len(block) :])
-                with lock:
-                    if name not in whole:
+            found = self.work(part, stop, here)
+            with lock:
+                if not whole:
+                    for name, v in found.items():
+                        sizes = (*shape, *v.values.shape[len(block) :])
                         known = placed.get(name)
                         values = np.empty(sizes, v.values.dtype) if known is None else known
                         whole[name] = Variable(v.dims, values.reshape(sizes), v.attrs)
+            check_forms(found, self._forms(whole), block)
+            for name, v in found.items():
                 if name not in placed:
                     whole[name].values[block] = v.values
 
@@ -82,6 +85,13 @@ class Ensemble:
         blocks = [block for _, block in self.samples.blocks(sizes)]
         self._on_threads(blocks, do)
         return self._dataset(whole)
+
+    def _forms(self, variables: Mapping[str, Variable]) -> dict[str, Form]:
+        first = len(self.samples.dims)
+        return {
+            name: Form.of(v.dims, v.values.shape, v.values.dtype, first)
+            for name, v in variables.items()
+        }
 
     def _threads(self) -> int:
         return self.workers or _processors()
@@ -138,9 +148,10 @@ class Ensemble:
         work = dask.delayed(self.work, traverse=False)
         compute = dask.delayed(_compute, pure=False)
         example = self._example()
+        forms = self._forms(example)
         tasks: dict[tuple[int, ...], tuple[Any, Block]] = {}
         for place, block in self.samples.blocks(self.sizes):
-            tasks[place] = compute(work, self.samples.of(block)), block
+            tasks[place] = compute(work, self.samples.of(block), forms), block
         numbers = [
             -(-whole // size) for whole, size in zip(self.samples.shape, self.sizes, strict=True)
         ]
@@ -211,9 +222,11 @@ def _processors() -> int:
     return os.cpu_count() or 1
 
 
-def _compute(work: Work, samples: Samples) -> dict[str, np.ndarray]:
+def _compute(work: Work, samples: Samples, forms: dict[str, Form]) -> dict[str, np.ndarray]:
     """Do one block: the task of a lazy Dataset."""
-    return {name: v.values for name, v in work(samples).items()}
+    found = work(samples)
+    check_forms(found, forms, tuple(samples.dims))
+    return {name: v.values for name, v in found.items()}
 
 
 def _compute_and_write(work: Work, samples: Samples, path: str, block: Block) -> None:

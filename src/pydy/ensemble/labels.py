@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -11,7 +11,7 @@ import numpy as np
 from pydy._optional import require
 from pydy.ensemble.samples import Coordinate
 
-__all__ = ["Variable", "to_dataset"]
+__all__ = ["Form", "Variable", "check_forms", "to_dataset"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,6 +29,54 @@ class Variable:
     dims: tuple[Any, ...]
     values: Any
     attrs: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Form:
+    """What the results of all samples have in common.
+
+    Attributes
+    ----------
+    sizes : dict of str to int
+        Of the axes after those of the samples, in order.
+    dtype : numpy.dtype
+    """
+
+    sizes: dict[str, int]
+    dtype: np.dtype[Any]
+
+    @classmethod
+    def of(cls, dims: Sequence[Any], shape: Sequence[int], dtype: Any, first: int) -> Form:
+        """Return the form of an array whose axes before `first` are those of samples."""
+        return cls(dict(zip(map(str, dims[first:]), shape[first:], strict=True)), np.dtype(dtype))
+
+    def __str__(self) -> str:
+        return f"{self.dtype} along {self.sizes}" if self.sizes else f"{self.dtype}"
+
+
+def check_forms(
+    found: Mapping[str, Variable], expected: Mapping[str, Form], samples: Sequence[Any]
+) -> None:
+    """Refuse results that do not fit those of other samples: assigning would broadcast them.
+
+    Parameters
+    ----------
+    found : mapping
+    expected : mapping
+        The forms of all variables.
+    samples : sequence of str
+        The sample dimensions.
+    """
+    rule = "`reduce` must return the same variables for all blocks of samples"
+    for name in dict.fromkeys((*expected, *found)):
+        if name not in found or name not in expected:
+            raise ValueError(f"{rule}: `{name}` is there for some samples only.")
+        v, form = found[name], expected[name]
+        own = Form.of(v.dims, v.values.shape, v.values.dtype, len(samples))
+        if list(own.sizes.items()) != list(form.sizes.items()) or not np.can_cast(
+            own.dtype, form.dtype
+        ):
+            raise ValueError(f"{rule}: `{name}` is {form} for some, {own} for others.")
 
 
 def to_dataset(

@@ -16,14 +16,14 @@ import numpy as np
 
 from pydy._optional import require
 from pydy._version import __version__
-from pydy.ensemble.labels import Variable
+from pydy.ensemble.labels import Form, Variable, check_forms
 from pydy.ensemble.samples import Block, Samples
 from pydy.ensemble.work import Work
 from pydy.solvers.outcome import NOT_COMPUTED
 
 __all__ = ["check", "create", "missing", "token_of", "write"]
 
-_TOKEN, _READY = "pydy_ensemble", "pydy_ready"
+_TOKEN, _READY, _VARIABLES = "pydy_ensemble", "pydy_ready", "pydy_variables"
 
 
 def token_of(work: Work, samples: Samples, sizes: Sequence[int]) -> str:
@@ -101,7 +101,8 @@ def create(path: str, token: str, example: Any, samples: Samples, sizes: Sequenc
         Of one sample, with all attributes and coordinates; its own sizes do not count.
     """
     zarr = require("zarr", "ensemble", "`store`")
-    group = zarr.open_group(path, mode="w", attributes={_TOKEN: token})
+    about = {_TOKEN: token, _VARIABLES: list(map(str, example.data_vars))}
+    group = zarr.open_group(path, mode="w", attributes=about)
     dims = tuple(samples.dims)
     for name, variable in example.variables.items():
         attrs = {**variable.attrs}
@@ -165,6 +166,12 @@ def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
     """Write the results of a block."""
     zarr = require("zarr", "ensemble", "`store`")
     group = zarr.open_group(path, mode="r+")
+    arrays = {name: group[name] for name in group.attrs[_VARIABLES]}
+    forms = {
+        name: Form.of(a.metadata.dimension_names, a.shape, a.dtype, len(block))
+        for name, a in arrays.items()
+    }
+    check_forms(found, forms, block)
     for name, variable in found.items():
         if name != "status":
             group[name][block] = variable.values

@@ -205,12 +205,18 @@ class Work:
         """Call the user's function and check what it returns."""
         assert self.function is not None
         dataset = to_dataset(variables, samples.coordinates, self.model.times)
+        labels = {name: dataset.variables[name] for name in dataset.coords}
         result = self.function(dataset)
         if hasattr(result, "to_dataset") and not hasattr(result, "data_vars"):
             result = result.to_dataset(name=result.name or "result")
         if not hasattr(result, "data_vars"):
             raise TypeError(
                 f"`reduce` must return an xarray.Dataset or DataArray, got {type(result).__name__}."
+            )
+        if moved := [name for name, given in labels.items() if _moved(result, name, given)]:
+            raise ValueError(
+                f"`reduce` must leave samples and times in their places: `{moved[0]}` differs in "
+                "what it returns. Rename a dimension along which it selects or sorts."
             )
         dims, kept = tuple(samples.dims), ("steps", "rejected", "evaluations", "status", "end_time")
         found = {}
@@ -224,6 +230,14 @@ class Work:
             array = array.transpose(*dims, ...)
             found[str(name)] = Variable(array.dims, np.asarray(array), dict(array.attrs))
         return {**{name: variables[name] for name in kept}, **found}
+
+
+def _moved(result: Any, name: Any, given: Any) -> bool:
+    """Return whether a Dataset has other labels than those given, or other sizes for them."""
+    if name in result.coords:
+        own = result.variables[name]
+        return set(own.dims) == set(given.dims) and not own.transpose(*given.dims).equals(given)
+    return any(result.sizes.get(d, size) != size for d, size in given.sizes.items())
 
 
 _STATUS_ATTRS = {

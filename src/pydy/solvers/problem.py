@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from pydy._array_layout import address
+from pydy._checks import vector
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.layout import Problem, Watch
@@ -112,7 +113,9 @@ class Callback:
     n : int
         Number of states.
     outputs : int
-        Number of values the function returns.
+        Number of values the function must return.
+    what : str
+        What to call these, for messages.
     interrupts : Interrupts
         Looked at before each call.
 
@@ -127,12 +130,15 @@ class Callback:
         function: Callable[[np.ndarray, float], Any],
         n: int,
         outputs: int,
+        what: str,
         interrupts: Interrupts,
     ) -> None:
         self.error: BaseException | None = None
         self._function = function
         self._n = n
         self._outputs = outputs
+        self._shape = (outputs,)
+        self._what = what
         self._interrupts = interrupts
         self._views: dict[int, np.ndarray] = {}
         self._native = _FUNCTION(self._call)
@@ -153,7 +159,11 @@ class Callback:
             # generated functions convert it.
             state = np.empty(self._n)
             state[:] = self._view(x, self._n)
-            self._view(out, self._outputs)[:] = self._function(state, t[0])
+            found = self._function(state, t[0])
+            # Assigning would broadcast what is too short, read text, and drop imaginary parts.
+            if type(found) is not np.ndarray or found.dtype != float or found.shape != self._shape:
+                found = vector(found, self._outputs, self._what)
+            self._view(out, self._outputs)[:] = found
         except BaseException as error:  # noqa: BLE001 - it is raised again outside native code
             self.error = error
             return -1

@@ -103,8 +103,8 @@ class Workspace:
         )
         self.place = address(self._table)
 
-    def _callback(self, function: Callable[..., Any], outputs: int) -> Callback:
-        callback = Callback(function, self.n, outputs, self.interrupts)
+    def _callback(self, function: Callable[..., Any], outputs: int, what: str) -> Callback:
+        callback = Callback(function, self.n, outputs, what, self.interrupts)
         self.callbacks.append(callback)
         return callback
 
@@ -117,7 +117,8 @@ class Workspace:
                     f"got {n}."
                 )
             return kernel_problem(call, n)
-        callback = self._callback(lambda x, t: f(x, t, *args), n)
+        what = "What `f(x, t)` returns, one derivative for each state of `x0`,"
+        callback = self._callback(lambda x, t: f(x, t, *args), n, what)
         return callback_problem(callback, n, call)
 
     def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
@@ -127,7 +128,8 @@ class Workspace:
         if call.inputs is None and kernel.addresses is not None:
             return bind_constants(kernel, call.p)
         outputs = sum(b.stop - b.start for b in kernel.program.blocks)
-        callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs)
+        what = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
+        callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, what)
         return callback.address, np.zeros(1)
 
     def _reserve(self) -> tuple[Method, Memory]:
