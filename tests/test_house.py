@@ -42,6 +42,7 @@ FLOORS = {
     "trajectory": 1,
     "_dataset": 0,
     "_errors": 0,
+    "_forks": 0,
     "_names": 0,
     "_optional": 0,
     "_array_layout": 0,

@@ -4,10 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import gc
-import os
 import threading
-import time
-import warnings
 import weakref
 
 import numpy as np
@@ -96,25 +93,6 @@ def test_code_keeps_alive_what_it_calls(nothing_cached):
     gc.collect()
     assert alive() is not None
     assert ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)(caller.addresses["more"])(3.0) == 7.0
-
-
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
-def test_a_fork_takes_no_lock_along_that_the_side_thread_holds():
-    lock, begun = threading.RLock(), threading.Event()
-
-    def compile_slowly():
-        with lock:  # as llvmlite's, which every call into LLVM takes
-            begun.set()
-            time.sleep(0.3)
-
-    background.submit(background.Task(compile_slowly))
-    assert begun.wait(10.0)
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # Python 3.12: there are threads
-        child = os.fork()
-    if child == 0:
-        os._exit(0 if lock.acquire(timeout=5.0) else 1)
-    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
 
 
 def test_a_long_chain_of_masses_gives_the_same_bits_side_by_side(nothing_cached):

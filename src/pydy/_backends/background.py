@@ -1,18 +1,19 @@
 """Work that is done on the side, in one thread, while the program goes on.
 
 It waits for a quiet moment: llvmlite lets one thread at a time into LLVM, so a long compilation on
-the side would hold up a short one that the program waits for. A fork of the process waits for the
-task in hand: the child would else wait for ever for a lock that a thread held which it has not got.
+the side would hold up a short one that the program waits for. A forked child begins without work on
+the side; what it needs of it, it does itself.
 """
 
 from __future__ import annotations
 
 import atexit
-import os
 import queue
 import threading
 import time
 from collections.abc import Callable
+
+from pydy import _forks
 
 __all__ = ["Task", "in_use", "submit"]
 
@@ -28,19 +29,20 @@ class Task:
 
     def __init__(self, function: Callable[[], None]) -> None:
         self._function: Callable[[], None] | None = function
-        self._lock = threading.Lock()
+        self._lock = _forks.Lock()
 
     def run(self) -> None:
         """Do it, or wait until the thread that is at it has done it."""
         with self._lock:
-            function, self._function = self._function, None
-            if function is not None:
-                function()
+            try:
+                if self._function is not None:
+                    self._function()
+            finally:
+                self._function = None  # not before: a child that is forked meanwhile does it again
 
 
 _TASKS: queue.SimpleQueue[Task | None] = queue.SimpleQueue()
-_START = threading.Lock()
-_WORKING = threading.Lock()
+_START = _forks.Lock()
 _ENDING = threading.Event()
 _QUIET_SECONDS = 0.25
 _thread: threading.Thread | None = None
@@ -57,7 +59,7 @@ def submit(task: Task) -> None:
     """Have a task done on the side; what is left when the interpreter ends is dropped."""
     global _thread
     with _START:
-        if _thread is None or not _thread.is_alive():  # a forked child has no thread yet
+        if _thread is None or not _thread.is_alive():
             _thread = threading.Thread(target=_work, name="pydy-background", daemon=True)
             _thread.start()
             atexit.register(_end)
@@ -75,8 +77,7 @@ def _work() -> None:
             _ENDING.wait(left)
         if task is None or _ENDING.is_set():
             return
-        with _WORKING:
-            task.run()
+        task.run()
 
 
 def _end() -> None:
@@ -87,9 +88,7 @@ def _end() -> None:
         _thread.join()
 
 
-if hasattr(os, "register_at_fork"):
-    os.register_at_fork(
-        before=_WORKING.acquire,
-        after_in_parent=_WORKING.release,
-        after_in_child=_WORKING.release,
-    )
+@_forks.in_child
+def _begin_anew() -> None:
+    global _TASKS, _ENDING, _thread
+    _TASKS, _ENDING, _thread = queue.SimpleQueue(), threading.Event(), None

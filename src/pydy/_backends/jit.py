@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import platform
-import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache as once
@@ -14,13 +13,13 @@ from typing import Any
 from llvmlite import __version__ as llvmlite_version
 from llvmlite import binding
 
-from pydy import _cache_folder
+from pydy import _cache_folder, _forks
 from pydy._backends import background, cache
 
 __all__ = ["Code", "Source", "find", "load", "load_quickly", "registers"]
 
 # Linking uses LLVM's global state; compiling does not.
-_LOCK = threading.RLock()
+_LOCK = _forks.Lock()
 
 
 class Code:

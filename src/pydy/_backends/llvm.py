@@ -6,10 +6,10 @@ order of operations are kept, and fused multiply-adds are those that the IR spel
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Iterable
 from typing import Any
 
+from pydy import _forks
 from pydy._backends import background, jit
 from pydy._backends.ir import HEAP_DECLARATIONS, MALLOC, Function, vector_type
 from pydy._backends.ir_emit import BRANCH_WEIGHTS, SOLVES, Emitter, called
@@ -92,7 +92,7 @@ def _improve(entry: Entry, source: jit.Source, calls: bool) -> None:
 
 
 _ROUTINES: dict[tuple[int, bool], jit.Code] = {}
-_ROUTINES_LOCK = threading.Lock()
+_ROUTINES_LOCK = _forks.Lock()
 
 
 def _routines(lanes: int, at_best: bool) -> jit.Code:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
+from pydy._forks import whole
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
@@ -46,7 +47,8 @@ def resolve(generator: Any) -> type:
         )
     if isinstance(entry, str):
         module, _, attribute = entry.partition(":")
-        entry = getattr(import_module(module), attribute)
+        with whole:
+            entry = getattr(import_module(module), attribute)
     backend: type = entry
     return backend
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 import sympy as sm
 
 from pydy._eom.mechanism import Mechanism
 from pydy._eom.symbols import find_symbols, replace_symbols
+from pydy._forks import cached_property
 
 __all__ = ["Equations"]
 

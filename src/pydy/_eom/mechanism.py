@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import Any
 
 import sympy as sm
 from sympy.physics.mechanics import Particle, ReferenceFrame
+
+from pydy._forks import cached_property
 
 __all__ = ["Mechanism"]
 

@@ -24,10 +24,10 @@ import struct
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import astuple, dataclass, fields
-from functools import cached_property
 from math import prod
 from typing import Any
 
+from pydy._forks import cached_property
 from pydy._graph.listing import listing
 from pydy._graph.operations import ANGLES, operands, with_operands
 

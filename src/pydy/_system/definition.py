@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -14,6 +13,7 @@ from pydy._checks import Places, listed
 from pydy._eom.equations import Equations
 from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
+from pydy._forks import cached_property
 from pydy._programs import Assembly, Group, assemble_system, auxiliary_groups
 from pydy._system.inputs import check_forces, output_groups, sort_out
 from pydy.codegen.arguments import symbolic_entries

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any, NamedTuple
 
 import sympy as sm
@@ -12,6 +11,7 @@ import sympy as sm
 from pydy._eom.equations import Equations
 from pydy._eom.potential import find_potential
 from pydy._eom.symbols import find_symbols
+from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy.codegen.arguments import describe
 from pydy.codegen.right_hand_side import RightHandSide

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from threading import Lock
 from typing import Any
 
 import numpy as np
 
+from pydy import _forks
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._kernel import Kernel, KernelCall
@@ -83,7 +83,7 @@ class Results:
 
 
 _KERNELS: dict[tuple[str, int], Kernel] = {}
-_LOCK = Lock()
+_LOCK = _forks.Lock()
 
 
 def _kernel(program: Program, lanes: int) -> Kernel:

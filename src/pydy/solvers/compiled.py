@@ -13,7 +13,7 @@ import pickle
 import sys
 from collections.abc import Callable
 from contextlib import suppress
-from functools import cache, cached_property
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +25,7 @@ from numba.core.ccallback import CFunc
 from numba.core.compiler import CompileResult
 from numba.core.runtime.nrt import rtsys
 
-from pydy import _cache_folder
+from pydy import _cache_folder, _forks
 
 __all__ = ["compiled", "inlined", "part"]
 
@@ -113,18 +113,22 @@ class _Part:
         self.__doc__ = function.__doc__
         self._function = function
         self._signature = f"int64(int64, float64, {last})"
+        self._native: Any = None
+        self._lock = _forks.Lock()
 
-    @cached_property
+    @property
     def address(self) -> int:
         """Where it lies: it is compiled, or loaded, when this is first asked for."""
-        options = {**_OPTIONS, "_nrt": True}
-        arguments = sigutils.normalize_signature(self._signature)
-        native: Any = CFunc(self._function, arguments, locals={}, options=options)
-        if _cache_folder.folder(_FOLDER) is not None:
-            native._cache = _Cache(self._function)
-        native.compile()
-        self._native = native  # keeps the code
-        return int(native.address)
+        with self._lock:
+            if self._native is None:
+                options = {**_OPTIONS, "_nrt": True}
+                arguments = sigutils.normalize_signature(self._signature)
+                native: Any = CFunc(self._function, arguments, locals={}, options=options)
+                if _cache_folder.folder(_FOLDER) is not None:
+                    native._cache = _Cache(self._function)
+                native.compile()
+                self._native = native  # keeps the code
+            return int(self._native.address)
 
 
 def part(last: str) -> Callable[[Callable[..., Any]], _Part]:

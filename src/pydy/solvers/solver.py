@@ -10,6 +10,7 @@ import numpy as np
 
 from pydy._checks import real_array
 from pydy._errors import PyDyUserWarning
+from pydy._forks import whole
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
 
@@ -127,7 +128,8 @@ class Solver:
         >>> [round(float(swing([angle, 0.0])[-1, 0]), 6) for angle in (1.0, 2.0)]
         [0.877583, 1.755165]
         """
-        from pydy.solvers.integration import Integration  # numba is loaded here
+        with whole:
+            from pydy.solvers.integration import Integration  # numba is loaded here
 
         if not callable(f):
             raise TypeError(f"`f` must be a function f(x, t), got {f!r}.")

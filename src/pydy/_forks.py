@@ -1,0 +1,111 @@
+"""Forks of the process while its other threads are at work.
+
+A forked child has one thread, and every lock as it was: what another thread held stays locked for
+ever. What compiling holds is of two kinds:
+
+- `Lock` protects what is sound at any moment, such as a table that is looked up and then filled.
+  The child finds it open, and does again what was under way.
+- llvmlite and numba change structures of their own, which are not sound in between: a fork waits
+  until they are done, as it does for `whole`, which is held while modules are loaded.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from collections.abc import Callable
+from typing import Any, Generic, TypeVar, overload
+from weakref import WeakSet
+
+__all__ = ["Lock", "cached_property", "in_child", "whole"]
+
+T = TypeVar("T")
+
+
+class Lock:
+    """A lock that a forked child finds open; the thread that holds it may take it again."""
+
+    def __init__(self) -> None:
+        self._lock = threading.RLock()
+        _LOCKS.add(self)
+
+    def open(self) -> None:
+        """Forget who holds it."""
+        self._lock = threading.RLock()
+
+    def __enter__(self) -> None:
+        self._lock.acquire()
+
+    def __exit__(self, *_: object) -> None:
+        self._lock.release()
+
+
+_LOCKS: WeakSet[Lock] = WeakSet()
+whole = threading.RLock()
+"""Held while something happens that a fork waits for."""
+
+
+class cached_property(Generic[T]):  # noqa: N801 - as functools has it
+    """A property that is computed once; a thread that comes meanwhile computes it again.
+
+    Before Python 3.12 that of functools holds a lock, the same for all objects of a class.
+    """
+
+    def __init__(self, function: Callable[[Any], T]) -> None:
+        self._function = function
+        self.__doc__ = function.__doc__
+
+    @overload
+    def __get__(self, instance: None, owner: type) -> cached_property[T]: ...
+    @overload
+    def __get__(self, instance: object, owner: type) -> T: ...
+    def __get__(self, instance: Any, owner: type) -> Any:
+        if instance is None:
+            return self
+        value = self._function(instance)
+        return instance.__dict__.setdefault(self._function.__name__, value)
+
+
+_children: list[Callable[[], None]] = []
+
+
+def in_child(function: Callable[[], None]) -> Callable[[], None]:
+    """Have a function called in each forked child, before anything else."""
+    _children.append(function)
+    return function
+
+
+_held: list[Any] = []
+
+
+def _before() -> None:
+    whole.acquire()
+    for module, path in (
+        ("numba.core.compiler_lock", ("global_compiler_lock",)),
+        ("llvmlite.binding.ffi", ("lib", "_lock")),
+    ):
+        lock: Any = sys.modules.get(module)
+        for name in path:
+            lock = getattr(lock, name, None)
+        if lock is not None:
+            lock.__enter__()
+            _held.append(lock)
+
+
+def _after() -> None:
+    while _held:
+        _held.pop().__exit__(None, None, None)
+    whole.release()
+
+
+def _after_in_child() -> None:
+    for lock in list(_LOCKS):
+        lock.open()
+    _after()
+    for function in _children:
+        function()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(before=_before, after_in_parent=_after, after_in_child=_after_in_child)

@@ -1,0 +1,228 @@
+"""A process that forks while its other threads compile: the children can compile."""
+
+from __future__ import annotations
+
+import gc
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+import warnings
+
+import pytest
+from llvmlite import binding
+
+from pydy import _forks
+from pydy._backends import background
+from pydy._graph.collector import collector_paused
+
+if not hasattr(os, "fork"):
+    pytest.skip("there is no fork", allow_module_level=True)
+
+
+def in_a_child(function, seconds=20.0):
+    """Return whether a function is true in a forked child, or None if it does not come back."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)  # Python 3.12: there are threads
+        child = os.fork()
+    if child == 0:
+        try:
+            os._exit(0 if function() else 1)
+        except BaseException:  # noqa: BLE001 - nothing of pytest must run in the child
+            os._exit(2)
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        done, status = os.waitpid(child, os.WNOHANG)
+        if done:
+            return os.waitstatus_to_exitcode(status) == 0
+        time.sleep(0.01)
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    return None
+
+
+class Holding:
+    """Another thread that is within something, for so long or until the body has ended."""
+
+    def __init__(self, thing, seconds=20.0):
+        begun, self._end = threading.Event(), threading.Event()
+
+        def work():
+            with thing:
+                begun.set()
+                self._end.wait(seconds)
+
+        self._thread = threading.Thread(target=work)
+        self._thread.start()
+        assert begun.wait(10.0)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._end.set()
+        self._thread.join()
+
+
+def takes(lock):
+    with lock:
+        return True
+
+
+def test_a_child_finds_a_lock_open_that_another_thread_holds():
+    lock = _forks.Lock()
+    with Holding(lock):
+        assert in_a_child(lambda: takes(lock))
+    assert takes(lock)
+
+
+@pytest.mark.parametrize("name", ["llvmlite", "numba", "whole"])
+def test_a_fork_waits_for_what_is_not_sound_in_between(name):
+    from numba.core.compiler_lock import global_compiler_lock
+
+    locks = {"llvmlite": binding.ffi.lib._lock, "numba": global_compiler_lock}
+    lock = locks.get(name, _forks.whole)
+    with Holding(lock, seconds=0.3):
+        assert in_a_child(lambda: takes(lock))
+    assert takes(lock)
+
+
+def test_a_task_that_was_under_way_is_done_again_in_the_child():
+    begun, end, done = threading.Event(), threading.Event(), []
+
+    def work():
+        begun.set()
+        end.wait(20.0)
+        done.append(os.getpid())
+
+    task = background.Task(work)
+    thread = threading.Thread(target=task.run)
+    thread.start()
+    assert begun.wait(10.0)
+
+    def again():
+        end.set()
+        task.run()
+        task.run()
+        return done == [os.getpid()]
+
+    assert in_a_child(again)
+    end.set()
+    thread.join()
+    assert done == [os.getpid()]
+
+
+def test_a_child_has_a_side_thread_of_its_own():
+    begun, end = threading.Event(), threading.Event()
+
+    def work():
+        begun.set()
+        end.wait(20.0)
+
+    background.submit(background.Task(work))
+    assert begun.wait(10.0)
+
+    def another():
+        done = threading.Event()
+        background.submit(background.Task(done.set))
+        return done.wait(10.0)
+
+    assert in_a_child(another)
+    end.set()
+
+
+def test_a_property_that_another_thread_computes_is_computed_in_the_child():
+    begun, end = threading.Event(), threading.Event()
+
+    class Slow:
+        @_forks.cached_property
+        def value(self):
+            begun.set()
+            end.wait(20.0)
+            return 3
+
+    slow = Slow()
+    thread = threading.Thread(target=lambda: slow.value)
+    thread.start()
+    assert begun.wait(10.0)
+
+    def computes():
+        end.set()
+        return slow.value == 3 and "value" in vars(slow)
+
+    assert in_a_child(computes)
+    end.set()
+    thread.join()
+    assert slow.value == 3
+
+
+def test_a_child_collects_garbage_though_another_thread_had_turned_it_off():
+    assert gc.isenabled()
+    with Holding(collector_paused()):
+        assert not gc.isenabled()
+        assert in_a_child(gc.isenabled)
+
+
+def test_a_child_leaves_collection_off_where_its_own_thread_has_turned_it_off():
+    with collector_paused():
+        assert in_a_child(lambda: not gc.isenabled())
+    assert gc.isenabled()
+
+
+LOOP = """
+import os, signal, sys, threading, time, warnings
+warnings.simplefilter("ignore")
+import numpy as np
+from pydy._backends import cache
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+
+large = [n_link_pendulum_on_cart(n) for n in (3, 4, 5)]
+small = [multi_mass_spring_damper(n) for n in (1, 2, 3)]
+enough = threading.Event()
+
+def compute(system):
+    system.generate_ode_function()
+    x = np.linspace(0.1, 1.0, len(system.states))
+    rates, jacobian = system.evaluate_ode(x), system.evaluate_jacobian(x)
+    assert all(kernel.addresses for kernel in system._current()._kernels.values())
+    return np.isfinite(rates).all() and np.isfinite(jacobian).all()
+
+def work():
+    k = 0
+    while not enough.is_set():
+        cache.memory.clear()
+        compute(large[k % 3])
+        k += 1
+
+thread = threading.Thread(target=work)
+thread.start()
+time.sleep(0.3)
+ends = []
+for k in range(12):
+    child = os.fork()
+    if child == 0:
+        signal.alarm(30)  # kills it where it hangs
+        try:
+            os._exit(0 if compute(small[k % 3]) else 1)
+        except BaseException:
+            os._exit(2)
+    ends.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+    time.sleep(0.013 * (k % 5))
+enough.set()
+thread.join()
+print(ends)
+"""
+
+
+def test_children_that_are_forked_while_a_thread_compiles_compile_and_evaluate():
+    done = subprocess.run(
+        [sys.executable, "-c", LOOP],
+        env={**os.environ, "PYDY_CACHE_DIR": "off"},
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=500,
+    )
+    assert done.stdout.strip() == str([0] * 12), done.stderr
