@@ -34,7 +34,7 @@ demo: $(VENV)/.installed-plot
 test: $(VENV)/.installed-test
 	$(PY) -m ruff check
 	$(PY) -m ruff format --check
-	$(PY) -m mypy src
+	$(PY) -m mypy src tests/typing/usage.py
 	$(PY) -m pytest -n $(JOBS)
 
 # A folder of its own, so that pytest's default run does not need a browser.

@@ -7,10 +7,10 @@ compiled code.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 import sympy as sm
@@ -42,6 +42,11 @@ from pydy.solvers.solver import SOLVERS, Solver
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
+    from numpy.typing import ArrayLike
+
+    from pydy._system.solving import EnsembleOptions
     from pydy.viz.scene import Scene
 
 __all__ = ["System"]
@@ -104,12 +109,12 @@ class System:
     def __init__(
         self,
         eom_method: Any,
-        constants: dict[Any, float] | None = None,
-        specifieds: dict[Any, Any] | None = None,
-        ode_solver: Callable[..., Any] | None = None,
-        initial_conditions: dict[Any, float] | None = None,
-        times: Any = None,
-        outputs: dict[Any, Any] | None = None,
+        constants: Mapping[Any, Any] | None = None,
+        specifieds: Mapping[Any, Any] | None = None,
+        ode_solver: Callable[..., Any] | str | None = None,
+        initial_conditions: Mapping[Any, Any] | None = None,
+        times: ArrayLike | None = None,
+        outputs: Mapping[Any, Any] | None = None,
         noncontributing_forces: Iterable[Any] | None = None,
         constants_symbols: Iterable[Any] | None = None,
         specifieds_symbols: Iterable[Any] | None = None,
@@ -329,7 +334,7 @@ class System:
         return self._constants
 
     @constants.setter
-    def constants(self, constants: dict[Any, Any] | None) -> None:
+    def constants(self, constants: Mapping[Any, Any] | None) -> None:
         values = check_mapping("constants", constants)
         self._numbers("constants", values, 1.0)
         self._constants = values
@@ -358,7 +363,7 @@ class System:
         return self._specifieds
 
     @specifieds.setter
-    def specifieds(self, specifieds: dict[Any, Any] | None) -> None:
+    def specifieds(self, specifieds: Mapping[Any, Any] | None) -> None:
         before, self._specifieds = self._specifieds, check_mapping("specifieds", specifieds)
         self._unfollowed.clear()
         try:
@@ -373,7 +378,7 @@ class System:
         return self._initial_conditions
 
     @initial_conditions.setter
-    def initial_conditions(self, initial_conditions: dict[Any, Any] | None) -> None:
+    def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
         values = check_mapping("initial_conditions", initial_conditions)
         self._numbers("initial_conditions", values, 0.0)
         self._initial_conditions = values
@@ -384,7 +389,7 @@ class System:
         return self._times
 
     @times.setter
-    def times(self, times: Any) -> None:
+    def times(self, times: ArrayLike | None) -> None:
         self._times = check_times(times)
 
     @property
@@ -407,7 +412,7 @@ class System:
         return self._outputs
 
     @outputs.setter
-    def outputs(self, outputs: dict[Any, Any] | None) -> None:
+    def outputs(self, outputs: Mapping[Any, Any] | None) -> None:
         self._define(outputs, self._forces)
 
     @property
@@ -649,7 +654,9 @@ class System:
 
     # -- evaluation -------------------------------------------------------------------------------
 
-    def evaluate_ode(self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None) -> Any:
+    def evaluate_ode(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> np.ndarray:
         """Return the derivatives of the states.
 
         Parameters
@@ -685,7 +692,7 @@ class System:
 
     def evaluate_outputs(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
-    ) -> Any:
+    ) -> np.ndarray:
         """Return the outputs, in the order of `outputs_symbols`.
 
         The parameters are those of `evaluate_ode`.
@@ -741,7 +748,7 @@ class System:
 
     def evaluate_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
-    ) -> Any:
+    ) -> np.ndarray:
         """Return the residuals of the holonomic, then the nonholonomic constraints.
 
         The parameters are those of `evaluate_ode`.
@@ -761,7 +768,7 @@ class System:
 
     def evaluate_holonomic_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
-    ) -> Any:
+    ) -> np.ndarray:
         """Return the residuals of the holonomic constraints.
 
         The parameters are those of `evaluate_ode`.
@@ -781,7 +788,7 @@ class System:
 
     def evaluate_velocity_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
-    ) -> Any:
+    ) -> np.ndarray:
         """Return the residuals of all velocity constraints.
 
         The parameters are those of `evaluate_ode`.
@@ -813,7 +820,7 @@ class System:
         of: str = "ode",
         r: Any = None,
         p: Any = None,
-    ) -> Any:
+    ) -> np.ndarray:
         """Return exact partial derivatives, from differentiating the expression graph.
 
         Where a specified is given as an expression, derivatives by states and constants go through
@@ -906,6 +913,14 @@ class System:
         found = {definition.states[k]: float(x[k]) for part in places for k in part}
         # A new dictionary: the old one may be the caller's own.
         self._initial_conditions = {**self._initial_conditions, **found}
+
+    @overload
+    def integrate(
+        self, *, full_output: Literal[True], **solver_kwargs: Any
+    ) -> tuple[np.ndarray, dict[str, Any]]: ...
+
+    @overload
+    def integrate(self, **solver_kwargs: Any) -> np.ndarray: ...
 
     def integrate(self, **solver_kwargs: Any) -> Any:
         """Integrate the equations over `times` from the initial conditions.
@@ -1036,10 +1051,10 @@ class System:
     def integrate_ensemble(
         self,
         *,
-        initial_conditions: dict[Any, Any] | None = None,
-        constants: dict[Any, Any] | None = None,
-        specifieds: dict[Any, Any] | None = None,
-        times: Any = None,
+        initial_conditions: Mapping[Any, Any] | None = None,
+        constants: Mapping[Any, Any] | None = None,
+        specifieds: Mapping[Any, Any] | None = None,
+        times: ArrayLike | None = None,
         ode_solver: Any = "dop853",
         product: bool = False,
         reduce: Any = None,
@@ -1048,8 +1063,8 @@ class System:
         resume: bool = False,
         workers: int | None = None,
         progress: bool = False,
-        units: dict[Any, str] | None = None,
-        **solver_kwargs: Any,
+        units: Mapping[Any, str] | None = None,
+        **solver_kwargs: Unpack[EnsembleOptions],
     ) -> Any:
         """Integrate many trajectories of the system, with other numbers for each.
 

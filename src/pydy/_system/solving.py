@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, Literal
 
 from pydy._checks import number
 from pydy._graph.derivative import jacobian
@@ -16,12 +16,21 @@ from pydy.codegen.arguments import describe
 from pydy.codegen.right_hand_side import RightHandSide
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, Event
+from pydy.solvers.options import StepOptions
 from pydy.solvers.solver import Solver
 
-__all__ = ["HANDLED", "prepare"]
+__all__ = ["HANDLED", "EnsembleOptions", "prepare"]
 
 HANDLED = {"constraints", "events", "gain"}
 """Options of `System.integrate` that need the equations."""
+
+
+class EnsembleOptions(StepOptions, total=False):
+    """Options of `System.integrate_ensemble` that decide each integration, for type checkers."""
+
+    constraints: Literal["project", "baumgarte"] | None
+    gain: float | None
+    events: Event | Iterable[Event] | None
 
 
 def prepare(

@@ -15,6 +15,18 @@ it takes. Nothing here loads numba before a solver runs.
 from __future__ import annotations
 
 from pydy.solvers.events import Event
+from pydy.solvers.options import SolverOptions, StepOptions
 from pydy.solvers.solver import Prepared, Solver, dop853, radau, rk4, tsit5, vern9
 
-__all__ = ["Event", "Prepared", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]
+__all__ = [
+    "Event",
+    "Prepared",
+    "Solver",
+    "SolverOptions",
+    "StepOptions",
+    "dop853",
+    "radau",
+    "rk4",
+    "tsit5",
+    "vern9",
+]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
@@ -12,9 +12,31 @@ from pydy._checks import number, real_array
 from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents
 
-__all__ = ["Options", "read_options"]
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+__all__ = ["Options", "SolverOptions", "StepOptions", "read_options"]
 
 _DEFAULT = 1.49012e-8  # odeint's: the square root of the rounding unit
+
+
+class StepOptions(TypedDict, total=False):
+    """Options that decide the size and number of steps, for type checkers; see `Options`."""
+
+    rtol: ArrayLike
+    atol: ArrayLike
+    first_step: float | None
+    max_step: float
+    max_steps: int
+    step: float | None
+
+
+class SolverOptions(StepOptions, total=False):
+    """Options of a solver that is called directly, but for `full_output`; see `Options`."""
+
+    progress: bool
+    events: CompiledEvents | None
+    constraints: CompiledConstraints | None
 
 
 @dataclass(frozen=True)

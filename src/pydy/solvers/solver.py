@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, overload
 from warnings import warn
 
 import numpy as np
@@ -15,7 +15,12 @@ from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
 
 if TYPE_CHECKING:
+    from typing import Unpack
+
+    from numpy.typing import ArrayLike
+
     from pydy.solvers.integration import Integration
+    from pydy.solvers.options import SolverOptions
 
 __all__ = ["SOLVERS", "Prepared", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]
 
@@ -52,6 +57,30 @@ class Solver:
 
     def __reduce__(self) -> str:
         return self.name  # there is one object for each method
+
+    @overload
+    def __call__(
+        self,
+        f: Callable[..., Any],
+        x0: ArrayLike,
+        t: ArrayLike,
+        args: Any = (),
+        *,
+        full_output: Literal[False] = False,
+        **options: Unpack[SolverOptions],
+    ) -> np.ndarray: ...
+
+    @overload
+    def __call__(
+        self,
+        f: Callable[..., Any],
+        x0: ArrayLike,
+        t: ArrayLike,
+        args: Any = (),
+        *,
+        full_output: Literal[True],
+        **options: Unpack[SolverOptions],
+    ) -> tuple[np.ndarray, dict[str, Any]]: ...
 
     def __call__(
         self, f: Callable[..., Any], x0: Any, t: Any, args: Any = (), **options: Any
@@ -109,7 +138,12 @@ class Solver:
         return (states, prepared.info) if options.get("full_output") else states
 
     def prepare(
-        self, f: Callable[..., Any], x0: Any, t: Any, args: Any = (), **options: Any
+        self,
+        f: Callable[..., Any],
+        x0: ArrayLike,
+        t: ArrayLike,
+        args: Any = (),
+        **options: Unpack[SolverOptions],
     ) -> Prepared:
         """Get an integration ready that is to be run many times, from different initial states.
 
@@ -173,7 +207,7 @@ class Prepared:
         self._shape = x0.shape
         self._run = integration.run
 
-    def __call__(self, x0: Any) -> np.ndarray:
+    def __call__(self, x0: ArrayLike) -> np.ndarray:
         """Return the states at the prepared times, shape (m, n), from another initial state.
 
         Raises
