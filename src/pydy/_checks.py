@@ -9,14 +9,30 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from math import isfinite
+from os import PathLike, fspath
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pydy._names import name_of, unique_names, written_out
 
-__all__ = ["Places", "describe", "listed", "number", "real_array", "shown", "vector"]
+__all__ = [
+    "Places",
+    "choice",
+    "describe",
+    "flag",
+    "listed",
+    "number",
+    "path_of",
+    "real_array",
+    "shown",
+    "text",
+    "vector",
+    "whole",
+]
 
+_FLOAT = np.dtype(float)
 _HUGE = "a number beyond the range of floats"
 
 
@@ -100,8 +116,9 @@ def vector(value: Any, size: int, what: str) -> np.ndarray:
 
 
 def _as_float(value: Any) -> float:
-    if isinstance(value, (str, bytes, bytearray, np.datetime64, np.timedelta64)):
-        raise TypeError  # float() would read '1.5'
+    no_number = (str, bytes, bytearray, np.datetime64, np.timedelta64, np.complexfloating)
+    if isinstance(value, no_number) or getattr(value, "dtype", _FLOAT).kind == "c":
+        raise TypeError  # float() would read '1.5', and drop an imaginary part
     result = float(value)
     if np.isinf(result) and getattr(value, "is_finite", False) is True:  # SymPy's
         raise OverflowError
@@ -112,12 +129,55 @@ def _refuse_masked(value: Any, what: str) -> None:
     """Refuse masked entries, under which any number may lie."""
     if isinstance(value, (list, tuple)):
         for entry in value:
-            _refuse_masked(entry, what)
+            if entry is not value:  # a list may be in itself
+                _refuse_masked(entry, what)
     elif isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
         raise ValueError(
             f"{what} must not have masked entries, got {shown(value)}. Leave them out, or fill "
             "them with numbers: `array.filled(...)`."
         )
+
+
+def whole(value: Any, what: str, least: int = 1) -> int:
+    """Return a whole number from some number on, or say what it was instead."""
+    result = np.nan if isinstance(value, (bool, np.bool_)) else number(value, what)
+    if not result >= least or result != np.floor(result) or np.isinf(result):
+        raise ValueError(f"{what} must be a whole number from {least} on, got {shown(value)}.")
+    return int(result)
+
+
+def flag(value: Any, what: str) -> bool:
+    """Return True or False, or say what it was instead; 0, 1 and NumPy's booleans stand for them.
+
+    Any object has a truth value: ``'no'`` would be true.
+    """
+    if isinstance(value, (bool, np.bool_)) or (type(value) is int and value in (0, 1)):
+        return bool(value)
+    raise TypeError(f"{what} must be True or False, got {shown(value)}.")
+
+
+def choice(value: Any, options: Iterable[Any], what: str) -> Any:
+    """Return the one of some options that a value is, or say what it was instead."""
+    options = tuple(options)
+    for option in options:
+        alike = isinstance(value, type(option)) and not isinstance(value, bool)
+        if value is option or (alike and value == option):
+            return option
+    raise ValueError(f"{what} must be one of {', '.join(map(repr, options))}, got {shown(value)}.")
+
+
+def text(value: Any, what: str) -> str:
+    """Return a string, or say what it was instead."""
+    if not isinstance(value, str):
+        raise TypeError(f"{what} must be a string, got {shown(value)}.")
+    return value
+
+
+def path_of(value: Any, what: str) -> Path:
+    """Return a path, or say what it was instead."""
+    if not isinstance(value, (str, PathLike)) or "\0" in fspath(value):
+        raise TypeError(f"{what} must be a path, got {shown(value)}.")
+    return Path(value)
 
 
 _PLAIN = frozenset((float, int, np.float64))
