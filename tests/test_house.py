@@ -43,6 +43,7 @@ FLOORS = {
     "_dataset": 0,
     "_errors": 0,
     "_forks": 0,
+    "_html": 0,
     "_names": 0,
     "_optional": 0,
     "_array_layout": 0,

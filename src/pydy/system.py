@@ -34,6 +34,7 @@ from pydy._system.inputs import (
     sort_out,
 )
 from pydy._system.solving import HANDLED, prepare
+from pydy._system.summary import as_html, as_text, facts
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_system_function
@@ -142,6 +143,24 @@ class System:
         self.ode_solver = ode_solver
         self.initial_conditions = initial_conditions
         self.times = times
+
+    def __repr__(self) -> str:
+        return as_text(self._facts())
+
+    def _repr_html_(self) -> str:
+        return as_html(self._facts())
+
+    def _facts(self) -> list[tuple[str, str]]:
+        # The last definition that was sound: to print a System never fails.
+        return facts(
+            type(self._eom_method).__name__,
+            self._defined,
+            self._constants,
+            self._specifieds,
+            self._initial_conditions,
+            self._times,
+            self._ode_solver,
+        )
 
     # -- the symbolic side ------------------------------------------------------------------------
 

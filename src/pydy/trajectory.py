@@ -10,6 +10,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from pydy._dataset import read_netcdf, to_dataset, write_netcdf
+from pydy._html import table_of_columns
 from pydy._names import latex_of, latex_of_rate, name_of, unique_names
 from pydy._optional import require
 
@@ -243,6 +244,9 @@ class Trajectory:
         shown = ", ".join(self._names[:6]) + (", …" if len(self._names) > 6 else "")
         span = f" from {self.times[0]} to {self.times[-1]}" if len(self.times) else ""
         return f"Trajectory of {shown} at {len(self.times)} times{span}"
+
+    def _repr_html_(self) -> str:
+        return table_of_columns(repr(self), self._names[: self.states.shape[1]], self.states)
 
     # -- what follows from the states -------------------------------------------------------------
 
