@@ -6,9 +6,10 @@ themselves or by name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from math import isfinite
+from operator import itemgetter
 from os import PathLike, fspath
 from pathlib import Path
 from typing import Any
@@ -33,6 +34,7 @@ __all__ = [
 ]
 
 _FLOAT = np.dtype(float)
+_PLAIN = frozenset((float, int, np.float64))
 _HUGE = "a number beyond the range of floats"
 
 
@@ -128,9 +130,10 @@ def _as_float(value: Any) -> float:
 def _refuse_masked(value: Any, what: str) -> None:
     """Refuse masked entries, under which any number may lie."""
     if isinstance(value, (list, tuple)):
-        for entry in value:
-            if entry is not value:  # a list may be in itself
-                _refuse_masked(entry, what)
+        if not {*map(type, value)} <= _PLAIN:
+            for entry in value:
+                if entry is not value:  # a list may be in itself
+                    _refuse_masked(entry, what)
     elif isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
         raise ValueError(
             f"{what} must not have masked entries, got {shown(value)}. Leave them out, or fill "
@@ -180,9 +183,6 @@ def path_of(value: Any, what: str) -> Path:
     return Path(value)
 
 
-_PLAIN = frozenset((float, int, np.float64))
-
-
 class Places:
     """Where each of some symbols lies in an array; its name stands for it where no other has it.
 
@@ -198,9 +198,12 @@ class Places:
         self.symbols = tuple(symbols)
         self.what = what
         self._place = {s: k for k, s in enumerate(self.symbols)}
-        # The keys that were looked up last, and where they lie. The same dictionary, or one made
-        # in the same way, comes again and again: comparing keys costs a tenth of hashing them.
-        self._known: tuple[list[Any], np.ndarray | None] = ([], np.empty(0, dtype=np.int64))
+        # The latest keys that give all symbols, and what brings their values into order; the latest
+        # that give some, and where they lie. The same dictionary, or one made in the same way,
+        # comes again and again: comparing takes a tenth of hashing.
+        self._known: tuple[list[Any], Callable[[list[Any]], Any] | None] = ([*self.symbols], None)
+
+        self._some: tuple[list[Any], np.ndarray] = ([], np.empty(0, dtype=np.int64))
 
     def __len__(self) -> int:
         return len(self.symbols)
@@ -271,7 +274,7 @@ class Places:
         return columns
 
     def read(
-        self, argument: str, values: Mapping[Any, Any], base: np.ndarray | None = None
+        self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None
     ) -> np.ndarray:
         """Return the numbers of a dictionary in order.
 
@@ -281,18 +284,18 @@ class Places:
             Its name in messages.
         values : mapping
             From symbols, or their names, to numbers.
-        base : ndarray, optional
+        base : ndarray or float, optional
             The numbers of symbols that are not given; the others must be finite then. Without it
             all must be given.
         """
-        array = self.plain(values) if base is None else None
+        array = self.plain(values, finite=base is not None)
         if array is not None:
             return array
-        keys, numbers = list(values), list(values.values())
-        known, columns = self._known
-        if columns is None or keys != known:
+        keys = [*values]
+        known, columns = self._some
+        if keys != known:
             columns = self.columns(keys, argument)
-            self._known = (keys, columns)
+            self._some = (keys, columns)
         if base is None and len(columns) < len(self.symbols):
             given = set(columns.tolist())
             missing = [s for k, s in enumerate(self.symbols) if k not in given]
@@ -300,36 +303,33 @@ class Places:
                 f"`{argument}` has no value for the {self.what} {describe(missing)}: a dictionary "
                 "must give all of them."
             )
-        result = np.empty(len(self.symbols)) if base is None else base.copy()
-        # SymPy takes longer to print a name than many a model to integrate.
-        if {*map(type, numbers)} <= {float} and isfinite(sum(numbers)):
-            result[columns] = numbers
-        else:
-            finite = base is not None
-            for key, column, value in zip(keys, columns.tolist(), numbers, strict=True):
-                usual = type(value) is float and isfinite(value)
-                result[column] = (
-                    value if usual else number(value, f"`{argument}[{key}]`", finite=finite)
-                )
+        result = np.full(len(self.symbols), 0.0 if base is None else base)
+        finite = base is not None
+        for key, column, value in zip(keys, columns.tolist(), values.values(), strict=True):
+            # SymPy takes longer to print a name than many a model to integrate.
+            usual = type(value) is float and isfinite(value)
+            result[column] = (
+                value if usual else number(value, f"`{argument}[{key}]`", finite=finite)
+            )
         return result
 
-    def plain(self, values: Mapping[Any, Any]) -> np.ndarray | None:
-        """Return the numbers of a dictionary that gives every symbol a plain one, else None."""
-        keys, numbers = list(values), list(values.values())
-        known, columns = self._known
+    def plain(self, values: Mapping[Any, Any], *, finite: bool = False) -> np.ndarray | None:
+        """Return the numbers of a dictionary that gives all symbols plain ones, else None."""
+        keys, numbers = [*values], [*values.values()]
+        known, reorder = self._known
         if keys != known:
             try:
                 columns = self.columns(keys, "")
             except ValueError:
-                columns = None
-            self._known = (keys, columns)
-        if columns is None or len(columns) < len(self.symbols):
-            return None
-        if not {*map(type, numbers)} <= _PLAIN:
-            return None
-        result = np.empty(len(numbers))
+                return None
+            if len(columns) < len(self.symbols):
+                return None
+            reorder = None if (np.diff(columns) == 1).all() else itemgetter(*np.argsort(columns))
+            self._known = (keys, reorder)
         try:
-            result[columns] = numbers
-        except OverflowError:
-            return None
-        return result
+            total = sum(numbers)  # of a type that is no float where one of the numbers is not
+            if type(total) in _PLAIN and (not finite or isfinite(total)):
+                return np.array(numbers if reorder is None else reorder(numbers), dtype=float)
+        except (TypeError, ValueError, OverflowError):
+            pass  # `read` says which one it is
+        return None

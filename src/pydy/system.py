@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sm
 from scipy.integrate import odeint
 
+from pydy._checks import vector
 from pydy._eom.extract import extract
 from pydy._errors import warn_user
 from pydy._kernel import Kernel
@@ -24,7 +25,7 @@ from pydy._system.definition import Definition, define, given_in
 from pydy._system.dependents import check_dependents, solve_dependents
 from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.ensemble_inputs import make_ensemble, split_specifieds
-from pydy._system.evaluation import Snapshot, evaluate, override, samples, specified_rows
+from pydy._system.evaluation import Snapshot, evaluate, samples, specified_rows
 from pydy._system.expressions import check_expressions, driven, unfollowed
 from pydy._system.inputs import (
     SymbolSet,
@@ -207,7 +208,7 @@ class System:
         if (
             self._outputs != self._snapshot
             or list(self._outputs) != list(self._snapshot)
-            or self._given != given_in(self._specifieds)
+            or not self._given.still_holds(self._specifieds)
         ):
             outputs = self._outputs
             self._define(outputs, self._forces)
@@ -576,7 +577,8 @@ class System:
 
     def _current(self) -> RightHandSide:
         """Return the implementation for the outputs as they are now."""
-        if self._implementation is None or self._made_for != self._definition:
+        definition = self._definition
+        if self._made_for is not definition and self._made_for != definition:
             self._generate(self._options)
         assert self._implementation is not None
         return self._implementation
@@ -614,10 +616,19 @@ class System:
         """Return the constants or the initial conditions in order."""
         what = "constants" if argument == "constants" else "states"
         places = self._definition.places[what]
-        return places.read(argument, values, np.full(len(places), default))
+        return places.read(argument, values, default)
 
     def _p(self) -> np.ndarray:
         return self._numbers("constants", self._constants, 1.0)
+
+    def _p_with(self, p: Any) -> np.ndarray:
+        """Return the constants, with a user's values for one call."""
+        if p is None:
+            return self._p()
+        places = self._definition.places["constants"]
+        if hasattr(p, "items"):
+            return places.read("p", p, self._p())
+        return vector(p, len(places), "`p`")
 
     def _x0(self) -> np.ndarray:
         return self._numbers("initial_conditions", self._initial_conditions, 0.0)
@@ -664,7 +675,7 @@ class System:
             implementation = driven(implementation, self._definition, plan, perturbed=perturbed)
         else:
             rows = specified_rows(r, instants, len(layout.specifieds))
-        constants = override(p, self._p(), layout.constants)
+        constants = self._p_with(p)
         made = kernel(implementation)
         out = evaluate(made, layout, instants, states, rows, constants)
         out = out.reshape(len(out), *made.program.blocks[0].shape)

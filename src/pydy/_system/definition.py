@@ -43,6 +43,12 @@ class Given:
     keys: tuple[Any, ...]
     ordered: bool
 
+    def still_holds(self, specifieds: Mapping[Any, Any]) -> bool:
+        """Return whether the dictionary, which may have been edited, says the same."""
+        if not specifieds and not self.keys:
+            return True
+        return self == given_in(specifieds)
+
 
 def given_in(specifieds: Mapping[Any, Any]) -> Given:
     """Return what a dictionary of specifieds, in either format, says about symbols."""

@@ -10,10 +10,10 @@ import numpy as np
 
 from pydy._kernel import Kernel
 from pydy._system.energy import EnergyModel
-from pydy.codegen.arguments import SpecifiedsPlan, number, real_array
+from pydy.codegen.arguments import SpecifiedsPlan, real_array
 from pydy.codegen.right_hand_side import Layout, RightHandSide, raise_singular
 
-__all__ = ["Snapshot", "evaluate", "override", "samples", "specified_rows"]
+__all__ = ["Snapshot", "evaluate", "samples", "specified_rows"]
 
 
 def samples(
@@ -98,23 +98,6 @@ def evaluate(
         k = int(np.flatnonzero(failed)[0])
         raise_singular(layout, float(t[k]), x[k])
     return out
-
-
-def override(p: Any, base: np.ndarray, symbols: tuple[Any, ...]) -> np.ndarray:
-    """Return constants with values for this call: a dictionary of some, or all in order."""
-    if p is None:
-        return base
-    if not hasattr(p, "items"):
-        array = real_array(p, "`p`")
-        if array.shape != base.shape:
-            raise ValueError(f"`p` must have the shape {base.shape}, got {array.shape}.")
-        return array
-    result = base.copy()
-    for key, value in p.items():
-        if key not in symbols:
-            raise ValueError(f"`p` has a value for `{key}`, which is not a constant of the system.")
-        result[symbols.index(key)] = number(value, f"`p[{key}]`", finite=True)
-    return result
 
 
 @dataclass(frozen=True, eq=False)

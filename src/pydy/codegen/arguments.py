@@ -44,6 +44,10 @@ class ConstantsArgument:
         self.places = Places(symbols, "constants of the equations")
         self.arg_type = arg_type
 
+    def plain(self, p: dict[Any, Any]) -> Any:
+        """Return a dictionary that gives all constants plain numbers as an array, or itself."""
+        return _plain(self.places, p, self.arg_type)
+
     def __call__(self, p: Any) -> np.ndarray:
         """Return p as an array of shape (k,)."""
         if self.arg_type == "dictionary" and not isinstance(p, Mapping):
@@ -76,6 +80,10 @@ class SpecifiedsArgument:
         self.arg_type = arg_type
         self.time_first = time_first
 
+    def plain(self, r: dict[Any, Any]) -> Any:
+        """Return a dictionary that gives all specifieds plain numbers as an array, or itself."""
+        return _plain(self.places, r, self.arg_type)
+
     def __call__(self, r: Any, x: np.ndarray, t: float) -> np.ndarray:
         """Return r at one state and time as an array of shape (s,)."""
         kind = self.arg_type
@@ -99,9 +107,6 @@ class SpecifiedsArgument:
             raise ValueError(
                 f"`r` must be a dictionary, as `specifieds_arg_type` says, got {type(r).__name__}."
             )
-        numbers = self.places.plain(r)
-        if numbers is not None:
-            return numbers
         plan = SpecifiedsPlan(r, self.places, time_first=self.time_first, complete=True)
         if plan.expressions:
             raise ValueError(
@@ -110,6 +115,13 @@ class SpecifiedsArgument:
                 "`system.specifieds` to have an expression compiled in, or give a function."
             )
         return plan(x, t)
+
+
+def _plain(places: Places, values: dict[Any, Any], arg_type: str | None) -> Any:
+    if arg_type is not None and arg_type != "dictionary":
+        return values
+    numbers = places.plain(values)
+    return values if numbers is None else numbers
 
 
 def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, Any], bool]:
@@ -242,8 +254,8 @@ class SpecifiedsPlan:
                 label = f"`{argument}['values']`" if together else f"`{argument}` for "
                 label += "" if together else describe(names)
                 self._take(value, names, columns, label, several)
-        missing = [s for s in self.symbols if s not in seen]
-        if (complete or together) and missing:
+        if (complete or together) and len(seen) < len(self.symbols):
+            missing = [s for s in self.symbols if s not in seen]
             raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
         self.given = frozenset(seen)
         self.sampled = tuple(sampled)
@@ -380,8 +392,12 @@ def evaluate_function(
             f"called at t = {t!r}."
         )
         raise
-    what = f"The function given for the specifieds {describe(symbols)}, called at t = {t!r},"
     size = len(symbols)
+    if type(value) is np.ndarray and value.dtype == np.float64 and value.shape == (size,):
+        return value  # the usual cases, without the cost of a label
+    if type(value) is float and size == 1:
+        return np.array([value])
+    what = f"The function given for the specifieds {describe(symbols)}, called at t = {t!r},"
     array = real_array(value, what)
     if array.shape == (size,) or (size == 1 and array.shape == ()):
         return np.ascontiguousarray(array.reshape(size))

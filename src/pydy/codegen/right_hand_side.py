@@ -207,6 +207,7 @@ class RightHandSide:
         call, slow = self.kernel.call, self._convert_and_call
         n, total = len(self.layout.states), len(self.layout.states) + self.num_outputs
         empty, nothing, swapped = np.empty, _NOTHING, self.time_first
+        plain_p, plain_r = self.constants.plain, self.specifieds.plain
         if self.layout.specifieds:
 
             def evaluate(args: tuple[Any, ...]) -> np.ndarray:
@@ -216,8 +217,10 @@ class RightHandSide:
                     raise self._wrong_count(args) from None
                 if swapped:
                     x, t = t, x
+                s = plain_r(r) if type(r) is dict else r
+                c = plain_p(p) if type(p) is dict else p
                 out = empty(total)
-                if call(x, t, r, p, out):
+                if call(x, t, s, c, out):
                     slow(x, t, r, p, out)
                 return out
 
@@ -230,8 +233,9 @@ class RightHandSide:
                     raise self._wrong_count(args) from None
                 if swapped:
                     x, t = t, x
+                c = plain_p(p) if type(p) is dict else p
                 out = empty(total)
-                if call(x, t, nothing, p, out):
+                if call(x, t, nothing, c, out):
                     slow(x, t, nothing, p, out)
                 return out
 
