@@ -51,6 +51,8 @@ FLOORS = {
 }
 # Files that share a room with another: `pydy` itself holds the version and no more.
 SHARED_ROOMS = {"__main__": "cli", "": "_version"}
+# What `pydy` hands out when it is asked for; nothing is loaded before.
+HANDED_OUT = {"pydy.system"}
 
 # What numba compiles; `pydy.solvers.solver` imports these inside a function.
 COMPILED = {"pydy.solvers.compiled", "pydy.solvers.intrinsics", "pydy.solvers.vectors"}
@@ -133,7 +135,8 @@ def tree(module: str) -> ast.Module:
 def imports(module: str) -> tuple[Import, ...]:
     is_package = MODULES[module].name == "__init__.py"
     package = module if is_package else module.rpartition(".")[0]
-    return tuple(find_imports(tree(module), package, at_load=True))
+    found = find_imports(tree(module), package, at_load=True)
+    return tuple(i for i in found if module != "pydy" or i.at_load or i.target not in HANDED_OUT)
 
 
 def find_imports(node: ast.AST, package: str, *, at_load: bool) -> Iterator[Import]:
@@ -256,6 +259,21 @@ def modules_loaded_by(statement: str) -> set[str]:
 def test_importing_pydy_loads_neither_sympy_nor_numpy():
     heavy = {"sympy", "numpy", "scipy", "llvmlite", *LATE}
     assert not modules_loaded_by("import pydy") & heavy
+
+
+def test_system_is_handed_out_when_it_is_asked_for():
+    assert "pydy.system" not in modules_loaded_by("import pydy; dir(pydy)")
+    assert "pydy.system" in modules_loaded_by("from pydy import System")
+
+
+def test_pydy_has_no_other_attributes():
+    import pydy
+    import pydy.system
+
+    assert pydy.System is pydy.system.System
+    assert {"System", "__version__"} <= set(dir(pydy))
+    with pytest.raises(AttributeError, match="module 'pydy' has no attribute 'Sistem'"):
+        _ = pydy.Sistem
 
 
 def test_a_worker_that_receives_a_kernel_never_loads_sympy():

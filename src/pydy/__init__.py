@@ -1,9 +1,25 @@
 """Fast simulation of multibody systems whose equations SymPy derives.
 
-Start at `pydy.system.System`. This file imports nothing heavy, so that a worker process that
-receives compiled code never pays for SymPy.
+Start at `System`: ``from pydy import System``. It is imported when it is first asked for, so that a
+worker process that receives compiled code never pays for SymPy.
 """
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
 
 from pydy._version import __version__
 
-__all__ = ["__version__"]
+if TYPE_CHECKING:
+    from pydy.system import System
+
+__all__ = ["System", "__version__"]
+
+
+def __getattr__(name: str) -> Any:
+    if name == "System":
+        return import_module("pydy.system").System
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

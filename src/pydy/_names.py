@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from difflib import get_close_matches
 from typing import Any
 
-__all__ = ["latex_of", "latex_of_rate", "name_of", "unique_names", "written_out"]
+__all__ = ["latex_of", "latex_of_rate", "name_of", "nearest", "unique_names", "written_out"]
 
 
 def name_of(symbol: Any) -> str:
@@ -37,6 +38,12 @@ def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
             number += 1
         taken.add(names[k])
     return tuple(names)
+
+
+def nearest(name: str, names: Sequence[str]) -> str:
+    """Return a sentence that tells the name that was meant, or all there are."""
+    close = get_close_matches(name, names, n=1)
+    return f"Did you mean `{close[0]}`?" if close else f"There are {', '.join(sorted(names))}."
 
 
 def written_out(symbol: Any) -> str:

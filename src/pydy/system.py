@@ -20,6 +20,7 @@ from pydy._checks import vector
 from pydy._eom.extract import extract
 from pydy._errors import warn_user
 from pydy._kernel import Kernel
+from pydy._names import nearest
 from pydy._programs import check_accelerations
 from pydy._system.definition import Definition, define, given_in
 from pydy._system.dependents import check_dependents, solve_dependents
@@ -162,6 +163,20 @@ class System:
             self._times,
             self._ode_solver,
         )
+
+    if not TYPE_CHECKING:  # or type checkers would let any attribute pass
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            # A misspelt attribute would be set, and never read.
+            if type(self) is System and not name.startswith("_") and not hasattr(System, name):
+                settable = [n for n, p in vars(System).items() if getattr(p, "fset", None)]
+                raise AttributeError(
+                    f"System has no attribute `{name}`, so it cannot be set. "
+                    f"{nearest(name, settable)}",
+                    name=name,
+                    obj=self,
+                )
+            object.__setattr__(self, name, value)
 
     # -- the symbolic side ------------------------------------------------------------------------
 

@@ -177,3 +177,31 @@ def test_nothing_is_shared_between_two_systems():
     first.initial_conditions[first.states[0]] = 1.0
     assert second.constants == {}
     assert second.initial_conditions == {}
+
+
+# misspelt attributes
+
+
+@pytest.mark.parametrize(
+    ("name", "meant"),
+    [
+        ("initial_condition", "Did you mean `initial_conditions`"),
+        ("constant", "Did you mean `constants`"),
+        ("ode_sovler", "Did you mean `ode_solver`"),
+        ("masses", "There are constants, initial_conditions, .*times"),
+    ],
+)
+def test_a_misspelt_attribute_is_refused_with_the_nearest_name(name, meant):
+    system = System(zoo.timed().kane)
+    with pytest.raises(AttributeError, match=f"no attribute `{name}`.*{meant}"):
+        setattr(system, name, {})
+    assert not hasattr(system, name)
+
+
+def test_a_class_of_the_users_has_attributes_of_its_own():
+    class Mine(System):
+        """With a name."""
+
+    system = Mine(zoo.timed().kane)
+    system.label = "mine"
+    assert system.label == "mine"
