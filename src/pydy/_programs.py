@@ -20,6 +20,7 @@ from pydy._eom.symbols import find_symbols
 from pydy._graph.body_basis import body_basis
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
+from pydy._graph.factor import factor_sums
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
@@ -191,12 +192,16 @@ class Assembly:
 
     def jacobian_program(self, name: str, group: str) -> Program:
         """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
-        nodes: list[int] = getattr(self, name)
         width = dict(zip("xrp", self.sizes, strict=True))[group]
-        graph = self.graph.copy()
-        rows = jacobian(graph, nodes, [graph.input(group, k) for k in range(width)])
-        cells = [row.get(k, graph.zero) for row in rows for k in range(width)]
-        return self.lowered([("jacobian", (len(nodes), width), cells)], graph)
+        with collector_paused():
+            graph = self.graph.copy()
+            nodes = simplify(graph, getattr(self, name), self.passes)
+            rows = jacobian(graph, nodes, [graph.input(group, k) for k in range(width)])
+            cells = [row.get(k, graph.zero) for row in rows for k in range(width)]
+            # Derivatives of what is simplified need no more than common factors taken out.
+            cells = factor_sums(graph, cells) if self.passes.factor else cells
+            blocks = [("jacobian", (len(nodes), width), cells)]
+            return lower(graph, self.sizes, blocks, passes=self.passes)
 
     def substituted(self, mapping: Mapping[int, int]) -> Assembly:
         """Return the Assembly with other nodes in place of some inputs, in every block."""

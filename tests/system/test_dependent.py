@@ -103,7 +103,11 @@ def test_specifieds_and_explicit_time_are_honoured(use_jac):
     s = me.dynamicsymbols("s")
     system = system_of(
         model,
-        specifieds={s: lambda x, t: np.cos(t), s.diff(zoo.T): lambda x, t: -np.sin(t)},
+        specifieds={
+            s: lambda x, t: np.cos(t),
+            s.diff(zoo.T): lambda x, t: -np.sin(t),
+            s.diff(zoo.T, 2): lambda x, t: -np.cos(t),
+        },
         initial_conditions={x: 0.5, vx: 0.3},
         times=[1.25, 2.0],
     )
