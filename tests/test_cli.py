@@ -195,6 +195,14 @@ def test_run_hangs_a_mass_on_a_spring(capsys):
     np.testing.assert_allclose(x, exact, atol=1e-6)
 
 
+def test_run_that_fails_says_why_prints_no_numbers_and_exits_with_1(capsys):
+    assert main(["run", "pendulum", "--duration", "1e6", "--points", "3"]) == 1
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err.startswith("python -m pydy run: `odeint` gave up (Excess work")
+    assert err.count("\n") == 1
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

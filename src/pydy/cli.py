@@ -38,7 +38,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Zero, or 1 when a check of the demo failed.
+        Zero, or 1 when a check of the demo or an integration failed.
 
     Raises
     ------
@@ -153,10 +153,16 @@ def _springs(size: int) -> System:
 def _run(options: argparse.Namespace) -> int:
     import numpy as np
 
+    from pydy.errors import IntegrationError
+
     system: System = options.model(options.size)
     system.constants = {symbol: 9.81 for symbol in system.constants_symbols if symbol.name == "g"}
     system.times = np.linspace(0.0, options.duration, options.points)
-    states = system.integrate()
+    try:
+        states = system.integrate()
+    except IntegrationError as error:
+        print(f"python -m pydy run: {error}", file=sys.stderr)
+        return 1
 
     pendulum = options.model is _pendulum
     print(

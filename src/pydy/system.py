@@ -18,15 +18,23 @@ from scipy.integrate import odeint
 
 from pydy._checks import vector
 from pydy._eom.extract import extract
-from pydy._errors import warn_user
+from pydy._errors import IntegrationError, warn_user
 from pydy._kernel import Kernel
 from pydy._names import nearest
 from pydy._programs import check_accelerations
+from pydy._system.causes import cause_of, explain
 from pydy._system.definition import Definition, define, given_in
 from pydy._system.dependents import check_dependents, solve_dependents
 from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.ensemble_inputs import make_ensemble, split_specifieds
-from pydy._system.evaluation import Snapshot, evaluate, samples, specified_rows
+from pydy._system.evaluation import (
+    Snapshot,
+    evaluate,
+    row_names,
+    samples,
+    specified_rows,
+    warn_not_finite,
+)
 from pydy._system.expressions import check_expressions, driven, unfollowed
 from pydy._system.inputs import (
     SymbolSet,
@@ -35,7 +43,9 @@ from pydy._system.inputs import (
     check_times,
     sort_out,
 )
+from pydy._system.scipy_odeint import call_odeint
 from pydy._system.solving import HANDLED, prepare
+from pydy._system.start import check_start
 from pydy._system.summary import as_html, as_text, facts
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
@@ -668,12 +678,13 @@ class System:
             return implementation.compiled(block)
 
         implementation = self._differentiable() if wrt else self._current()
-        return self._sweep(implementation, kernel, x, t, r, p, perturbed=wrt == "r")
+        return self._sweep(implementation, kernel, block, x, t, r, p, perturbed=wrt == "r")
 
     def _sweep(
         self,
         implementation: RightHandSide,
         kernel: Callable[[RightHandSide], Kernel],
+        block: str,
         x: Any,
         t: Any,
         r: Any,
@@ -694,6 +705,16 @@ class System:
         made = kernel(implementation)
         out = evaluate(made, layout, instants, states, rows, constants)
         out = out.reshape(len(out), *made.program.blocks[0].shape)
+        if not np.isfinite(out).all():
+            definition = self._definition
+            assembly = implementation.assembly
+
+            def cause(k: int) -> str | None:
+                row = rows[k if len(rows) > 1 else 0]
+                return cause_of(definition, assembly, float(instants[k]), states[k], row, constants)
+
+            inputs = (instants, states, rows, constants)
+            warn_not_finite(out, inputs, layout, row_names(definition, block), cause)
         result: np.ndarray = out[0] if single else out
         return result
 
@@ -788,7 +809,7 @@ class System:
         >>> sys.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
         array([5., 2.])
         """
-        values = self._sweep(self._current(), self._energies.kernel, x, t, r, p)
+        values = self._sweep(self._current(), self._energies.kernel, "energy", x, t, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(
@@ -998,8 +1019,19 @@ class System:
         SingularMatrixError
             The mass matrix became singular; the message tells where.
         IntegrationError
-            A native solver could not go on; it holds what was computed.
+            The solver, odeint or a native one, could not go on; the error holds what was computed.
+            With ``full_output=True``, what odeint returns is returned as it is.
+
+        Warns
+        -----
+        PyDyUserWarning
+            The initial conditions are farther from the constraints than numbers of six digits, and
+            `constraints` does not say what to do about it.
         """
+        return self._solve(solver_kwargs, checked=not solver_kwargs.get("full_output"))
+
+    def _solve(self, solver_kwargs: dict[str, Any], *, checked: bool) -> Any:
+        """Call the solver; `checked` tells whether odeint's giving up is an error."""
         if len(self._times) < 2:
             raise ValueError(
                 "`times` must have at least two values before integrate() can be called, got "
@@ -1009,15 +1041,32 @@ class System:
         definition, plan = self._definition, self._plan(self._specifieds)
         plan.check_times(times, "times")
         implementation = self._current()
+        x0, p = self._x0(), self._p()
+
+        def exact() -> RightHandSide:
+            return driven(self._differentiable(), definition, plan)
+
+        constrained = definition.equations.velocity or definition.equations.holonomic
+        if constrained and solver_kwargs.get("constraints") is None:
+            t = float(times[0])
+            as_is = driven(implementation, definition, plan)
+            check_start(definition, as_is, exact, t, x0, plan(x0, t), p)
         if HANDLED & solver_kwargs.keys():
-            exact = driven(self._differentiable(), definition, plan)
             implementation, solver_kwargs = prepare(
-                self._ode_solver, definition, implementation, exact, solver_kwargs
+                self._ode_solver, definition, implementation, exact(), solver_kwargs
             )
-        f = driven(implementation, definition, plan).rates_function(plan)
-        r = plan.values if plan.constant else plan
-        args = (r, self._p())
-        return self._ode_solver(f, self._x0(), times, args=args, **solver_kwargs)
+        integrated = driven(implementation, definition, plan)
+        f = integrated.rates_function(plan)
+        args = (plan.values if plan.constant else plan, p)
+        try:
+            if not checked or self._ode_solver is not odeint:
+                return self._ode_solver(f, x0, times, args=args, **solver_kwargs)
+            result = call_odeint(f, x0, times, args, definition.states, solver_kwargs)
+        except IntegrationError as error:
+            r = plan(error.state, error.time)
+            explain(error, definition, integrated.assembly, r, p)
+            raise
+        return result if solver_kwargs.get("full_output") else result[0]
 
     def simulate(self, **solver_kwargs: Any) -> Trajectory:
         """Integrate like `integrate`, and return the result with its names.
@@ -1039,8 +1088,8 @@ class System:
 
         Raises
         ------
-        ValueError, SingularMatrixError
-            As `integrate`.
+        ValueError, SingularMatrixError, IntegrationError
+            As `integrate`; the last with ``full_output=True`` too.
 
         Examples
         --------
@@ -1055,7 +1104,7 @@ class System:
         """
         if self._ode_solver is odeint or isinstance(self._ode_solver, Solver):
             solver_kwargs.setdefault("full_output", True)
-        result = self.integrate(**solver_kwargs)
+        result = self._solve(solver_kwargs, checked=True)
         states, info = result if isinstance(result, tuple) else (result, None)
         statistics = dict(info) if isinstance(info, dict) else {}
         times = statistics.pop("times", self._times)

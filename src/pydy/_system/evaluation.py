@@ -2,18 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from pydy._checks import describe
+from pydy._errors import warn_user
 from pydy._kernel import Kernel
+from pydy._system.definition import Definition
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan, real_array
 from pydy.codegen.right_hand_side import Layout, RightHandSide, raise_singular
 
-__all__ = ["Snapshot", "evaluate", "samples", "specified_rows"]
+__all__ = [
+    "Snapshot",
+    "evaluate",
+    "row_names",
+    "samples",
+    "specified_rows",
+    "warn_not_finite",
+]
 
 
 def samples(
@@ -98,6 +108,60 @@ def evaluate(
         k = int(np.flatnonzero(failed)[0])
         raise_singular(layout, float(t[k]), x[k])
     return out
+
+
+def row_names(definition: Definition, block: str) -> list[str]:
+    """Return what to call the values of a block in messages."""
+    equations = definition.equations
+    if block == "rates":
+        return [f"the derivative of {s}" for s in definition.states]
+    if block == "outputs":
+        return [getattr(s, "name", str(s)) for s in definition.outputs_symbols]
+    if block == "energy":
+        return ["the kinetic energy", "the potential energy", "the total energy"]
+    kinds = ("holonomic", "nonholonomic") if block == "constraints" else (block,)
+    return [
+        f"the residual of {kind} constraint {k}"
+        for kind in kinds
+        for k, _ in enumerate(getattr(equations, kind))
+    ]
+
+
+def warn_not_finite(
+    out: np.ndarray,
+    inputs: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
+    layout: Layout,
+    names: Sequence[str],
+    cause: Callable[[int], str | None],
+) -> None:
+    """Warn of values that are not finite where all that they were computed from is.
+
+    Parameters
+    ----------
+    out : ndarray, shape (m, o, ...)
+    inputs : (t, x, r, p)
+        With r of the shape (1, s) or (m, s).
+    layout : Layout
+    names : sequence of str
+        Of the rows of each sample.
+    cause : callable
+        Says of a sample what is singular there, if it can be told.
+    """
+    t, x, r, p = inputs
+    sound = np.isfinite(t) & np.isfinite(x).all(axis=1) & np.isfinite(r).all(axis=1)
+    wrong = ~np.isfinite(out.reshape(*out.shape[:2], -1)).all(axis=2)
+    bad = np.flatnonzero(wrong.any(axis=1) & sound & np.isfinite(p).all())
+    if not bad.size:
+        return
+    k = int(bad[0])
+    rows = [name for name, flag in zip(names, wrong[k], strict=True) if flag]
+    state = ", ".join(f"{s} = {v:.6g}" for s, v in zip(layout.states, x[k], strict=True))
+    why = cause(k) or "Look for a division by zero, or a function outside its domain."
+    more = f"; {bad.size - 1} other samples have such values too" if bad.size > 1 else ""
+    warn_user(
+        f"These values are not finite: {describe(rows)} at t = {float(t[k])!r} in the state "
+        f"{state}{more}. {why}"
+    )
 
 
 @dataclass(frozen=True, eq=False)

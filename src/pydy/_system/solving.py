@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Literal
 
 from pydy._checks import number
+from pydy._eom.equations import Equations
 from pydy._graph.derivative import jacobian
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -19,7 +20,7 @@ from pydy.solvers.events import CompiledEvents, Event
 from pydy.solvers.options import StepOptions
 from pydy.solvers.solver import Solver
 
-__all__ = ["HANDLED", "EnsembleOptions", "prepare"]
+__all__ = ["HANDLED", "EnsembleOptions", "constraint_names", "prepare"]
 
 HANDLED = {"constraints", "events", "gain"}
 """Options of `System.integrate` that need the equations."""
@@ -192,16 +193,17 @@ def compile_constraints(
         coordinates=len(equations.coordinates),
         speeds=len(equations.speeds),
         weighted=weighted,
-        names=(
-            *(_named("holonomic", k, e) for k, e in enumerate(equations.holonomic)),
-            *(_named("velocity", k, e) for k, e in enumerate(equations.velocity)),
-        ),
+        names=constraint_names(equations),
     )
 
 
-def _named(kind: str, k: int, expression: Any) -> str:
-    text = str(expression)
-    return f"{kind} constraint {k}: {text if len(text) <= 60 else text[:57] + '...'}"
+def constraint_names(equations: Equations) -> tuple[str, ...]:
+    """Return what to call the holonomic, then the velocity constraints."""
+    return tuple(
+        f"{kind} constraint {k}: {text if len(text) <= 60 else text[:57] + '...'}"
+        for kind, rows in (("holonomic", equations.holonomic), ("velocity", equations.velocity))
+        for k, text in enumerate(map(str, rows))
+    )
 
 
 def _projection(assembly: Assembly) -> Program:

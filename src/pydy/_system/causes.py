@@ -1,0 +1,143 @@
+"""Why derivatives are not finite, or hard to integrate, at a state: what the numbers there tell.
+
+Loads are the last to blame. A constraint that cannot be solved for the dependent speeds, a pivot of
+SymPy's that is zero, or kinematic equations in gimbal lock divide by zero in sound mechanisms.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from scipy.linalg import qr
+
+from pydy._checks import describe
+from pydy._errors import IntegrationError
+from pydy._graph.derivative import jacobian
+from pydy._graph.interpret import run
+from pydy._graph.lower import lower
+from pydy._programs import Assembly
+from pydy._system.definition import Definition
+from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
+
+__all__ = ["cause_of", "explain"]
+
+_TINY = 1e-6  # of the largest: near a singular configuration, where steps become ever smaller
+
+
+def explain(
+    error: IntegrationError,
+    definition: Definition,
+    assembly: Assembly,
+    r: np.ndarray,
+    p: np.ndarray,
+) -> None:
+    """Put the cause into the message of an error, in place of general advice."""
+    code = error.info.get("code")
+    if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW):
+        cause = cause_of(definition, assembly, error.time, np.array(error.state), r, p)
+        if cause:
+            error.args = (str(error).removesuffix(OUTCOMES[code].remedy) + cause,)
+
+
+def cause_of(
+    definition: Definition,
+    assembly: Assembly,
+    t: float,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+) -> str | None:
+    """Return what is singular at a state, in words, or None if it is none of the usual.
+
+    Parameters
+    ----------
+    definition : Definition
+    assembly : Assembly
+    t, x, r, p
+        Where the equations are evaluated.
+    """
+    for symbol, value in zip(definition.specifieds, r, strict=False):
+        if not np.isfinite(value):
+            return f"The specified `{symbol}` is {value} there."
+    equations = definition.equations
+    values = _values(definition, assembly, t, x, r, p)
+    kinematics = values["kinematics"].reshape(len(equations.coordinates), -1)
+    wild = _wild(kinematics)
+    if wild.any():
+        names = [q for q, bad in zip(equations.coordinates, wild, strict=True) if bad]
+        return (
+            f"The kinematic equations `kd_eqs` are singular there, as angles are in gimbal lock: "
+            f"the derivatives of {describe(names)} divide by zero. Choose other angles, another "
+            "order of rotations or a quaternion."
+        )
+    rows = values["slopes"].reshape(len(equations.velocity), len(equations.speeds))
+    if len(rows) and not np.isfinite(rows).all():
+        return "The velocity constraints divide by zero there. Write them without the quotient."
+    if len(rows) and equations.dependent_speeds:
+        cause = _bad_dependents(equations, rows)
+        if cause:
+            return cause
+        if not np.isfinite(values["matrix"]).all():
+            return (
+                "The mass matrix is not finite there, although the constraints can be solved for "
+                "the dependent speeds: SymPy divides by a pivot that is zero. Pass "
+                "`constraint_solver='CRAMER'` to KanesMethod in place of its default, 'LU', or "
+                "name the dependent speeds in another order."
+            )
+    return None
+
+
+def _values(
+    definition: Definition,
+    assembly: Assembly,
+    t: float,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+) -> dict[str, np.ndarray]:
+    """Evaluate the parts of the equations as they are, without simplifying or compiling them."""
+    own = assembly.fork()
+    graph, speeds = own.graph, own.speeds
+
+    def table(nodes: list[int]) -> list[int]:
+        rows = jacobian(graph, nodes, speeds)
+        return [row.get(k, graph.zero) for row in rows for k in range(len(speeds))]
+
+    parts = {
+        "kinematics": table(own.rates[: len(definition.equations.coordinates)]),
+        "slopes": table(own.velocity),
+        "matrix": own.mass_matrix,
+    }
+    program = lower(graph, own.sizes, [(k, (len(n),), n) for k, n in parts.items()])
+    out, _ = run(program, np.array([t]), x[None], r[None], p)
+    return {b.name: out[0, b.start : b.stop] for b in program.blocks}
+
+
+def _wild(kinematics: np.ndarray) -> np.ndarray:
+    """Tell which rows of N, of q' = N u, are not finite, or so large that they soon will not be."""
+    sizes = np.abs(kinematics).max(axis=1, initial=0.0)
+    least = np.min(sizes, initial=np.inf, where=np.isfinite(sizes) & (sizes > 0.0))
+    wild: np.ndarray = ~np.isfinite(sizes) | (sizes * _TINY > least)
+    return wild
+
+
+def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
+    """Say what to choose where the constraints cannot be solved for the dependent speeds."""
+    speeds, chosen = equations.speeds, equations.dependent_speeds
+    rows = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
+    columns = [speeds.index(u) for u in chosen]
+    sizes = np.linalg.svd(rows[:, columns], compute_uv=False)
+    if len(columns) == len(rows) and sizes[-1] > _TINY * sizes[0]:
+        return None
+    if np.linalg.svd(rows, compute_uv=False)[-1] < _TINY:
+        return (
+            "The velocity constraints are not independent there: the configuration is a singular "
+            "one, or a constraint is redundant."
+        )
+    others = [speeds[k] for k in sorted(qr(rows, pivoting=True)[2][: len(rows)])]
+    return (
+        f"The velocity constraints cannot be solved there for the dependent speeds "
+        f"{describe(chosen)}: their matrix is singular in this configuration. Choose others, such "
+        f"as {describe(others)}, as `u_dependent` of KanesMethod, with `q_dependent` to match."
+    )

@@ -1,0 +1,109 @@
+"""A start that does not satisfy the constraints is told of."""
+
+import numpy as np
+import pytest
+import sympy as sm
+
+import zoo
+from cases import system_of
+from pydy._errors import PyDyUserWarning
+
+TIMES = np.linspace(0.0, 0.1, 3)
+
+
+def off(name="fourbar", by=0.0, place=1, **options):
+    model = zoo.MODELS[name]()
+    system = system_of(model, times=TIMES, **options)
+    system.initial_conditions[model.states[place]] += by
+    return system
+
+
+@pytest.mark.parametrize("solver", ["odeint", "dop853", "rk4"])
+@pytest.mark.parametrize("method", ["integrate", "simulate"])
+def test_a_start_off_the_constraints_warns_with_residual_row_and_remedy(method, solver):
+    system = off(by=0.1, ode_solver=solver)
+    residual = np.abs(system.evaluate_holonomic_constraints()).max()
+    message = rf"do not satisfy .* {residual:.3g} in the holonomic constraint \d: .*q1.*set_depen"
+    options = {"step": 0.01} if solver == "rk4" else {}
+    with pytest.warns(PyDyUserWarning, match=message) as told:
+        getattr(system, method)(**options)
+    assert told[0].filename == __file__
+
+
+def test_it_warns_at_every_integration():
+    system = off(by=0.1)
+    for _ in range(2):
+        with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"):
+            system.integrate()
+
+
+def test_the_remedy_is_one():
+    system = off(by=0.1)
+    system.set_dependent_initial_conditions()
+    system.integrate()
+
+
+@pytest.mark.parametrize("name", ["disc", "sleigh"])
+def test_velocity_constraints_count(name):
+    with pytest.warns(PyDyUserWarning, match=r"in the velocity constraint \d"):
+        off(name, by=0.01, place=-1).integrate()
+
+
+@pytest.mark.parametrize("name", ["disc", "sleigh", "fourbar", "track", "gyro"])
+def test_states_typed_with_six_digits_are_good_enough(name):
+    system = off(name)
+    typed = {s: float(f"{v:.6g}") for s, v in system.initial_conditions.items()}
+    system.initial_conditions = typed
+    system.integrate()
+    system.initial_conditions = {s: float(f"{v:.3g}") for s, v in typed.items()}
+    with pytest.warns(PyDyUserWarning, match="do not satisfy"):
+        system.integrate()
+
+
+def test_the_unit_of_length_does_not_matter():
+    # The same linkage in nanometres, where every residual is small.
+    model = zoo.fourbar()
+    system = off(by=0.1)
+    lengths = [s for s in system.constants if s.name[0] in "lg"]
+    for s in lengths:
+        system.constants[s] *= 1e-9
+    with pytest.warns(PyDyUserWarning, match="e-1[01] in the holonomic"):
+        system.integrate()
+    system.initial_conditions = dict(model.start)
+    system.integrate()
+
+
+@pytest.mark.parametrize("options", [{"constraints": "baumgarte", "gain": 5.0}])
+def test_what_will_be_brought_back_is_not_told_of(options):
+    off(by=0.1).integrate(**options)
+
+
+def test_a_system_without_constraints_compiles_nothing_for_it():
+    system = system_of(zoo.chain(), times=TIMES)
+    system.integrate()
+    assert list(system._implementation._kernels) == [("rates",)]
+
+
+def test_the_residuals_alone_are_compiled_where_they_are_small():
+    system = off()
+    system.set_dependent_initial_conditions()
+    before = set(system._implementation._kernels)
+    system.integrate()
+    residuals = {("rates",), ("holonomic",), ("velocity",)}
+    assert set(system._implementation._kernels) <= residuals | before
+
+
+@pytest.mark.parametrize("linear", ["numpy", "sympy"])
+def test_a_solver_of_ones_own_for_the_accelerations_does_not_matter(linear):
+    system = off(by=0.1)
+    system.generate_ode_function(linear_sys_solver=linear)
+    with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"):
+        system.integrate()
+
+
+def test_a_residual_that_is_no_number_is_told_of():
+    system = off()
+    system.constants[sm.Symbol("la")] = 1e300
+    system.constants[sm.Symbol("lb")] = -1e300
+    with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"), np.errstate():
+        system.integrate(full_output=True)
