@@ -20,6 +20,7 @@ from pydy._names import name_of, unique_names, written_out
 
 __all__ = [
     "Places",
+    "check_mapping",
     "choice",
     "describe",
     "flag",
@@ -64,6 +65,17 @@ def shown(value: Any) -> str:
     except ValueError:  # an integer of more than 4300 digits has none
         text = f"a {type(value).__name__}"
     return text if len(text) <= 200 else f"{text[:200]} …"
+
+
+def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
+    """Return a dictionary as it is, so that later changes by its owner are seen; None is empty."""
+    if value is None:
+        return {}
+    if isinstance(value, dict):
+        return value
+    if isinstance(value, Mapping):
+        return dict(value)
+    raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
 
 
 def number(value: Any, what: str, *, finite: bool = False) -> float:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import real_array
+from pydy._checks import choice, real_array
 
 __all__ = ["SampledInput"]
 
@@ -77,16 +77,13 @@ class SampledInput:
     __slots__ = ("_knots", "_values", "breaks", "coefficients", "first", "interpolation", "last")
 
     def __init__(self, times: Any, values: Any, interpolation: str = "linear") -> None:
-        if interpolation not in _INTERPOLATIONS:
-            raise ValueError(
-                f"`interpolation` must be one of {', '.join(map(repr, _INTERPOLATIONS))}, got "
-                f"{interpolation!r}."
-            )
-        self.interpolation = interpolation
+        self.interpolation = choice(
+            interpolation, _INTERPOLATIONS, "`interpolation` of a SampledInput"
+        )
         self.breaks = _frozen(_check_times(times))
         self._values = _frozen(_check_values(values, self.breaks))
         columns = self._values.reshape(len(self.breaks), -1)
-        self.coefficients = _frozen(_coefficients(self.breaks, columns, interpolation))
+        self.coefficients = _frozen(_coefficients(self.breaks, columns, self.interpolation))
         self.first, self.last = columns[0], columns[-1]
         self._knots: list[float] = self.breaks.tolist()  # bisect is ten times faster on a list
 
@@ -117,10 +114,15 @@ class SampledInput:
         float or ndarray, shape (k,), (n,) or (n, k)
         """
         several = self._values.ndim == 2
-        if np.ndim(t) == 0:
-            found = self.at(float(t))
+        instants = real_array(t, "`t`")
+        if instants.ndim == 0:
+            found = self.at(float(instants))
             return np.array(found) if several else found[0]
-        rows = self.rows(real_array(t, "`t`"))
+        if instants.ndim != 1:
+            raise ValueError(
+                f"`t` must be a number or one-dimensional, got the shape {instants.shape}."
+            )
+        rows = self.rows(instants)
         return rows if several else rows[:, 0]
 
     def at(self, t: float) -> list[float]:

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from scipy.linalg import null_space
 
+from pydy._checks import real_array
+
 __all__ = ["constrained_eigenvalues", "reduce_state_matrix"]
 
 # How far A may lead out of the tangent space, relative to A.  A Jacobian from differences is good
@@ -146,13 +148,7 @@ def constrained_eigenvalues(state_matrix: Any, constraint_jacobian: Any) -> np.n
 
 def _matrix(name: str, value: Any) -> np.ndarray:
     """Return a value as a finite real matrix."""
-    try:
-        # NumPy would drop an imaginary part with no more than a warning.
-        if np.iscomplexobj(value):
-            raise TypeError
-        matrix = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        raise ValueError(f"`{name}` must be a matrix of real numbers, got {value!r}.") from None
+    matrix = real_array(value, f"`{name}`")
     if matrix.ndim != 2:
         raise ValueError(f"`{name}` must have two dimensions, got the shape {matrix.shape}.")
     if not np.isfinite(matrix).all():

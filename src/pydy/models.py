@@ -8,14 +8,18 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart as _sympy_pendulum
 
+from pydy._checks import flag, shown
 from pydy.system import System
 
 __all__ = ["multi_mass_spring_damper", "n_link_pendulum_on_cart"]
 
 
+_MOST = 10**6  # far beyond what can be derived; more would fill the memory before that is seen
+
+
 def _check_size(n: Any) -> None:
-    if isinstance(n, bool) or not isinstance(n, int) or n < 1:
-        raise ValueError(f"`n` must be a positive integer, got {n!r}.")
+    if isinstance(n, bool) or not isinstance(n, int) or not 1 <= n <= _MOST:
+        raise ValueError(f"`n` must be a positive integer up to {_MOST}, got {shown(n)}.")
 
 
 def multi_mass_spring_damper(
@@ -72,6 +76,9 @@ def multi_mass_spring_damper(
     [x0(t), x1(t), v0(t), v1(t)]
     """
     _check_size(n)
+    apply_gravity = flag(apply_gravity, "`apply_gravity`")
+    apply_external_forces = flag(apply_external_forces, "`apply_external_forces`")
+    as_sine = flag(external_force_as_sin_of_t, "`external_force_as_sin_of_t`")
     m, k, c = (sm.symbols(f"{letter}:{n}") for letter in "mkc")
     g = sm.Symbol("g")
     x, v, f = (me.dynamicsymbols(f"{letter}:{n}") for letter in "xvf")
@@ -90,8 +97,8 @@ def multi_mass_spring_damper(
             pull += k[i + 1] * x[i + 1] + c[i + 1] * v[i + 1]
         if apply_gravity:
             pull += m[i] * g
-        if apply_external_forces or external_force_as_sin_of_t:
-            pull += sm.sin(t) if external_force_as_sin_of_t else f[i]
+        if apply_external_forces or as_sine:
+            pull += sm.sin(t) if as_sine else f[i]
         particles.append(me.Particle(f"mass{i}", point, m[i]))
         loads.append((point, pull * ceiling.x))
         above = point
@@ -138,4 +145,5 @@ def n_link_pendulum_on_cart(
     {F(t), T1(t), T2(t)}
     """
     _check_size(n)
-    return System(_sympy_pendulum(n, cart_force, joint_torques))
+    forced, driven = flag(cart_force, "`cart_force`"), flag(joint_torques, "`joint_torques`")
+    return System(_sympy_pendulum(n, forced, driven))

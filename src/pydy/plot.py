@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import check_mapping, listed, shown, text
 from pydy._names import name_of
 from pydy._optional import require
 from pydy.trajectory import ENERGIES, STATES, Trajectory
@@ -160,12 +161,17 @@ def plot_states(
         _, axes = plt.subplots(
             len(kinds), sharex=True, squeeze=False, figsize=size, layout="constrained"
         )
-    flat = np.asarray(axes, dtype=object).ravel()
+    rows = axes.ravel() if isinstance(axes, np.ndarray) else axes
+    given = listed("axes", rows, "Matplotlib Axes")
+    flat = np.empty(len(given), dtype=object)
+    flat[:] = given
     if len(flat) != len(kinds):
         raise ValueError(
             f"`axes` must be {len(kinds)}, one for each of {', '.join(kinds)}, got {len(flat)}."
         )
     for ax, kind in zip(flat, kinds, strict=True):
+        if ax is None:
+            raise TypeError("`axes` must be Matplotlib Axes, got None among them.")
         _plot(result, (kind,), titles[kind], None, ax, units, time_unit)
     for ax in flat[:-1]:
         ax.set_xlabel("")
@@ -225,6 +231,7 @@ def plot_energy(result: Any, *, ax: Any = None, unit: str = "", time_unit: str =
             )
         table = [(name, _values(result[name])) for name in ENERGIES]
         times = np.asarray(result["time"])
+    unit = text(unit, "`unit`")
     curves = [_Curve(name.removesuffix("_energy"), "", v, unit) for name, v in table]
     return _draw(ax, times, curves, "energy", time_unit)
 
@@ -303,7 +310,7 @@ def _draw(ax: Any, times: np.ndarray, curves: Sequence[_Curve], what: str, time_
             low, middle, high = np.nanquantile(curve.values, BAND, axis=0)
         (line,) = ax.plot(times, middle, label=label)
         ax.fill_between(times, low, high, color=line.get_color(), alpha=0.2, linewidth=0)
-    ax.set_xlabel(_with_unit("time", time_unit))
+    ax.set_xlabel(_with_unit("time", text(time_unit, "`time_unit`")))
     ax.set_ylabel(_with_unit(what, shared.pop() if len(shared) == 1 else ""))
     ax.margins(x=0)
     ax.grid(alpha=0.3)
@@ -315,8 +322,8 @@ def _draw(ax: Any, times: np.ndarray, curves: Sequence[_Curve], what: str, time_
     return ax
 
 
-def _with_unit(text: str, unit: str) -> str:
-    return f"{text} ({unit})" if unit else text
+def _with_unit(label: str, unit: str) -> str:
+    return f"{label} ({unit})" if unit else label
 
 
 def _typeset(name: str, latex: str) -> str:
@@ -336,7 +343,11 @@ def _pyplot() -> Any:
 
 
 def _axes(ax: Any) -> Any:
-    return _pyplot().subplots(layout="constrained")[1] if ax is None else ax
+    if ax is None:
+        return _pyplot().subplots(layout="constrained")[1]
+    if not hasattr(ax, "set_xlabel"):
+        raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
+    return ax
 
 
 # -- what there is to draw ------------------------------------------------------------------------
@@ -358,8 +369,10 @@ def _curves(
     else:
         if isinstance(names, str):
             names = [names]
-        chosen = [_find(result, name) for name in names]
-    known = {spelled(key): u for key, u in (units or {}).items() for spelled in (str, name_of)}
+        chosen = [_find(result, name) for name in listed("names", names, "symbols or names")]
+        if not chosen:
+            raise ValueError("`names` is empty: there is nothing to plot. None means all.")
+    known = _units(units)
     curves = []
     for name in chosen:
         if isinstance(result, Trajectory):
@@ -368,6 +381,15 @@ def _curves(
             latex, values = result[name].attrs.get("latex", ""), _values(result[name])
         curves.append(_Curve(name, latex, values, known.get(name, "")))
     return curves, np.asarray(result.times if isinstance(result, Trajectory) else result["time"])
+
+
+def _units(units: Units) -> dict[str, str]:
+    given = check_mapping("units", units)
+    return {
+        spelled(key): text(unit, f"`units[{key}]`")
+        for key, unit in given.items()
+        for spelled in (str, name_of)
+    }
 
 
 def _check(result: Any) -> None:
@@ -410,7 +432,7 @@ def _rate(result: Any, curve: _Curve, units: Units) -> _Curve:
             values = result.derivatives[:, states.index(curve.name)]
             name = f"{curve.name}'"
             return _Curve(
-                name, result.latex_of_rate(curve.name), values, (units or {}).get(name, "")
+                name, result.latex_of_rate(curve.name), values, _units(units).get(name, "")
             )
     elif f"{curve.name}'" in result.data_vars:
         return _curves(result, (), "", [f"{curve.name}'"], units)[0][0]

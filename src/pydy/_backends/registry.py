@@ -5,6 +5,7 @@ from __future__ import annotations
 from importlib import import_module
 from typing import Any
 
+from pydy._checks import shown
 from pydy._forks import whole
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -37,12 +38,12 @@ def resolve(generator: Any) -> type:
     NotImplementedError
         The name is not registered.
     """
-    if isinstance(generator, type):
+    if isinstance(generator, type) and {"compile", "generate"} & {*dir(generator)}:
         return generator
     entry = _BACKENDS.get(generator) if isinstance(generator, str) else None
     if entry is None:
         raise NotImplementedError(
-            f"`generator` is {generator!r}, which is not a code generator: it must be one of "
+            f"`generator` is {shown(generator)}, which is not a code generator: it must be one of "
             f"{', '.join(map(repr, names()))}, or a class with a method `compile(program)`."
         )
     if isinstance(entry, str):

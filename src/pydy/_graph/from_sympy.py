@@ -8,6 +8,7 @@ The walk is iterative, so that depth is no limit.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
@@ -249,7 +250,10 @@ class SymPyReader:
         if isinstance(expr, (BooleanTrue, BooleanFalse)):
             return self.graph.boolean(bool(expr))
         if isinstance(expr, (sm.Number, NumberSymbol)) and expr is not sm.nan:
-            return self.graph.const(float(expr))
+            value = float(expr)
+            if math.isinf(value) and expr.is_finite:
+                raise ValueError(f"{self.what} hold a number beyond the range of floats.")
+            return self.graph.const(value)
         if isinstance(expr, (sm.Symbol, AppliedUndef, sm.Derivative)):
             raise ValueError(
                 f"`{expr}` occurs in {self.what}, but no argument provides it: it is none of the "

@@ -7,11 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import number, real_array
+from pydy._checks import check_mapping, number, real_array
 from pydy._names import latex_of, name_of, unique_names
 from pydy._system.definition import Definition
 from pydy._system.expressions import driven
-from pydy._system.inputs import check_mapping
 from pydy._system.solving import HANDLED, prepare
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, describe, symbolic_entries

@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
+from pydy._checks import check_mapping
 from pydy._eom.equations import Equations
 from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
@@ -61,17 +62,6 @@ def check_times(times: Any) -> np.ndarray:
     if array.size and array[0] < 0.0:
         raise ValueError(f"`times` must not be negative, got {array[0]} at index 0.")
     return array
-
-
-def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
-    """Return a dictionary as it is, so that later changes by its owner are seen."""
-    if value is None:
-        return {}
-    if isinstance(value, dict):
-        return value
-    if isinstance(value, Mapping):
-        return dict(value)
-    raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
 
 
 def check_symbols(argument: str, symbols: Iterable[Any], kind: str) -> list[Any]:

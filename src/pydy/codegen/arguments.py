@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._checks import Places, describe, listed, number, real_array, vector
+from pydy._checks import Places, choice, describe, listed, number, real_array, vector
 from pydy._eom.symbols import find_symbols
 from pydy.inputs import SampledInput
 
@@ -406,7 +406,4 @@ def evaluate_function(
 
 
 def _check_type(argument: str, value: str | None, allowed: tuple[str, ...]) -> None:
-    if value is not None and value not in allowed:
-        raise ValueError(
-            f"`{argument}` must be None or one of {', '.join(map(repr, allowed))}, got {value!r}."
-        )
+    choice(value, (None, *allowed), f"`{argument}`")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._checks import real_array
+from pydy._checks import real_array, shown
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
@@ -25,22 +25,28 @@ def resolve_solver(solver: Any) -> Solver | str | None:
     ValueError
         It is none of them.
     """
-    if solver is None or solver == "builtin":
+    if solver is None or (isinstance(solver, str) and solver == "builtin"):
         return None
     if callable(solver):
         function: Solver = solver
         return function
+    if not isinstance(solver, str):
+        raise _refused(solver)
     if solver == "numpy":
         return np.linalg.solve
     if solver == "scipy":
         import scipy.linalg
 
         return scipy.linalg.solve  # type: ignore[no-any-return]
-    if isinstance(solver, str) and solver.partition(":")[0] == "sympy":
-        return solver
-    raise ValueError(
-        f"`linear_sys_solver` is {solver!r}, but it must be 'builtin', 'numpy', 'scipy', 'sympy', "
-        "'sympy:METHOD' or a function solve(A, b)."
+    if solver.partition(":")[0] == "sympy":
+        return str(solver)
+    raise _refused(solver)
+
+
+def _refused(solver: Any) -> ValueError:
+    return ValueError(
+        f"`linear_sys_solver` is {shown(solver)}, but it must be 'builtin', 'numpy', 'scipy', "
+        "'sympy', 'sympy:METHOD' or a function solve(A, b)."
     )
 
 
@@ -82,6 +88,9 @@ def with_external_solver(program: Program, system: Kernel, solver: Solver, rest:
             solution = solver(matrices[: n * n].reshape(n, n), matrices[n * n :])
         except np.linalg.LinAlgError:
             return 1
+        except Exception as error:
+            error.add_note("This came from the `linear_sys_solver`, called as solve(A, b).")
+            raise
         solution = real_array(solution, "What `linear_sys_solver` returns")
         if solution.shape not in ((n,), (n, 1)):
             raise ValueError(

@@ -5,15 +5,19 @@ from __future__ import annotations
 import itertools
 import weakref
 from collections.abc import Callable, Sequence
+from numbers import Number
 from types import FunctionType
 from typing import Any
 
+import numpy as np
 import sympy as sm
+from sympy.core.function import AppliedUndef
+from sympy.logic.boolalg import Boolean
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends.registry import resolve
+from pydy._checks import describe, flag, listed, number, shown
 from pydy._programs import Assembly, assemble_form
-from pydy.codegen.arguments import describe
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.right_hand_side import Layout, RightHandSide
 
@@ -116,8 +120,10 @@ def generate_ode_function(
     array([ 1.   , -4.905])
     """
     time = dynamicsymbols._t
-    q, u, p = list(coordinates), list(speeds), list(constants)
-    r = list(specifieds or ())
+    q, u = _symbols("coordinates", coordinates), _symbols("speeds", speeds)
+    p = _symbols("constants", constants)
+    r = [] if specifieds is None else _symbols("specifieds", specifieds)
+    time_first = flag(time_first, "`time_first`")
     _refuse_repeated([*q, *u, *r, *p])
     force = _column("right_hand_side", right_hand_side)
     first = None
@@ -148,7 +154,7 @@ def generate_ode_function(
             **generator_options,
         ).generate()
         return made
-    simplified = bool(generator_options.get("cse", True))
+    simplified = flag(generator_options.get("cse", True), "`cse`")
     external = callable(solver)
     assembly = assemble_form(
         force, q, u, p, r, matrix, first, values, time, external=external, simplified=simplified
@@ -174,12 +180,31 @@ def _column(argument: str, value: Any) -> list[Any]:
         if 1 not in value.shape and 0 not in value.shape:
             raise ValueError(f"`{argument}` must be a column, got the shape {value.shape}.")
         return list(value)
-    try:
-        return [sm.sympify(e) for e in value]
-    except TypeError:
-        raise ValueError(
-            f"`{argument}` must be a column matrix or a sequence of expressions, got {value!r}."
-        ) from None
+    entries = listed(argument, value, "expressions, or a column matrix")
+    return [_expression(argument, e) for e in entries]
+
+
+def _symbols(argument: str, value: Any) -> list[Any]:
+    """Return a sequence of symbols as a list."""
+    symbols = listed(argument, value)
+    for symbol in symbols:
+        if not isinstance(symbol, (sm.Symbol, AppliedUndef, sm.Derivative)):
+            raise ValueError(
+                f"`{argument}` must hold symbols or functions of time, got {shown(symbol)}."
+            )
+    return symbols
+
+
+def _expression(argument: str, value: Any) -> Any:
+    """Return an entry as a SymPy expression; text is none, which SymPy would read."""
+    if isinstance(value, np.ndarray) and value.shape == (1,):
+        value = value[0]  # a row of a column
+    if isinstance(value, (sm.Expr, Boolean)) and not getattr(value, "is_Matrix", False):
+        return value
+    if isinstance(value, (Number, np.generic)):
+        number(value, f"`{argument}`", finite=True)
+        return sm.sympify(value)
+    raise ValueError(f"`{argument}` must hold expressions, got {shown(value)}.")
 
 
 def _check_form(
@@ -195,7 +220,7 @@ def _check_form(
             )
         _check_length("right_hand_side", force, n, "states (form [1], x' = F)")
         return None
-    matrix = sm.Matrix(mass_matrix) if not isinstance(mass_matrix, sm.MatrixBase) else mass_matrix
+    matrix = _matrix(mass_matrix)
     if first is None:
         size, form = n, "states (form [2], M x' = F)"
     else:
@@ -208,6 +233,16 @@ def _check_form(
             f"got {matrix.shape}."
         )
     return matrix
+
+
+def _matrix(value: Any) -> Any:
+    """Return a mass matrix of any type as SymPy's."""
+    if isinstance(value, sm.MatrixBase):
+        return value
+    rows = [listed("mass_matrix", row, "rows") for row in listed("mass_matrix", value, "rows")]
+    if len({len(row) for row in rows}) > 1:
+        raise ValueError("`mass_matrix` must have rows of one length.")
+    return sm.Matrix([[_expression("mass_matrix", e) for e in row] for row in rows])
 
 
 def _check_length(argument: str, value: list[Any], size: int, what: str) -> None:

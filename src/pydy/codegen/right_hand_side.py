@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import vector
+from pydy._checks import number, vector
 from pydy._errors import SingularMatrixError
 from pydy._graph.program import Program
 from pydy._kernel import Kernel, KernelCall
@@ -351,7 +351,7 @@ class RightHandSide:
         return array
 
     def _convert_and_call(self, x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> None:
-        x, t = self._state(x), _time(t)
+        x, t = self._state(x), number(t, "`t`")
         if self.layout.specifieds:
             r = self.specifieds(r, x, t)
         self._call_strict(self.kernel, x, t, r, self.constants(p), out)
@@ -359,7 +359,7 @@ class RightHandSide:
     def _convert_arrays(
         self, kernel: Kernel, x: Any, t: Any, r: Any, p: Any, out: np.ndarray
     ) -> None:
-        self._call_strict(kernel, self._state(x), _time(t), self._r(r), self._p(p), out)
+        self._call_strict(kernel, self._state(x), number(t, "`t`"), self._r(r), self._p(p), out)
 
     def _call_strict(
         self,
@@ -378,13 +378,6 @@ class RightHandSide:
             if failed[0]:
                 raise_singular(self.layout, t, x)
             out[:] = values[0]
-
-
-def _time(t: Any) -> float:
-    try:
-        return float(t)
-    except (TypeError, ValueError):
-        raise ValueError(f"`t` must be a number, got {t!r}.") from None
 
 
 def raise_singular(layout: Layout, t: float, x: np.ndarray) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-import numpy as np
+from pydy._checks import real_array, shown
 
 __all__ = ["CYCLE", "hex_colour"]
 
@@ -78,12 +78,12 @@ def hex_colour(colour: Any, what: str = "`colour`") -> str:
             return "#" + "".join(2 * digit for digit in text[1:])
     else:
         try:
-            levels = np.asarray(colour, dtype=float)
-        except (TypeError, ValueError):
-            levels = np.empty(0)
+            levels = real_array(colour, what)
+        except ValueError:
+            levels = real_array((), what)
         if levels.shape == (3,) and ((levels >= 0) & (levels <= 1)).all():
             return "#" + "".join(f"{int(255 * level + 0.5):02x}" for level in levels)
     raise ValueError(
         f"{what} must be a CSS name such as 'steelblue', '#rrggbb', or three numbers from 0 to 1 "
-        f"for red, green and blue, got {colour!r}."
+        f"for red, green and blue, got {shown(colour)}."
     )

@@ -10,6 +10,7 @@ import sympy as sm
 from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import Vector
 
+from pydy._checks import real_array, shown
 from pydy.viz.shapes import Box, Shape, Sphere
 
 __all__ = ["default_shape", "find_origin", "guess_up", "skeleton", "unit_vector"]
@@ -120,20 +121,20 @@ def unit_vector(value: Any, frame: Any, argument: str) -> np.ndarray:
         For the message.
     """
     direction = np.zeros(3)
-    if isinstance(value, str):
-        if value.lstrip("+-") in ("x", "y", "z") and len(value) <= 2:
+    if isinstance(value, (str, bytes)):
+        if isinstance(value, str) and value.lstrip("+-") in ("x", "y", "z") and len(value) <= 2:
             direction["xyz".index(value[-1])] = -1.0 if value[0] == "-" else 1.0
     else:
         try:
             numbers = value.to_matrix(frame) if isinstance(value, Vector) else value
-            direction = np.array([float(v) for v in numbers])
+            direction = real_array(list(numbers), "")
         except (TypeError, ValueError):
             pass
     length = float(np.linalg.norm(direction)) if direction.shape == (3,) else 0.0
     if not 0 < length < np.inf:
         raise ValueError(
             f"`{argument}` must be an axis of the scene's frame such as 'z' or '-y', a constant "
-            f"vector, or three numbers that are not all zero, got {value!r}."
+            f"vector, or three numbers that are not all zero, got {shown(value)}."
         )
     unit: np.ndarray = direction / length
     return unit

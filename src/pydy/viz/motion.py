@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import check_mapping, listed, number, real_array
 from pydy._names import name_of
 from pydy.viz.poses import Names
 
@@ -67,7 +68,7 @@ class Model:
 
 
 def _samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:
-    t, x = np.asarray(times, dtype=float), np.asarray(states, dtype=float)
+    t, x = real_array(times, "`times`"), real_array(states, "`states`")
     if t.ndim != 1 or not len(t):
         raise ValueError(
             f"`times` must be a sequence of one time or more, got the shape {t.shape}."
@@ -164,11 +165,12 @@ def motion_of_arrays(
             "`symbols` must say what the columns of `states` are, such as symbols=[q1, q2, u1, "
             "u2]; only a scene made by `system.scene()` knows."
         )
-    symbols = tuple(symbols)
+    symbols = tuple(listed("symbols", symbols, "functions of time"))
     t, x = _samples(times, states, len(symbols))
     columns = []
-    for symbol, value in (specifieds or {}).items():
-        column = np.asarray(value, dtype=float)
+    given = check_mapping("specifieds", specifieds)
+    for symbol, value in given.items():
+        column = real_array(value, f"`specifieds[{symbol}]`")
         if column.shape not in ((), (len(t),)):
             raise ValueError(
                 f"`specifieds[{symbol}]` must be a number or have the shape ({len(t)},), got "
@@ -177,22 +179,15 @@ def motion_of_arrays(
         columns.append(np.broadcast_to(column, t.shape))
     rows = np.stack(columns, 1) if columns else np.zeros((len(t), 0))
     values = _constants(constants)
-    names = Names(symbols, tuple(specifieds or ()), tuple(values))
+    names = Names(symbols, tuple(given), tuple(values))
     _finite(names, t, x, symbols)
     _finite(names, t, rows, names.specifieds)
     return Motion(names, t, x, rows, np.array([float(v) for v in values.values()]))
 
 
 def _constants(constants: Any) -> dict[Any, float]:
-    values = {}
-    for symbol, value in (constants or {}).items():
-        try:
-            values[symbol] = float(value)
-        except (TypeError, ValueError):
-            raise ValueError(
-                f"`constants[{symbol}]` must be a real number, got {value!r}."
-            ) from None
-    return values
+    given = check_mapping("constants", constants)
+    return {symbol: number(value, f"`constants[{symbol}]`") for symbol, value in given.items()}
 
 
 def _listed(symbols: Sequence[Any]) -> str:
@@ -216,7 +211,7 @@ def sampled(times: np.ndarray, step: float) -> np.ndarray:
     last = len(times) - 1
     close = step * (1 - 1e-6)  # a rounding error is not a frame less
     while True:
-        k = int(np.searchsorted(times, times[keep[-1]] + close))
+        k = max(int(np.searchsorted(times, times[keep[-1]] + close)), keep[-1] + 1)
         if k > last:
             break
         keep.append(k)

@@ -10,9 +10,11 @@ from pathlib import Path
 from typing import Any, Literal, Self
 
 import numpy as np
+import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 from sympy.physics.vector import Point, ReferenceFrame
 
+from pydy._checks import check_mapping, choice, flag, number, path_of, real_array, shown, text
 from pydy.viz.animation import Animation, animate
 from pydy.viz.defaults import unit_vector
 from pydy.viz.motion import Model, motion_of_arrays, motion_of_trajectory, sampled
@@ -106,9 +108,9 @@ class Scene:
         self._look = Look(
             up=unit_vector(up, reference_frame, "up"),
             ground=_ground(ground),
-            follow=follow,
+            follow=None if follow is None else flag(follow, "`follow`"),
             view=None if view is None else unit_vector(view, reference_frame, "view"),
-            title=str(title),
+            title=text(title, "`title`"),
         )
         self._animation: Animation | None = None
 
@@ -177,10 +179,14 @@ class Scene:
             motion = motion_of_trajectory(model.trajectory(trajectory, states), model, constants)
         else:
             motion = motion_of_arrays(trajectory, states, symbols, constants, specifieds)
-        if fps is not None and not fps > 0:
-            raise ValueError(f"`fps` must be positive, or None to keep all instants, got {fps!r}.")
-        if speed is not None and not 0 < speed < np.inf:
-            raise ValueError(f"`speed` must be a positive number, got {speed!r}.")
+        if fps is not None:
+            fps = number(fps, "`fps`")
+            if not fps > 0:
+                raise ValueError(f"`fps` must be positive, or None for all instants, got {fps}.")
+        if speed is not None:
+            speed = number(speed, "`speed`", finite=True)
+            if not speed > 0:
+                raise ValueError(f"`speed` must be a positive number, got {speed}.")
         self._speed = speed or _watchable(float(motion.times[-1] - motion.times[0]))
         rows = np.arange(len(motion.times))
         if fps is not None:
@@ -235,9 +241,8 @@ class Scene:
 
     def html(self, theme: Literal["auto", "light", "dark"] = "auto") -> str:
         """Return the page that shows the scene, complete in itself."""
-        if theme not in ("auto", "light", "dark"):
-            raise ValueError(f"`theme` must be 'auto', 'light' or 'dark', got {theme!r}.")
-        return page(self._moving(), self._look, self._speed, theme)
+        chosen = choice(theme, ("auto", "light", "dark"), "`theme`")
+        return page(self._moving(), self._look, self._speed, chosen)
 
     def to_html(self, path: Any, theme: Literal["auto", "light", "dark"] = "auto") -> Path:
         """Write the page that shows the scene: one file, which needs no network.
@@ -253,7 +258,7 @@ class Scene:
         -------
         Path
         """
-        target = Path(path)
+        target = path_of(path, "`path`")
         target.write_text(self.html(theme), encoding="utf-8")
         return target
 
@@ -304,7 +309,8 @@ class Scene:
         from pydy.viz.figure import draw
 
         moving = self._moving()
-        return draw(moving, self._look, float(moving.times[0]) if t is None else float(t), axes)
+        instant = float(moving.times[0]) if t is None else number(t, "`t`", finite=True)
+        return draw(moving, self._look, instant, axes)
 
     def save(
         self, path: Any, *, fps: float = 30.0, dpi: int = 120, size: tuple[float, float] = (7, 5)
@@ -334,7 +340,7 @@ class Scene:
         """
         from pydy.viz.figure import save
 
-        target = Path(path)
+        target = path_of(path, "`path`")
         save(self._moving(), self._look, self._speed, target, fps, dpi, size)
         return target
 
@@ -352,32 +358,39 @@ def _visual(thing: Any) -> Visual:
 
 def _series(series: Any) -> dict[str, Any]:
     if isinstance(series, Mapping):
-        return {str(label): expression for label, expression in series.items()}
-    if not isinstance(series, Iterable) or isinstance(series, str):
+        return {str(label): _entry(expression) for label, expression in series.items()}
+    if not isinstance(series, Iterable) or isinstance(series, (str, bytes)):
         raise TypeError(
             "`series` must be a dictionary of labels and expressions, or a sequence of "
-            f"expressions, got {series!r}."
+            f"expressions, got {shown(series)}."
         )
     # "q1(t)" says no more than "q1".
-    return {str(e).removesuffix("(t)"): e for e in series}
+    return {str(_entry(e)).removesuffix("(t)"): e for e in series}
+
+
+def _entry(value: Any) -> Any:
+    if isinstance(value, (str, sm.Expr, int, float)):
+        return value
+    raise TypeError(
+        "`series` must hold expressions, or names of what is in the trajectory, got "
+        f"{shown(value)}."
+    )
 
 
 def _ground(value: Any) -> bool | float | None:
     if value is None or isinstance(value, bool):
         return value
     try:
-        height = float(value)
-    except (TypeError, ValueError):
-        height = np.nan
-    if not np.isfinite(height):
-        raise ValueError(f"`ground` must be a height, True or False, got {value!r}.")
-    return height
+        return number(value, "", finite=True)
+    except ValueError:
+        pass
+    raise ValueError(f"`ground` must be a height, True or False, got {shown(value)}.")
 
 
 def _columns(series: Mapping[str, Any] | None, count: int) -> dict[str, np.ndarray]:
     columns = {}
-    for label, values in (series or {}).items():
-        column = np.asarray(values, dtype=float)
+    for label, values in check_mapping("series", series).items():
+        column = real_array(values, f"`series[{label!r}]`")
         if column.shape != (count,):
             raise ValueError(
                 f"`series[{label!r}]` must have the shape ({count},), a value for each time, got "

@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sm
 from sympy.physics.vector import Point, Vector
 
+from pydy._checks import choice, number, real_array, shown
 from pydy.viz.colours import hex_colour
 from pydy.viz.meshes import read_mesh
 
@@ -66,7 +67,7 @@ class Shape:
             self._set("colour", hex_colour(self.colour, f"`colour` of {kind}"))
         opacity = _number(self.opacity)
         if opacity is None or not 0 <= opacity <= 1:
-            raise ValueError(f"`opacity` of {kind} must be from 0 to 1, got {self.opacity!r}.")
+            raise ValueError(f"`opacity` of {kind} must be from 0 to 1, got {shown(self.opacity)}.")
         if self.name is not None and not isinstance(self.name, str):
             raise TypeError(f"`name` of {kind} must be a string, got {self.name!r}.")
 
@@ -118,8 +119,8 @@ class Shape:
 
 def _number(value: Any) -> float | None:
     try:
-        return float(value)
-    except (TypeError, ValueError):
+        return number(value, "")
+    except ValueError:
         return None
 
 
@@ -127,17 +128,17 @@ def _length(value: Any, what: str) -> Any:
     """Return a length as a float, or as an expression when it has symbols."""
     if isinstance(value, sm.Expr) and value.free_symbols:
         return value
-    number = None if isinstance(value, bool) else _number(value)
-    if number is None or not 0 < number < np.inf:
+    length = None if isinstance(value, bool) else _number(value)
+    if length is None or not 0 < length < np.inf:
         raise ValueError(
-            f"{what} must be a positive number or a SymPy expression of constants, got {value!r}."
+            f"{what} must be a positive number or a SymPy expression of constants, got "
+            f"{shown(value)}."
         )
-    return number
+    return length
 
 
 def _axis(value: Any, kind: str) -> None:
-    if value not in ("x", "y", "z"):
-        raise ValueError(f"`axis` of {kind} must be 'x', 'y' or 'z', got {value!r}.")
+    choice(value, ("x", "y", "z"), f"`axis` of {kind}")
 
 
 @dataclass(frozen=True)
@@ -283,7 +284,7 @@ class Arrow(Shape):
             )
         scale = _number(self.scale)
         if scale is None or not np.isfinite(scale):
-            raise ValueError(f"`scale` of Arrow must be a number, got {self.scale!r}.")
+            raise ValueError(f"`scale` of Arrow must be a number, got {shown(self.scale)}.")
 
 
 @dataclass(frozen=True)
@@ -374,14 +375,18 @@ class Mesh(Shape):
 def _triangles(source: Any) -> tuple[np.ndarray, np.ndarray]:
     try:
         given, corners = source
-        vertices, faces = np.asarray(given, dtype=float), np.asarray(corners)
+        vertices = real_array(given, "")
     except (TypeError, ValueError):
-        vertices, faces = np.empty(0), np.empty(0)
+        vertices, corners = np.empty(0), ()
     if vertices.ndim != 2 or vertices.shape[1] != 3 or not np.isfinite(vertices).all():
         raise ValueError(
             "`source` of Mesh must be the path of an STL or OBJ file, or (vertices, faces) with "
             f"finite vertices of shape (n, 3), got {source!r}."
         )
+    try:
+        faces = np.asarray(corners)
+    except (TypeError, ValueError):  # ragged
+        faces = np.empty(0)
     good = faces.ndim == 2 and faces.shape[1] == 3 and faces.dtype.kind in "iu" and len(faces)
     if not good or faces.min() < 0 or faces.max() >= len(vertices):
         raise ValueError(

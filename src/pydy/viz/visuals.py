@@ -8,6 +8,7 @@ from typing import Any
 from sympy.physics.mechanics import Particle, RigidBody
 from sympy.physics.vector import Point, ReferenceFrame
 
+from pydy._checks import flag
 from pydy.viz.shapes import Line, Shape
 
 __all__ = ["Visual"]
@@ -58,7 +59,7 @@ class Visual:
             name = str(body or point).removesuffix("_masscenter")
         if not isinstance(name, str):
             raise TypeError(f"`name` of Visual must be a string, got {name!r}.")
-        values = (shape, frame, point, name, body, bool(trail))
+        values = (shape, frame, point, name, body, flag(trail, "`trail`"))
         for attribute, value in zip(self.__dataclass_fields__, values, strict=True):
             object.__setattr__(self, attribute, value)  # it is frozen from here on
 
