@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sm
 from scipy.integrate import odeint
 
-from pydy._checks import vector
+from pydy._checks import flag, vector
 from pydy._eom.extract import extract
 from pydy._errors import IntegrationError, warn_user
 from pydy._kernel import Kernel
@@ -1154,7 +1154,7 @@ class System:
         reduce: Any = None,
         chunks: Any = None,
         store: Any = None,
-        resume: bool = False,
+        resume: bool | str = False,
         workers: int | None = None,
         progress: bool = False,
         units: Mapping[Any, str] | None = None,
@@ -1188,8 +1188,11 @@ class System:
             scheduler of Dask is chosen. With `store`, only the sizes.
         store : path, optional
             Of a Zarr store, to which every finished block is written at once.
-        resume : bool, optional
-            Whether `store` may exist: only what is missing there is computed.
+        resume : bool or str, optional
+            Whether `store` may exist: only what is missing there is computed. The functions in
+            `reduce` and `specifieds` must be those of the first call: they are compared by their
+            code and all that they use. A text compares itself instead: a name of yours for them,
+            given from the first call on, to change when they do.
         workers : int, optional
             How many threads; all processors by default.
         progress : bool, optional
@@ -1270,6 +1273,8 @@ class System:
             progress=progress,
             units=units,
         )
+        if not (resume and isinstance(resume, str)):
+            resume = flag(resume, "`resume`, unless it is a name for functions,")
         if store is not None:
             return ensemble.into(store, resume)
         if resume:

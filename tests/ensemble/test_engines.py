@@ -131,12 +131,12 @@ def test_a_function_that_raises_names_its_samples_and_leaves_the_finished(refere
             raise ZeroDivisionError("no")
         return dataset[["q1"]]
 
-    options = {"store": path, "chunks": 20, "reduce": picky, "workers": 1}
+    options = {"store": path, "chunks": 20, "reduce": picky, "workers": 1, "resume": "picky"}
     with pytest.raises(ZeroDivisionError, match="no") as caught:
         system.integrate_ensemble(**values, **options)
     assert "samples sample 60 to 79" in caught.value.__notes__[0]
     wrong[0] = False
-    made = system.integrate_ensemble(**values, **options, resume=True)
+    made = system.integrate_ensemble(**values, **options)
     assert same_bits(made.q1, whole.q1)
 
 

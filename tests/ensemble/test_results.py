@@ -271,7 +271,7 @@ def test_a_terminal_event_leaves_nan_and_says_so(oscillator):
         ({"initial_conditions": {"x": []}}, ValueError, "must not be empty"),
         ({"initial_conditions": {"q": [1.0]}}, ValueError, "not one of the states"),
         ({"constants": {"q": [1.0]}}, ValueError, "not one of the constants"),
-        ({"specifieds": {"q": [1.0]}}, ValueError, "not a specified"),
+        ({"specifieds": {"q": [1.0]}}, ValueError, "not one of the specifieds"),
         ({"times": [1.0]}, ValueError, "at least two values"),
         ({"times": [1.0, 0.0]}, ValueError, "must be ascending"),
         ({"ode_solver": "odeint"}, ValueError, "must be a native solver"),

@@ -169,6 +169,11 @@ class _Checked:
     time_first: bool
     kept: tuple[int, ...]
 
+    @property
+    def identity(self) -> tuple[Any, ...]:
+        """What decides the values, besides the places that they go to."""
+        return self.function, self.time_first, self.kept
+
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         value = evaluate_function(self.function, self.names, x, t, self.time_first)
         return value if len(self.kept) == len(self.names) else value[list(self.kept)]

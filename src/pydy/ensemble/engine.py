@@ -12,8 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from pydy._errors import warn_user
 from pydy._optional import require
 from pydy.ensemble import store as stores
+from pydy.ensemble.identity import UnidentifiedError
 from pydy.ensemble.labels import Form, Variable, check_forms, to_dataset
 from pydy.ensemble.samples import Block, Samples, block_sizes
 from pydy.ensemble.work import Work
@@ -177,18 +179,26 @@ class Ensemble:
 
     # -- into a store -------------------------------------------------------------------------
 
-    def into(self, path: Any, resume: bool) -> Any:
+    def into(self, path: Any, resume: bool | str) -> Any:
         """Write a Zarr store block by block, and return it as a Dataset.
 
         Blocks that the store has are not computed again. Tasks of Dask do it where a scheduler of
         Dask is chosen or a client is connected, threads otherwise.
+
+        Parameters
+        ----------
+        path : path
+        resume : bool or str
+            Whether the store may exist; a text also names the user's functions.
         """
         xarray = require("xarray", "ensemble", "System.integrate_ensemble")
         require("zarr", "ensemble", "`store`")
         path = os.fspath(path)
-        token = stores.token_of(self.work, self.samples, self.sizes)
-        if not stores.check(path, token, resume):
-            first, times = self.samples.of(self._first()), self.work.model.times
+        token, times = self._token(resume), self.work.model.times
+        if stores.check(path, token, bool(resume)):
+            stores.write_coordinates(path, self.samples, times)
+        else:
+            first = self.samples.of(self._first())
             example = to_dataset(self._example(), first.coordinates, times, self.attrs)
             stores.create(path, token, example, self.samples, self.sizes)
         left = stores.missing(path, self._blocks())
@@ -206,6 +216,22 @@ class Ensemble:
             write = dask.delayed(_compute_and_write, pure=False)
             dask.compute([write(work, self.samples.of(b), path, b) for b in left])
         return xarray.open_zarr(path, consolidated=False, chunks={} if scheduler else None)
+
+    def _token(self, resume: bool | str) -> str:
+        """Return what the store is known by; nothing where it cannot be resumed."""
+        try:
+            name = resume if isinstance(resume, str) else ""
+            return stores.token_of(self.work, self.samples, self.sizes, name)
+        except UnidentifiedError as error:
+            reason = (
+                "it cannot be told whether the functions of `reduce` and `specifieds` stay the "
+                f"same: {error}. Give them a name of yours, resume='name', from the first call on, "
+                "and another one when they change."
+            )
+            if resume:
+                raise ValueError(f"`resume=True` needs more: {reason}") from error
+            warn_user(f"`store` cannot be resumed: {reason}")
+            return ""
 
     def _scheduler(self) -> Any:
         try:

@@ -6,62 +6,73 @@ written and is written again.
 
 from __future__ import annotations
 
-import hashlib
-import pickle
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from threading import Lock
 from typing import Any
 
 import numpy as np
 
 from pydy._optional import require
 from pydy._version import __version__
+from pydy.ensemble.identity import fingerprint
 from pydy.ensemble.labels import Form, Variable, check_forms
 from pydy.ensemble.samples import Block, Samples
 from pydy.ensemble.work import Work
 from pydy.solvers.outcome import NOT_COMPUTED
 
-__all__ = ["check", "create", "missing", "token_of", "write"]
+__all__ = ["check", "create", "missing", "token_of", "write", "write_coordinates"]
 
-_TOKEN, _READY, _VARIABLES = "pydy_ensemble", "pydy_ready", "pydy_variables"
+_TOKEN, _READY = "pydy_ensemble", "pydy_ready"
+_VARIABLES, _COORDINATES = "pydy_variables", "pydy_coordinates"
+_SETTING = Lock()  # zarr's configuration belongs to all threads
 
 
-def token_of(work: Work, samples: Samples, sizes: Sequence[int]) -> str:
-    """Return what tells one ensemble from another: equations, options, numbers and blocks."""
-    model, digest = work.model, hashlib.sha256()
-    programs = [p.digest for p in (model.rates, model.outputs, model.jacobian) if p is not None]
-    options = {k: v for k, v in vars(model.options).items() if k not in ("events", "constraints")}
-    reductions = [_identity(r) for r in (*work.reductions, *(f for _, f in model.functions))]
+def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "") -> str:
+    """Return what tells one ensemble from another: equations, options, numbers, functions, blocks.
+
+    Parameters
+    ----------
+    work : Work
+    samples : Samples
+    sizes : sequence of int
+    name : str
+        The user's own name for all functions; they are read where it is empty.
+
+    Raises
+    ------
+    UnidentifiedError
+        A function without a name cannot be told from others.
+    """
+    model = work.model
     events, constraints = model.options.events, model.options.constraints
+    kernels = [None if constraints is None else constraints.kernel]
+    about_events = None
     if events is not None:
-        kernels = [events.values, *(k for k in events.resets if k is not None)]
-        programs += [k.program.digest for k in kernels]
-        reductions += [repr((events.names, events.directions, events.terminal))]
-    if constraints is not None:
-        programs.append(constraints.kernel.program.digest)
-    about = (
-        __version__,
-        programs,
-        model.states,
-        model.output_names,
-        model.method,
-        options,
-        reductions,
+        kernels += [events.values, *events.resets]
+        about_events = events.names, events.directions, events.terminal
+    programs = [model.rates, model.outputs, model.jacobian]
+    programs += [None if k is None else k.program for k in kernels]
+    functions = [r for r in work.reductions if callable(r)]
+    inputs = [(columns, getattr(f, "identity", f)) for columns, f in model.functions]
+    return fingerprint(
+        (
+            __version__,
+            [None if program is None else program.digest for program in programs],
+            (model.states, model.output_names, model.method, about_events),
+            [
+                (key, None if value is None else np.asarray(value, dtype=float))
+                for key, value in vars(model.options).items()
+                if key not in ("events", "constraints")
+            ],
+            [repr(r) for r in work.reductions if not callable(r)],
+            name or (functions, inputs),
+            (samples.dims, tuple(sizes)),
+            (model.times, samples.x, samples.r, samples.p),
+            [(n, c.dims, c.values) for n, c in samples.coordinates.items()],
+            [(c, s.breaks, s.values, s.interpolation) for c, s in model.sampled],
+        )
     )
-    digest.update(repr((*about, samples.dims, tuple(sizes))).encode())
-    for part in (model.times, *samples.x, *samples.r, *samples.p):
-        digest.update(repr(part.shape).encode() + np.ascontiguousarray(part).tobytes())
-    for columns, sampled in model.sampled:
-        digest.update(columns.tobytes() + pickle.dumps(sampled))
-    return digest.hexdigest()
-
-
-def _identity(thing: Any) -> str:
-    """Return a text that tells functions, and the records of other reductions, apart."""
-    code = getattr(thing, "__code__", None)
-    if code is None:
-        return repr(thing)
-    return f"{thing.__module__}.{thing.__qualname__} {hashlib.sha256(code.co_code).hexdigest()}"
 
 
 def check(path: str, token: str, resume: bool) -> bool:
@@ -70,7 +81,7 @@ def check(path: str, token: str, resume: bool) -> bool:
     Raises
     ------
     ValueError
-        Something else is there.
+        Something else is there, or an array of the store is lost.
     """
     if not Path(path).exists():
         return False
@@ -81,15 +92,28 @@ def check(path: str, token: str, resume: bool) -> bool:
         )
     zarr = require("zarr", "ensemble", "`store`")
     try:
-        attrs = dict(zarr.open_group(path, mode="r").attrs)
+        group = zarr.open_group(path, mode="r")
+        attrs = dict(group.attrs)
     except Exception:  # noqa: BLE001 - whatever is there, it cannot be read
         attrs = {}
     if attrs.get(_TOKEN) != token:
         raise ValueError(
             f"`store` '{path}' was written by another ensemble: its equations, numbers, options, "
-            "`reduce` or `chunks` differ, or it is no store of an ensemble. Give another path."
+            "`reduce`, `chunks` or functions differ, or it is no store of an ensemble. Give "
+            "another path. If only functions differ, and not in what they return, give them a name "
+            "of yours in both calls, resume='name', in place of True."
         )
-    return bool(attrs.get(_READY))
+    if not attrs.get(_READY):
+        return False
+    for name in (*attrs[_VARIABLES], *attrs[_COORDINATES]):
+        try:
+            group[name]
+        except Exception as error:
+            raise ValueError(
+                f"`store` '{path}' has lost its array `{name}`, or it cannot be read. Restore it, "
+                "or remove the store to compute everything again."
+            ) from error
+    return True
 
 
 def create(path: str, token: str, example: Any, samples: Samples, sizes: Sequence[int]) -> None:
@@ -101,27 +125,25 @@ def create(path: str, token: str, example: Any, samples: Samples, sizes: Sequenc
         Of one sample, with all attributes and coordinates; its own sizes do not count.
     """
     zarr = require("zarr", "ensemble", "`store`")
-    about = {_TOKEN: token, _VARIABLES: list(map(str, example.data_vars))}
+    about = {
+        _TOKEN: token,
+        _VARIABLES: list(map(str, example.data_vars)),
+        _COORDINATES: list(map(str, example.coords)),
+    }
     group = zarr.open_group(path, mode="w", attributes=about)
     dims = tuple(samples.dims)
     for name, variable in example.variables.items():
         attrs = {**variable.attrs}
         if name in example.coords:
-            values = (
-                np.asarray(samples.coordinates[name].values)
-                if name in samples.coordinates
-                else (np.asarray(variable))
-            )
-            made = _array(
-                group, name, values.shape, values.shape, values.dtype, variable.dims, attrs
-            )
-            made[...] = values
+            shape = tuple(samples.dims.get(d, variable.sizes[d]) for d in variable.dims)
+            _array(group, name, shape, shape, variable.dtype, variable.dims, attrs)
             continue
         rest = tuple(variable.sizes[d] for d in variable.dims if d not in dims)
         shape, chunks = (*samples.shape, *rest), (*sizes, *rest)
         fill = NOT_COMPUTED if name == "status" else None
         _array(group, name, shape, chunks, variable.dtype, variable.dims, attrs, fill)
     group.attrs.update({**example.attrs, "coordinates": " ".join(map(str, samples.coordinates))})
+    write_coordinates(path, samples, example.coords.get("time"))
     group.attrs[_READY] = True
 
 
@@ -148,25 +170,58 @@ def _array(
     )
 
 
+def write_coordinates(path: str, samples: Samples, times: Any) -> None:
+    """Write the coordinates, but for those that are there."""
+    group = require("zarr", "ensemble", "`store`").open_group(path, mode="r+")
+    for name in group.attrs[_COORDINATES]:
+        values = np.asarray(
+            samples.coordinates[name].values if name in samples.coordinates else times
+        )
+        try:
+            there = np.array_equal(np.asarray(group[name][...]), values)
+        except Exception:  # noqa: BLE001 - a chunk that does not decode
+            there = False
+        if not there:
+            group[name][...] = values
+
+
 def missing(path: str, blocks: Sequence[Block]) -> list[Block]:
-    """Return the blocks that the store does not have."""
+    """Return the blocks that the store does not have, or does not have as they were written."""
     zarr = require("zarr", "ensemble", "`store`")
-    status = zarr.open_group(path, mode="r")["status"]
-    return [block for block in blocks if not _has(status, block)]
+    group = zarr.open_group(path, mode="r")
+    status = group["status"]
+    arrays = [group[name] for name in group.attrs[_VARIABLES]]
+    return [
+        block
+        for block in blocks
+        if not (
+            _has(path, status, block)
+            and not (np.asarray(status[block]) == NOT_COMPUTED).any()
+            and all(_has(path, array, block) for array in arrays)
+        )
+    ]
 
 
-def _has(status: Any, block: Block) -> bool:
-    try:
-        return not (np.asarray(status[block]) == NOT_COMPUTED).any()
-    except Exception:  # noqa: BLE001 - a chunk that was half written reads like this
+def _has(path: str, array: Any, block: Block) -> bool:
+    """Return whether a chunk is there and decodes."""
+    place = [s.start // size for s, size in zip(block, array.chunks, strict=False)]
+    place += [0] * (len(array.chunks) - len(place))
+    if not Path(path, array.basename, array.metadata.encode_chunk_key(tuple(place))).exists():
         return False
+    try:
+        array[block]
+    except Exception:  # noqa: BLE001 - whatever half a chunk makes a decoder say
+        return False
+    return True
 
 
 def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
     """Write the results of a block."""
     zarr = require("zarr", "ensemble", "`store`")
-    group = zarr.open_group(path, mode="r+")
-    arrays = {name: group[name] for name in group.attrs[_VARIABLES]}
+    # Otherwise a chunk of nothing but fill values would not be there, like one that was lost.
+    with _SETTING, zarr.config.set({"array.write_empty_chunks": True}):
+        group = zarr.open_group(path, mode="r+")
+        arrays = {name: group[name] for name in group.attrs[_VARIABLES]}
     forms = {
         name: Form.of(a.metadata.dimension_names, a.shape, a.dtype, len(block))
         for name, a in arrays.items()
@@ -174,5 +229,5 @@ def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
     check_forms(found, forms, block)
     for name, variable in found.items():
         if name != "status":
-            group[name][block] = variable.values
-    group["status"][block] = found["status"].values
+            arrays[name][block] = variable.values
+    arrays["status"][block] = found["status"].values

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Literal, overload
-from warnings import warn
 
 import numpy as np
 
 from pydy._checks import real_array
-from pydy._errors import PyDyUserWarning
+from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
@@ -224,12 +223,10 @@ class Prepared:
         states = self._run(x0)
         if self._integration.code == EVENTS_ACCUMULATE:
             info, event = self.info, self._integration.details["event"]
-            warn(
+            warn_user(
                 f"`{info['method']}` stopped at t = {info['time']!r}: the events `{event}` follow "
                 "each other ever faster and accumulate there (Zeno behaviour). "
-                f"{OUTCOMES[EVENTS_ACCUMULATE].remedy}",
-                PyDyUserWarning,
-                stacklevel=3,
+                f"{OUTCOMES[EVENTS_ACCUMULATE].remedy}"
             )
         return states
 

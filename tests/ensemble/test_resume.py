@@ -1,0 +1,242 @@
+"""resume=True: the same ensemble goes on, another one is refused, what is damaged is mended."""
+
+import os
+import shutil
+import subprocess
+import sys
+import textwrap
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from ensemble_cases import identical, pendulum, random_values
+from pydy._errors import PyDyUserWarning
+from pydy.ensemble.work import Work
+from pydy.inputs import SampledInput
+from pydy.models import multi_mass_spring_damper
+from pydy.solvers import Event
+
+
+@pytest.fixture
+def system():
+    return multi_mass_spring_damper(apply_external_forces=True)
+
+
+def run(system, path, **options):
+    x, _ = system.states
+    usual = {"chunks": 5, "times": [0.0, 0.5, 1.0], "initial_conditions": {x: np.arange(10.0)}}
+    return system.integrate_ensemble(store=path, **{**usual, **options})
+
+
+@pytest.fixture
+def computed(monkeypatch):
+    """How many samples each computation had, in order."""
+    sizes, call = [], Work.__call__
+
+    def counted(work, samples, *rest):
+        sizes.append(samples.size)
+        return call(work, samples, *rest)
+
+    monkeypatch.setattr(Work, "__call__", counted)
+    return sizes
+
+
+REFUSED = "was written by another ensemble"
+
+
+def scaled(k):
+    return lambda dataset: dataset[["x0"]] * k
+
+
+def test_a_function_that_closes_over_another_number_is_refused(system, tmp_path):
+    path = tmp_path / "s.zarr"
+    made = run(system, path, reduce=scaled(1.0)).load()
+    identical(run(system, path, reduce=scaled(1.0), resume=True).load(), made)
+    with pytest.raises(ValueError, match=REFUSED):
+        run(system, path, reduce=scaled(1000.0), resume=True)
+
+
+def test_specified_functions_are_compared_too(system, tmp_path):
+    (force,) = system.specifieds_symbols
+
+    def push(size):
+        return {force: lambda x, t: size * np.sin(t)}
+
+    path = tmp_path / "s.zarr"
+    run(system, path, specifieds=push(1.0))
+    run(system, path, specifieds=push(1.0), resume=True)
+    with pytest.raises(ValueError, match=REFUSED):
+        run(system, path, specifieds=push(2.0), resume=True)
+
+
+def test_resets_of_other_events_are_refused(system, tmp_path):
+    x, v = system.states
+
+    def events(first, second):
+        return [Event(x - 1, reset=first, name="a"), Event(x - 2, reset=second, name="b")]
+
+    path = tmp_path / "s.zarr"
+    run(system, path, events=events({v: -v}, {}))
+    with pytest.raises(ValueError, match=REFUSED):
+        run(system, path, events=events({}, {v: -v}), resume=True)
+
+
+def test_other_samples_of_an_input_are_refused(system, tmp_path):
+    (force,) = system.specifieds_symbols
+    path = tmp_path / "s.zarr"
+    run(system, path, specifieds={force: SampledInput([0.0, 1.0], [1.0, 2.0])})
+    run(system, path, specifieds={force: SampledInput([0.0, 1.0], [1.0, 2.0])}, resume=True)
+    with pytest.raises(ValueError, match=REFUSED):
+        run(system, path, specifieds={force: SampledInput([0.0, 1.0], [1.0, 3.0])}, resume=True)
+
+
+def test_other_labels_of_the_same_numbers_are_refused(system, tmp_path):
+    x, _ = system.states
+    path = tmp_path / "s.zarr"
+
+    def labelled(first):
+        values = xr.DataArray([1.0, 2.0], dims="run", coords={"run": [first, first + 1]})
+        return {"initial_conditions": {x: values}}
+
+    run(system, path, **labelled(0))
+    run(system, path, **labelled(0), resume=True)
+    with pytest.raises(ValueError, match=REFUSED):
+        run(system, path, **labelled(7), resume=True)
+
+
+SCRIPT = """
+    import sys
+    import numpy as np
+    from pydy.models import multi_mass_spring_damper
+
+    SIZE = {size}
+
+    def force(x, t):
+        return SIZE * np.sin(t) * helper(t)
+
+    def helper(t):
+        return max(t, 0.5) if t in {{0.0, 0.25, 0.5}} else t
+
+    def largest(dataset):
+        return dataset[["x0"]].max("time")
+
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (symbol,) = system.specifieds_symbols
+    x, _ = system.states
+    system.integrate_ensemble(
+        initial_conditions={{x: [0.0, 1.0]}},
+        specifieds={{symbol: force}},
+        times=[0.0, 0.5],
+        reduce=largest,
+        store=sys.argv[1],
+        resume=True,
+    )
+"""
+
+
+def test_a_new_process_goes_on_with_the_same_functions_and_refuses_others(tmp_path):
+    path = tmp_path / "s.zarr"
+    outcomes = []
+    for seed, size in ((1, 1.0), (2, 1.0), (3, 2.0)):
+        script = tmp_path / f"script{seed}.py"
+        script.write_text(textwrap.dedent(SCRIPT.format(size=size)), "utf-8")
+        done = subprocess.run(
+            [sys.executable, str(script), str(path)],
+            env={**os.environ, "PYTHONHASHSEED": str(seed)},
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
+        outcomes.append(done)
+    assert [o.returncode for o in outcomes] == [0, 0, 1], [o.stderr for o in outcomes]
+    assert REFUSED in outcomes[2].stderr
+
+
+# -- functions that cannot be read ----------------------------------------------------------------
+
+
+def unreadable(dataset):
+    return eval("dataset[['x0']]")
+
+
+def test_a_function_that_cannot_be_read_needs_a_name(system, tmp_path):
+    path = tmp_path / "s.zarr"
+    with pytest.raises(ValueError, match=r"calls `eval`.*resume='name', from the first call on"):
+        run(system, path, reduce=unreadable, resume=True)
+    made = run(system, path, reduce=unreadable, resume="first version").load()
+    identical(run(system, path, reduce=unreadable, resume="first version").load(), made)
+    with pytest.raises(ValueError, match=REFUSED):
+        run(system, path, reduce=unreadable, resume="second version")
+
+
+def test_a_store_that_cannot_be_resumed_warns_at_once(system, tmp_path):
+    path = tmp_path / "s.zarr"
+    with pytest.warns(PyDyUserWarning, match="`store` cannot be resumed.*calls `eval`"):
+        run(system, path, reduce=unreadable)
+    with pytest.raises(ValueError, match=REFUSED):
+        run(system, path, reduce=unreadable, resume="a name too late")
+
+
+def test_a_name_stands_for_functions_and_nothing_else(system, tmp_path):
+    path = tmp_path / "s.zarr"
+    run(system, path, reduce=scaled(1.0), resume="scaled")
+    run(system, path, reduce=scaled(2.0), resume="scaled")
+    with pytest.raises(ValueError, match=REFUSED):
+        run(system, path, reduce=scaled(1.0), resume="scaled", rtol=1e-3)
+
+
+@pytest.mark.parametrize("resume", ["", None, 2, ["name"]])
+def test_resume_is_true_false_or_a_name(system, tmp_path, resume):
+    with pytest.raises(TypeError, match="`resume`, unless it is a name for functions, must be"):
+        run(system, tmp_path / "s.zarr", resume=resume)
+
+
+# -- damage ---------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def store(tmp_path):
+    """A store of four blocks with 25 samples each, and what is in it."""
+    system = pendulum()
+    values, path = random_values(system, 100), tmp_path / "s.zarr"
+
+    def go_on():
+        return system.integrate_ensemble(**values, store=path, chunks=25, resume=True).load()
+
+    return path, go_on, go_on()
+
+
+@pytest.mark.parametrize("name", ["q1/c/1/0", "rejected/c/1", "end_time/c/1", "status/c/1"])
+@pytest.mark.parametrize("content", [b"", b"half", None])
+def test_a_chunk_that_is_lost_or_does_not_decode_is_computed_again(store, computed, name, content):
+    path, go_on, whole = store
+    computed.clear()
+    if content is None:
+        (path / name).unlink()
+    else:
+        (path / name).write_bytes(content)
+    identical(go_on(), whole)
+    assert computed == [25]
+
+
+def test_a_store_that_is_whole_computes_nothing(store, computed):
+    _, go_on, whole = store
+    computed.clear()
+    identical(go_on(), whole)
+    assert computed == []
+
+
+@pytest.mark.parametrize("name", ["initial_q1/c/0", "time/c/0"])
+def test_coordinates_that_do_not_decode_are_written_again(store, name):
+    path, go_on, whole = store
+    (path / name).write_bytes(b"half")
+    identical(go_on(), whole)
+
+
+@pytest.mark.parametrize("name", ["q1", "status", "time", "initial_q1"])
+def test_an_array_that_is_lost_is_named(store, name):
+    path, go_on, _ = store
+    shutil.rmtree(path / name)
+    with pytest.raises(ValueError, match=f"has lost its array `{name}`"):
+        go_on()
