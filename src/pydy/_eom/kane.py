@@ -9,8 +9,37 @@ from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 from pydy._eom.classify import classify
 from pydy._eom.equations import Equations
 from pydy._eom.mechanism import Mechanism
+from pydy._mechanics.reader import Multibody, check_bodies, read_loads
 
-__all__ = ["equations_of_kane"]
+__all__ = ["equations_of_kane", "multibody_of_kane"]
+
+
+def multibody_of_kane(kane: KanesMethod) -> Multibody:
+    """Return what the equations of a KanesMethod are made from.
+
+    ``kanes_equations()`` need not have been called.
+    """
+    rates = kane.kindiffdict()
+    velocity: tuple[Any, ...] = ()
+    acceleration: tuple[Any, ...] = ()
+    if kane._k_nh:
+        velocity = tuple(kane._k_nh * kane.u + kane._f_nh)
+        # SymPy hands the same matrix on when no acceleration constraints were given.
+        if kane._k_dnh is not kane._k_nh:
+            acceleration = tuple(kane._k_dnh * kane._udot + kane._f_dnh)
+    return Multibody(
+        frame=kane._inertial,
+        bodies=check_bodies(kane._bodylist or ()),
+        loads=read_loads(kane._forcelist or ()),
+        time=dynamicsymbols._t,
+        coordinates=tuple(kane.q),
+        speeds=tuple(kane.u),
+        coordinate_rates=tuple(kane._qdot),
+        coordinate_derivatives=tuple(rates[rate] for rate in kane._qdot),
+        velocity=velocity,
+        acceleration=acceleration,
+        auxiliary=tuple(kane._uaux),
+    )
 
 
 def equations_of_kane(kane: KanesMethod) -> Equations:

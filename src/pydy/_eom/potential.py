@@ -21,6 +21,7 @@ from pydy._eom.balance import is_potential_of
 from pydy._eom.equations import Equations
 from pydy._eom.mechanism import Mechanism
 from pydy._eom.symbols import find_symbols, replace_symbols
+from pydy._mechanics.reader import given_velocity, places
 
 __all__ = ["Potential", "find_potential"]
 
@@ -142,8 +143,8 @@ class _Search:
         """Return the points that stand still in the inertial frame and whose places are known."""
         queue = [point]
         for other in queue:  # nearest first
-            queue += [p for p in other._pos_dict if p not in queue]
-        return [p for p in queue if p._vel_dict.get(self.frame) == 0]
+            queue += [p for p in places(other) if p not in queue]
+        return [p for p in queue if given_velocity(p, self.frame) == 0]
 
     def _take(self, energy: Any, power: Any) -> None:
         self.energies.append(energy)

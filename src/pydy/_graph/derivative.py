@@ -8,12 +8,12 @@ of a derivative of the elimination (Griewank & Walther, Evaluating Derivatives, 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
-__all__ = ["jacobian"]
+__all__ = ["Rows", "jacobian"]
 
 Row = dict[int, int]
 
@@ -50,6 +50,58 @@ def jacobian(
     return [{k: d for k, d in sorted(rows[n].items()) if d != zero} for n in outputs]
 
 
+class Rows:
+    """Sparse rows of derivatives, each made once. Differentiation stops where a row is given.
+
+    Parameters
+    ----------
+    graph : Graph
+        Gets the new nodes.
+    given : dict of nodes to rows
+        A row maps what is differentiated by, any integers, to the derivative's node.
+    leaf : callable, optional
+        Gives the row of an input that has none; no derivatives by default.
+    """
+
+    def __init__(
+        self, graph: Graph, given: dict[int, Row], leaf: Callable[[int], Row] | None = None
+    ) -> None:
+        self.graph = graph
+        self.known = given
+        self._leaf = leaf
+        self._vectors: dict[int, list[Row]] = {}
+
+    def __call__(self, node: int) -> Row:
+        """Return the row of a node."""
+        if node not in self.known:
+            self._fill(node)
+        return self.known[node]
+
+    def through(self, node: int) -> Row:
+        """Return the row of a node from its operands' rows, whatever was given for it."""
+        for operand in self.graph.operands(node):
+            self(operand)
+        return _row(self.graph, node, self.known, self._vectors)
+
+    def _fill(self, root: int) -> None:
+        graph, known = self.graph, self.known
+        stack = [root]
+        while stack:
+            node = stack[-1]
+            if node in known:
+                stack.pop()
+                continue
+            missing = [n for n in graph.operands(node) if n not in known]
+            if missing:
+                stack += missing
+                continue
+            stack.pop()
+            if graph.ops[node] == "input":
+                known[node] = self._leaf(node) if self._leaf else {}
+            else:
+                known[node] = _row(graph, node, known, self._vectors)
+
+
 def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]]) -> Row:
     op, args = g.ops[node], g.args[node]
     if op == "sum":
@@ -70,7 +122,12 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
             for k in keys
         }
     if op == "solve":
-        vectors[node] = _solve_rows(g, node, rows)
+        vectors[node] = _solve_rows(g, node, args[0], args[1], rows)
+        return {}
+    if op == "guard":
+        # By the system that it solves: how the solution was found does not matter.
+        n, entries, column = args[:3]
+        vectors[node] = _solve_rows(g, node, g.make("factor", ("ldl", n, entries)), column, rows)
         return {}
     if op == "item":
         row: Row = vectors[args[0]][args[1]]
@@ -92,8 +149,9 @@ def _combine(g: Graph, parts: Sequence[tuple[Row, int | None, float]]) -> Row:
     return {k: g.sum(t) for k, t in terms.items()}
 
 
-def _solve_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
-    factor, column = g.args[node]
+def _solve_rows(
+    g: Graph, node: int, factor: int, column: Sequence[int], rows: dict[int, Row]
+) -> list[Row]:
     kind, n, entries = g.args[factor]
     x = [g.make("item", (node, k)) for k in range(n)]
     keys: set[int] = set()

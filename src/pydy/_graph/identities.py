@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pydy._graph.expand import is_exact
-from pydy._graph.modular import PRIME, arbitrary, residue
+from pydy._graph.modular import PRIME, arbitrary, inverse, residue
 from pydy._graph.node import Graph
 from pydy._graph.operations import ANGLES, OPERATIONS
 from pydy._graph.rewrite import again, replaced
@@ -39,7 +39,7 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
         value = values[node]
         group = best.setdefault(min(value, PRIME - value), [])
         stand_in[node] = node
-        if graph.ops[node] in ("factor", "solve", "bool"):
+        if graph.ops[node] in ("factor", "solve", "guard", "bool"):
             continue
         for other in group:
             if poles[other] <= poles[node] and not _is_rougher(graph, other, node):
@@ -67,9 +67,9 @@ def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
 def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
     """Return a number for each node: equal ones for nodes that are equal wherever defined.
 
-    It is 0 for what vanishes.
+    It is 0 for what vanishes. Small linear systems are solved.
     """
-    values, _, _ = _evaluated(graph, graph.reachable(nodes))
+    values, _, _ = _evaluated(graph, graph.reachable(nodes), solving=True)
     return [values[node] for node in nodes]
 
 
@@ -103,7 +103,7 @@ def _is_rougher(graph: Graph, other: int, node: int) -> bool:
 
 
 def _evaluated(
-    graph: Graph, nodes: Sequence[int]
+    graph: Graph, nodes: Sequence[int], *, solving: bool = False
 ) -> tuple[dict[int, int], dict[int, frozenset[int]], dict[int, float]]:
     """Return each node's value, what it divides by and calls, and its cost written out as a tree.
 
@@ -114,6 +114,7 @@ def _evaluated(
     poles = {graph.zero: nothing, graph.one: nothing}
     costs = {graph.zero: 0.0, graph.one: 0.0}
     known: dict[float, int] = {}
+    solutions = _Solutions(graph, values)
     for node in nodes:
         op, args = graph.ops[node], graph.args[node]
         operands = graph.operands(node)
@@ -147,6 +148,9 @@ def _evaluated(
         elif op in OPERATIONS and (rule := OPERATIONS[op].modular) is not None:
             value = rule(*(values[n] for n in operands))
             cost += 8.0
+        elif solving and op == "item" and (solved := solutions(args[0])) is not None:
+            value = solved[args[1]]
+            own = frozenset({arbitrary("within", value)})
         else:
             value = arbitrary(op, *_kind(op, args), *(values[n] for n in operands))
             # What a function divides by inside may be guarded by it.
@@ -154,6 +158,50 @@ def _evaluated(
             cost += 8.0
         values[node], poles[node], costs[node] = value, own, cost
     return values, poles, costs
+
+
+# Larger systems are not solved modulo a prime: in Python that takes n³ times 0.2 µs.
+_LARGEST = 32
+
+
+class _Solutions:
+    """Solutions of linear systems modulo a prime, each found once."""
+
+    def __init__(self, graph: Graph, values: dict[int, int]) -> None:
+        self.graph, self.values = graph, values
+        self._inverses: dict[tuple[int, ...], list[list[int]] | None] = {}
+        self._solved: dict[int, list[int] | None] = {}
+
+    def __call__(self, node: int) -> list[int] | None:
+        """Return the solution of a `solve` or `guard`; None where it is singular or large."""
+        if node not in self._solved:
+            self._solved[node] = self._solve(node)
+        return self._solved[node]
+
+    def _solve(self, node: int) -> list[int] | None:
+        op, args = self.graph.ops[node], self.graph.args[node]
+        if op == "solve":
+            kind, n, entries = self.graph.args[args[0]]
+            column = args[1]
+        elif op == "guard":
+            kind, (n, entries, column) = "ldl", args[:3]
+        else:
+            return None
+        if n > _LARGEST:
+            return None
+        if entries not in self._inverses:
+            cells = [self.values[e] for e in entries]
+            low = kind == "ldl"
+            matrix = [
+                [cells[max(i, j) * n + min(i, j) if low else i * n + j] for j in range(n)]
+                for i in range(n)
+            ]
+            self._inverses[entries] = inverse(matrix)
+        found = self._inverses[entries]
+        if found is None:
+            return None
+        right = [self.values[e] for e in column]
+        return [sum(a * b for a, b in zip(row, right, strict=True)) % PRIME for row in found]
 
 
 def _known(known: dict[float, int], number: float) -> int:
@@ -168,4 +216,6 @@ def _kind(op: str, args: tuple[object, ...]) -> tuple[object, ...]:
         return args[:2]
     if op == "item":
         return (args[1],)
+    if op == "guard":
+        return args[:1]
     return args if op == "bool" else ()

@@ -83,12 +83,15 @@ class _Lowering:
         self,
         blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
     ) -> tuple[Tape, tuple[int, int, int], list[tuple[str, tuple[int, ...], list[int]]]]:
-        order = self.graph.reachable([n for _, _, nodes in blocks for n in nodes])
+        roots = [n for _, _, nodes in blocks for n in nodes]
+        order = self.graph.reachable(roots)
+        # What is computed at every call: nothing is arranged for what only fallbacks need.
+        hot = set(self.graph.reachable(roots, fallbacks=False))
         for node in order:
             if self.graph.ops[node] == "prod":
                 self.divided.update(n for n, e in self.graph.args[node] if e < 0)
-        self._plan_products(order)
-        self._plan_sums(order)
+        self._plan_products(order, hot)
+        self._plan_sums(order, hot)
         for node in order:
             self.new[node] = self._node(node)
         return (
@@ -123,6 +126,10 @@ class _Lowering:
             return self.factors[args[0]].solve([new[b] for b in args[1]])
         if op == "item":
             return tape.make("item", new[args[0]], args[1])
+        if op == "guard":
+            n, entries, column, sound, fast = args
+            parts = [tuple(new[k] for k in part) for part in (entries, column, fast)]
+            return tape.make("guard", n, *parts[:2], new[sound], parts[2])
         return tape.make(op, *(new[a] for a in args))
 
     def _factorise(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
@@ -179,11 +186,13 @@ class _Lowering:
 
     # -- sums -------------------------------------------------------------------------------------
 
-    def _plan_sums(self, order: list[int]) -> None:
+    def _plan_sums(self, order: list[int], hot: set[int]) -> None:
         """Decide in which order the terms of each sum are added."""
         graph, constant = self.graph, self.graph.constant
         sums = [node for node in order if graph.ops[node] == "sum"]
-        users = Counter((n, abs(c)) for node in sums for n, c in graph.args[node][1])
+        sums.sort(key=lambda node: node not in hot)
+        count = sum(node in hot for node in sums)
+        users = Counter((n, abs(c)) for node in sums[:count] for n, c in graph.args[node][1])
 
         def rank(term: tuple[tuple[int, float], bool]) -> tuple[Any, ...]:
             # Constants first: their partial sum is then a value of the setup stage. Of the rest
@@ -195,8 +204,9 @@ class _Lowering:
         for node in sums:
             terms = [((n, abs(c)), c > 0.0) for n, c in graph.args[node][1]]
             rows.append(sorted(terms, key=rank))
-        shared = share_pairs(rows) if self.passes.share_sums else rows
-        self.sums = dict(zip(sums, shared, strict=True))
+        self.sums = dict(zip(sums, rows, strict=True))
+        if self.passes.share_sums:
+            self.sums.update(zip(sums[:count], share_pairs(rows[:count]), strict=True))
 
     def _sum(self, node: int) -> int:
         tape = self.tape
@@ -242,7 +252,7 @@ class _Lowering:
 
     # -- products ---------------------------------------------------------------------------------
 
-    def _plan_products(self, order: list[int]) -> None:
+    def _plan_products(self, order: list[int], hot: set[int]) -> None:
         """Decide in which order the factors of each product are multiplied.
 
         The factors that depend on constants alone are one factor, with the coefficient of the sum
@@ -261,7 +271,9 @@ class _Lowering:
                     if product and any(constant[n] for n, _ in graph.args[term]):
                         wanted[term, size] = None
         factors: list[list[Any]] = []
-        for node, size in wanted:
+        places = sorted(wanted, key=lambda place: place[0] not in hot)
+        count = sum(node in hot for node, _ in places)
+        for node, size in places:
             fixed = tuple(pair for pair in graph.args[node] if constant[pair[0]])
             moving = [pair for pair in graph.args[node] if not constant[pair[0]]]
             above = [("power", *pair) for pair in moving if self._multiplies(*pair)]
@@ -270,9 +282,9 @@ class _Lowering:
                 above.insert(0, ("fixed", fixed, size))
             factors.append(above)
         if self.passes.share_products:
-            shared = share_pairs([[(factor, True) for factor in row] for row in factors])
-            factors = [[tree for tree, _ in row] for row in shared]
-        self.products = dict(zip(wanted, factors, strict=True))
+            shared = share_pairs([[(factor, True) for factor in row] for row in factors[:count]])
+            factors[:count] = [[tree for tree, _ in row] for row in shared]
+        self.products = dict(zip(places, factors, strict=True))
 
     def _multiplies(self, node: int, exponent: int) -> bool:
         # A denominator that occurs more than once becomes a reciprocal.

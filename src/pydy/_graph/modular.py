@@ -10,7 +10,7 @@ from __future__ import annotations
 import hashlib
 from functools import lru_cache
 
-__all__ = ["PRIME", "arbitrary", "cosine", "residue", "sine"]
+__all__ = ["PRIME", "arbitrary", "cosine", "inverse", "residue", "sine"]
 
 # Floats are whole numbers times powers of two: p = 2 q + 1 with a prime q, so that these powers
 # repeat after q of them. p = 3 (mod 4), so that −1 is no square and no 1 + x² vanishes.
@@ -47,3 +47,21 @@ def sine(angle: int) -> int:
 def cosine(angle: int) -> int:
     """Return the cosine of an angle."""
     return _on_circle(angle)[1]
+
+
+def inverse(matrix: list[list[int]]) -> list[list[int]] | None:
+    """Return the inverse of a matrix, or None for a singular one."""
+    n = len(matrix)
+    rows = [[*row, *(int(i == k) for k in range(n))] for i, row in enumerate(matrix)]
+    for k in range(n):
+        pivot = next((i for i in range(k, n) if rows[i][k]), None)
+        if pivot is None:
+            return None
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        scale = pow(rows[k][k], -1, PRIME)
+        rows[k] = own = [value * scale % PRIME for value in rows[k]]
+        for i in range(n):
+            factor = rows[i][k]
+            if i != k and factor:
+                rows[i] = [(a - factor * b) % PRIME for a, b in zip(rows[i], own, strict=True)]
+    return [row[n:] for row in rows]

@@ -27,7 +27,7 @@ from pydy._graph.operations import OPERATIONS, Operation, operands
 __all__ = ["Graph"]
 
 # Solves report failures, which only calls can do.
-_REPORTING = frozenset({"factor", "solve", "item"})
+_REPORTING = frozenset({"factor", "solve", "guard", "item"})
 
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
@@ -43,7 +43,8 @@ class Graph:
     args : list of tuple
         Operands of each node: other nodes, except for the kinds ``const`` (value,), ``bool``
         (value,), ``input`` (group, index), ``sum``, ``prod`` (see the module), ``factor``
-        (kind, n, entries), ``solve`` (factor, right-hand sides) and ``item`` (solve, index).
+        (kind, n, entries), ``solve`` (factor, right-hand sides), ``guard`` (see `Graph.guard`) and
+        ``item`` (solve or guard, index).
     constant : list of bool
         Whether each node depends on constants (inputs 'p') and numbers alone.
     """
@@ -290,20 +291,50 @@ class Graph:
         vector = self.make("solve", (factor, tuple(column)))
         return [self.make("item", (vector, k)) for k in range(len(column))]
 
+    def guard(
+        self, matrix: list[list[int]], column: list[int], sound: int, fast: list[int]
+    ) -> list[int]:
+        """Return the solution of a linear system that was found in another way.
+
+        Parameters
+        ----------
+        matrix : n lists of n nodes
+            Symmetric positive definite.
+        column : list of n nodes
+        sound : node
+            A truth value: whether `fast` is to be taken. Else the system is solved.
+        fast : list of n nodes
+            Equal to the solution.
+        """
+        n = len(matrix)
+        entries = tuple(e for row in matrix for e in row)
+        node = self.make("guard", (n, entries, tuple(column), sound, tuple(fast)))
+        return [self.make("item", (node, k)) for k in range(n)]
+
     # -- walking --------------------------------------------------------------------------------
 
     def operands(self, node: int) -> tuple[int, ...]:
         """Return the nodes that `node` refers to, in order."""
         return operands(self.ops[node], self.args[node])
 
-    def reachable(self, roots: Iterable[int]) -> list[int]:
-        """Return every node the roots need, in topological (ascending) order."""
+    def reachable(self, roots: Iterable[int], *, fallbacks: bool = True) -> list[int]:
+        """Return every node the roots need, in topological (ascending) order.
+
+        Parameters
+        ----------
+        roots : iterable of nodes
+        fallbacks : bool
+            Whether the systems that guards fall back to count.
+        """
         ops, args = self.ops, self.args
         seen = set(roots)
         stack = list(seen)
         while stack:
             node = stack.pop()
-            new = set(operands(ops[node], args[node])) - seen
+            if fallbacks or ops[node] != "guard":
+                new = set(operands(ops[node], args[node])) - seen
+            else:
+                new = {args[node][3], *args[node][4]} - seen
             seen |= new
             stack += new
         return sorted(seen)

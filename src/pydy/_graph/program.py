@@ -269,8 +269,8 @@ class Program:
             if user[node] != hot:
                 found[user[node]].append(node)
             if op == "guard":
-                needs = [(k, hot) for k in (*args[2], args[3], *args[4])]
-                needs += [(k, node) for k in dict.fromkeys(args[1])]
+                needs = [(k, hot) for k in (args[3], *args[4])]
+                needs += [(k, node) for k in dict.fromkeys((*args[1], *args[2]))]
             else:
                 needs = [(k, user[node]) for k in operands(op, args)]
             for other, who in needs:

@@ -13,6 +13,7 @@ from pydy._graph.factor import factor_sums
 from pydy._graph.identities import merge_equal
 from pydy._graph.node import Graph
 from pydy._graph.passes import Passes
+from pydy._graph.rewrite import substitute
 
 __all__ = ["operations", "simplify"]
 
@@ -28,6 +29,9 @@ def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -
         All by default.
     """
     passes = Passes() if passes is None else passes
+    guards = [n for n in graph.reachable(roots) if graph.ops[n] == "guard"]
+    if guards:
+        return _around_guards(graph, roots, guards, passes)
     factored = _factored(graph, roots, passes)
     # Among the nodes as they came there are more that are equal, and many more to look at.
     merged = merge_equal(graph, factored) if passes.merge else factored
@@ -40,6 +44,23 @@ def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -
         nodes = _expanded(graph, _factored(graph, nodes, passes), passes)
         nodes = merge_equal(graph, nodes)
     return nodes
+
+
+def _around_guards(
+    graph: Graph, roots: Sequence[int], guards: Sequence[int], passes: Passes
+) -> list[int]:
+    """Simplify what every call computes; what only a guard's fallback needs stays as it is."""
+    away = {guard: graph.input("guard", k) for k, guard in enumerate(guards)}
+    hot = [[graph.args[guard][3], *graph.args[guard][4]] for guard in guards]
+    every = substitute(graph, [*roots, *(n for part in hot for n in part)], away)
+    nodes = iter(simplify(graph, every, passes))
+    new_roots = [next(nodes) for _ in roots]
+    back: dict[int, int] = {}
+    for guard, part in zip(guards, hot, strict=True):
+        n, entries, column = graph.args[guard][:3]
+        sound, *fast = substitute(graph, [next(nodes) for _ in part], back)
+        back[away[guard]] = graph.make("guard", (n, entries, column, sound, tuple(fast)))
+    return substitute(graph, new_roots, back)
 
 
 def _factored(graph: Graph, roots: Sequence[int], passes: Passes) -> list[int]:
@@ -60,7 +81,7 @@ def operations(graph: Graph, roots: Sequence[int]) -> int:
     count = 0
     for node in graph.reachable(roots):
         op, args = graph.ops[node], graph.args[node]
-        if constant[node] or op in ("input", "factor", "solve", "item"):
+        if constant[node] or op in ("input", "factor", "solve", "guard", "item"):
             continue
         if op == "sum":
             c0, terms = args

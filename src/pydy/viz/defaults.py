@@ -11,6 +11,7 @@ from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import Vector
 
 from pydy._checks import real_array, shown
+from pydy._mechanics.reader import given_velocity, places
 from pydy.viz.shapes import Box, Shape, Sphere
 
 __all__ = ["default_shape", "find_origin", "guess_up", "skeleton", "unit_vector"]
@@ -56,10 +57,9 @@ def find_origin(frame: Any, points: Iterable[Any]) -> Any:
     seen = set(waiting)
     while waiting:
         point = waiting.pop(0)
-        # SymPy's `vel` would make up a velocity where none was set.
-        if point._vel_dict.get(frame) == Vector(0):
+        if given_velocity(point, frame) == Vector(0):
             return point
-        near = [p for p in point._pos_dict if p not in seen]
+        near = [p for p in places(point) if p not in seen]
         seen.update(near)
         waiting += near
     return None
@@ -74,7 +74,7 @@ def skeleton(origin: Any, points: Iterable[Any]) -> list[tuple[Any, Any]]:
     waiting = [origin]
     while waiting:
         point = waiting.pop(0)
-        near = [p for p in point._pos_dict if p not in before]
+        near = [p for p in places(point) if p not in before]
         before.update(dict.fromkeys(near, point))
         waiting += near
     pairs: dict[tuple[Any, Any], None] = {}

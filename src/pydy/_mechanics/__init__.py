@@ -1,0 +1,1 @@
+"""Equations of motion formed from bodies, loads and frames. Import the module you need."""

@@ -1,0 +1,366 @@
+"""Inertia and forces pushed from the outer velocities to the speeds.
+
+A mechanism's motion is a sum of quadratic forms in anchors (`pydy._mechanics.kinematics`), and
+forces on them. From the outermost anchors inwards, each group k = R c of anchors hands both over to
+the anchors c that it is made of: the form becomes Rᵀ K R, the force Rᵀ g. What arrives at the
+speeds is Kane's mass matrix and forcing, M u' = F: each joint carries the *composite body* beyond
+it.
+
+If a speed is eliminated as soon as no anchor that is left depends on it, the form that is handed on
+is the *articulated-body* inertia, and the work is linear in the number of bodies of any tree
+(Featherstone, Rigid Body Dynamics Algorithms, 2008, chs. 6 and 7). The pivots are those of LDLᵀ in
+the order in which the speeds go.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from heapq import heapify, heappop, heappush
+
+from pydy._graph.derivative import Row, Rows
+from pydy._graph.identities import signatures
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.dynamics import Inertia, Load
+
+__all__ = ["Solution", "composite", "eliminated"]
+
+_EPS = 2.0**-52
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Accelerations, and whether all pivots on the way were sound.
+
+    Attributes
+    ----------
+    accelerations : list of nodes
+        u'.
+    sound : node
+        A truth value.
+    """
+
+    accelerations: list[int]
+    sound: int
+
+
+@dataclass(frozen=True)
+class _Passed:
+    """A group of anchors that handed over: their rows."""
+
+    rows: dict[int, Row]
+
+
+@dataclass(frozen=True)
+class _Gone:
+    """A speed that was eliminated: u' = (force − Σ share · other') · inverse."""
+
+    speed: int
+    force: int
+    inverse: int
+    shares: dict[int, int]
+
+
+def composite(
+    graph: Graph,
+    rows: Rows,
+    groups: Sequence[Sequence[int]],
+    speeds: Sequence[int],
+    inertias: Sequence[Inertia],
+    loads: Sequence[Load],
+) -> tuple[list[list[int]], list[int]]:
+    """Return Kane's mass matrix and forcing for all speeds, dependent or not."""
+    push = _Push(graph, rows, groups, speeds, inertias, loads)
+    for group in push.order:
+        push.pass_on(group)
+    m = [[push.entry(a, b) for b in speeds] for a in speeds]
+    return m, [graph.sum(push.forces[s]) for s in speeds]
+
+
+def eliminated(
+    graph: Graph,
+    rows: Rows,
+    groups: Sequence[Sequence[int]],
+    speeds: Sequence[int],
+    inertias: Sequence[Inertia],
+    loads: Sequence[Load],
+) -> Solution:
+    """Return the accelerations by articulated-body elimination."""
+    push = _Push(graph, rows, groups, speeds, inertias, loads)
+    sizes = _Sizes(push)
+    left = dict.fromkeys(speeds)
+    done: list[_Passed | _Gone] = []
+    pivots: list[tuple[int, int]] = []
+    for group in push.order:
+        cut = push.pass_on(group)
+        done.append(cut)
+        columns = dict.fromkeys(c for row in cut.rows.values() for c in row)
+        ready = [c for c in columns if c in left and not push.waiting[c]]
+        for speed in sorted(ready, key=lambda c: (len(push.near[c]), c)):
+            del left[speed]
+            pivots.append((speed, push.entry(speed, speed)))
+            done.append(push.eliminate(speed))
+    for speed in left:
+        pivots.append((speed, push.entry(speed, speed)))
+        done.append(push.eliminate(speed))
+    found: dict[int, int] = {}
+    for step in reversed(done):
+        if isinstance(step, _Gone):
+            terms = [(graph.mul(step.force, step.inverse), 1.0)]
+            terms += [(graph.mul(share, found[s]), -1.0) for s, share in step.shares.items()]
+            found[step.speed] = graph.sum(terms)
+        else:
+            for node, row in step.rows.items():
+                found[node] = graph.sum([(graph.mul(d, found[c]), 1.0) for c, d in row.items()])
+    floors = {s: graph.sum(push.floors[s]) for s in speeds if s not in push.reduced}
+    fixed = dict(zip(floors, _without_state(graph, list(floors.values())), strict=True))
+    limits = sizes.of(speeds)
+    sound = graph.boolean(True)
+    for speed, pivot in pivots:
+        limit = graph.sum([(limits[speed], len(speeds) * _EPS)])
+        floor = fixed.get(speed, graph.zero)
+        # What the bodies at the joint itself weigh is part of the pivot: checked once per binding.
+        if floor != graph.zero and graph.constant[floor] and graph.constant[limit]:
+            pivot = floor
+        sound = graph.call("and", sound, graph.call("lt", limit, pivot))
+    return Solution([found[s] for s in speeds], sound)
+
+
+class _Push:
+    """Quadratic forms and forces on their way from anchors to speeds."""
+
+    def __init__(
+        self,
+        graph: Graph,
+        rows: Rows,
+        groups: Sequence[Sequence[int]],
+        speeds: Sequence[int],
+        inertias: Sequence[Inertia],
+        loads: Sequence[Load],
+    ) -> None:
+        self.graph, self.speeds = graph, list(speeds)
+        self.own = {k: rows.through(k) for group in groups for k in group}
+        self.cells: dict[tuple[int, int], list[tuple[int, float]]] = defaultdict(list)
+        self.near: dict[int, set[int]] = defaultdict(set)
+        self.forces: dict[int, list[tuple[int, float]]] = defaultdict(list)
+        # What each velocity itself weighs, by the anchors of its components.
+        self.weights: list[tuple[list[int], int]] = []
+        # What of a speed's diagonal entry comes from there, and the speeds that lost some of it.
+        self.floors: dict[int, list[tuple[int, float]]] = defaultdict(list)
+        self.reduced: set[int] = set()
+        for inertia in inertias:
+            self._place(inertia, [rows(n) for n in inertia.velocity])
+        self.first = {key: list(cell) for key, cell in self.cells.items()}
+        for s in self.speeds:
+            self.floors[s] += self.first.get((s, s), [])
+        for load in loads:
+            for n, force in zip(load.velocity, load.force, strict=True):
+                for a, d in rows(n).items():
+                    self.forces[a].append((graph.mul(d, force), 1.0))
+        wanted = {a for key in self.cells for a in key} | set(self.forces)
+        order = _sorted_groups([list(group) for group in groups], self.own)[::-1]
+        self.order: list[list[int]] = []
+        self.waiting: dict[int, int] = defaultdict(int)
+        for group in order:
+            needed = [k for k in group if k in wanted]
+            if needed:
+                self.order.append(needed)
+            for k in needed:
+                for c in self.own[k]:
+                    wanted.add(c)
+                    self.waiting[c] += 1
+
+    def _place(self, inertia: Inertia, rows: list[Row]) -> None:
+        graph, matrix = self.graph, inertia.matrix
+        trace: list[tuple[int, float]] = []
+        for i in range(3):
+            if rows[i]:
+                trace.append((matrix[i][i], 1.0))
+            for j in range(i + 1):
+                if matrix[i][j] == graph.zero:
+                    continue
+                for a, x in rows[i].items():
+                    for b, y in rows[j].items():
+                        if i != j:
+                            twice = 2.0 if a == b else 1.0
+                            self.add(a, b, graph.mul(x, y, matrix[i][j]), twice)
+                        elif a >= b:
+                            self.add(a, b, graph.mul(x, y, matrix[i][j]))
+        anchors = list(dict.fromkeys(a for row in rows for a in row))
+        if anchors:
+            self.weights.append((anchors, graph.sum(trace)))
+
+    def add(self, a: int, b: int, node: int, size: float = 1.0) -> None:
+        """Add to an entry of the form; the entries (a, b) and (b, a) are one."""
+        if node != self.graph.zero:
+            self.cells[_key(a, b)].append((node, size))
+            self.near[a].add(b)
+            self.near[b].add(a)
+
+    def entry(self, a: int, b: int) -> int:
+        """Return an entry of the form."""
+        key = _key(a, b)
+        if key not in self.cells:
+            return self.graph.zero
+        node = self.graph.sum(self.cells[key])
+        self.cells[key] = [(node, 1.0)]
+        return node
+
+    def pass_on(self, group: list[int]) -> _Passed:
+        """Let a group of anchors hand its form and forces over to what it is made of."""
+        graph = self.graph
+        rows = {k: self.own[k] for k in group}
+        within = [[self.entry(a, b) for b in group] for a in group]
+        others = sorted({s for k in group for s in self.near[k]} - set(group))
+        across = [[self.entry(k, s) for s in others] for k in group]
+        columns = sorted({c for row in rows.values() for c in row})
+        forces = [graph.sum(self.forces[k]) for k in group]
+        places = range(len(group))
+        for c in columns:
+            slope = [rows[k].get(c, graph.zero) for k in group]
+            image = [
+                graph.sum([(graph.mul(within[j][i], slope[i]), 1.0) for i in places])
+                for j in places
+            ]
+            for d in columns:
+                if d <= c:
+                    terms = [
+                        (graph.mul(rows[group[j]].get(d, graph.zero), image[j]), 1.0)
+                        for j in places
+                    ]
+                    self.add(c, d, graph.sum(terms))
+            for j, s in enumerate(others):
+                terms = [(graph.mul(slope[i], across[i][j]), 1.0) for i in places]
+                self.add(c, s, graph.sum(terms), 2.0 if c == s else 1.0)
+            if c in self.floors:
+                self.floors[c] += [
+                    (graph.mul(slope[i], slope[j], node), size * (1.0 if i == j else 2.0))
+                    for i in places
+                    for j in range(i + 1)
+                    for node, size in self.first.get(_key(group[i], group[j]), ())
+                ]
+            terms = [(graph.mul(slope[i], forces[i]), 1.0) for i in places]
+            self.forces[c].append((graph.sum(terms), 1.0))
+        for k in group:
+            self._forget(k)
+            for c in rows[k]:
+                self.waiting[c] -= 1
+        return _Passed(rows)
+
+    def eliminate(self, x: int) -> _Gone:
+        """Take a speed out by its own equation."""
+        graph = self.graph
+        inverse = graph.powi(self.entry(x, x), -1)
+        force = graph.sum(self.forces[x])
+        others = sorted(self.near[x] - {x})
+        column = {s: self.entry(s, x) for s in others}
+        shares = {s: graph.mul(column[s], inverse) for s in others}
+        self.reduced.update(others)
+        for s in others:
+            for r in others:
+                if r <= s:
+                    self.add(s, r, graph.mul(shares[s], column[r]), -1.0)
+            self.forces[s].append((graph.mul(shares[s], force), -1.0))
+        self._forget(x)
+        return _Gone(x, force, inverse, shares)
+
+    def _forget(self, node: int) -> None:
+        for s in self.near.pop(node, ()):
+            if s != node:
+                self.near[s].discard(node)
+
+
+def _key(a: int, b: int) -> tuple[int, int]:
+    return (a, b) if a >= b else (b, a)
+
+
+def _sorted_groups(groups: list[list[int]], rows: dict[int, Row]) -> list[list[int]]:
+    """Return groups after what they are made of; single anchors where groups hang on each other.
+
+    In the order in which they were made they are not always sorted: a node can be made of another
+    that became an anchor later. That order is kept as far as it goes, a body at a time.
+    """
+    home = {k: i for i, group in enumerate(groups) for k in group}
+    needs = [{home[c] for k in group for c in rows[k] if c in home} for group in groups]
+    users = [0] * len(groups)
+    for need in needs:
+        for i in need:
+            users[i] += 1
+    free = [-i for i, count in enumerate(users) if not count]
+    order: list[list[int]] = []
+    heapify(free)
+    while free:
+        i = -heappop(free)
+        order.append(groups[i])
+        for j in needs[i]:
+            users[j] -= 1
+            if not users[j]:
+                heappush(free, -j)
+    if len(order) < len(groups):
+        return _sorted_groups([[k] for group in groups for k in group], rows)
+    return order[::-1]
+
+
+class _Sizes:
+    """How large each diagonal entry of the mass matrix is, to judge a pivot by.
+
+    The composite bodies' own entries would cost as much as a composite form. What is handed on here
+    is one number for each group of anchors, a mean square: a rotation leaves it as it is, so that
+    in most mechanisms it depends on constants alone.
+    """
+
+    def __init__(self, push: _Push) -> None:
+        self.graph, self.own, self.order = push.graph, push.own, [list(g) for g in push.order]
+        self.weights = push.weights
+
+    def of(self, speeds: Iterable[int]) -> dict[int, int]:
+        """Return a node for each speed."""
+        graph = self.graph
+        home = {k: i for i, group in enumerate(self.order) for k in group}
+        slopes = self._slopes(home)
+        totals: dict[int, list[tuple[int, float]]] = defaultdict(list)
+        for anchors, weight in self.weights:
+            for key in dict.fromkeys(home.get(a, -a) for a in anchors):
+                totals[key].append((weight, 1.0))
+        for i in range(len(self.order)):
+            size = graph.sum(totals[i])
+            for key, slope in slopes[i].items():
+                totals[key].append((graph.mul(slope, size), 1.0))
+        return {s: graph.sum(totals[-s]) for s in speeds}
+
+    def _slopes(self, home: dict[int, int]) -> list[dict[int, int]]:
+        """Return for each group the mean square of its rows by the groups it is made of."""
+        graph = self.graph
+        found: list[dict[int, int]] = []
+        for group in self.order:
+            squares: dict[int, list[tuple[int, float]]] = defaultdict(list)
+            members: dict[int, set[int]] = defaultdict(set)
+            for k in group:
+                for c, d in self.own[k].items():
+                    key = home.get(c, -c)
+                    squares[key].append((graph.powi(d, 2), 1.0))
+                    members[key].add(c)
+            found.append(
+                {
+                    key: graph.sum([(graph.sum(terms), 1.0 / min(len(group), len(members[key])))])
+                    for key, terms in squares.items()
+                }
+            )
+        nodes = list(dict.fromkeys(n for slope in found for n in slope.values()))
+        fixed = dict(zip(nodes, _without_state(graph, nodes), strict=True))
+        return [{key: fixed[n] for key, n in slope.items()} for slope in found]
+
+
+def _without_state(graph: Graph, nodes: list[int]) -> list[int]:
+    """Write what is the same in every state without the state."""
+    moving = [
+        n for n in graph.reachable(nodes) if graph.ops[n] == "input" and not graph.constant[n]
+    ]
+    if not moving:
+        return nodes
+    fixed = substitute(graph, nodes, dict.fromkeys(moving, graph.zero))
+    values = signatures(graph, [*nodes, *fixed])
+    pairs = zip(nodes, fixed, values[: len(nodes)], values[len(nodes) :], strict=True)
+    return [other if one == two else node for node, other, one, two in pairs]

@@ -1,0 +1,184 @@
+"""Equations of motion formed from bodies, loads and kinematics, as nodes of one graph."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from pydy._graph.derivative import jacobian
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.dynamics import loads_and_inertias, points_of
+from pydy._mechanics.elimination import composite, eliminated
+from pydy._mechanics.kinematics import Kinematics
+from pydy._mechanics.reader import Multibody
+
+__all__ = ["Formed", "form"]
+
+
+@dataclass
+class Formed:
+    """Equations of motion ``M u' = F`` and kinematics ``q' = G`` as nodes.
+
+    Attributes
+    ----------
+    graph : Graph
+        Its inputs are 'x' (coordinates, then speeds), 't', 'a' (derivatives of the speeds, in loads
+        that depend on them), 'p' and 'r' in the order of `constants` and `specifieds`.
+    constants, specifieds : list of symbols
+    rates : list of nodes
+        q'.
+    matrix : list of list of nodes
+        M; with dependent speeds the last rows are those of the acceleration constraints.
+    forcing : list of nodes
+    accelerations : list of nodes or None
+        u', where it is formed without the mass matrix of all speeds.
+    """
+
+    graph: Graph
+    constants: list[Any]
+    specifieds: list[Any]
+    rates: list[int]
+    matrix: list[list[int]]
+    forcing: list[int]
+    accelerations: list[int] | None = None
+    honoured: tuple[Any, ...] = field(default=(), repr=False)
+
+
+def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
+    """Return the equations of motion.
+
+    Parameters
+    ----------
+    body : Multibody
+    in_bodies : bool
+        Whether velocities of points are written in the frames of the bodies; else in the inertial
+        frame.
+    articulated : bool
+        Whether the speeds are eliminated one by one, from the outer bodies to the inner ones.
+    """
+    kinematics = _moving(body, in_bodies)
+    inertias, loads = loads_and_inertias(kinematics)
+    g, speeds = kinematics.graph, kinematics.speeds
+    parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
+    matrix, forcing = composite(*parts)
+    accelerations = None
+    if body.velocity:
+        matrix, forcing, accelerations = _reduced(kinematics, matrix, forcing)
+        if body.auxiliary:
+            idle = dict.fromkeys(_idle(kinematics, forcing), g.zero)
+            forcing = substitute(g, forcing, idle)
+            accelerations = accelerations and substitute(g, accelerations, idle)
+    elif articulated:
+        solution = eliminated(*parts)
+        accelerations = g.guard(matrix, forcing, solution.sound, solution.accelerations)
+    read = kinematics.read
+    return Formed(
+        g,
+        read.constants,
+        read.specifieds,
+        kinematics.rates,
+        matrix,
+        forcing,
+        accelerations,
+        tuple(kinematics.honoured),
+    )
+
+
+def _moving(body: Multibody, in_bodies: bool) -> Kinematics:
+    """Return the kinematics with all points placed and velocities of the user's honoured."""
+    honoured: set[Any] = set()
+    while True:
+        kinematics = Kinematics(body, in_bodies=in_bodies, honoured=honoured)
+        points = points_of(kinematics)
+        kinematics.place(points)
+        for point in points:
+            kinematics.motion(point)
+        wrong = kinematics.disagreeing()
+        if not wrong:
+            return kinematics
+        honoured.update(wrong)
+
+
+def _reduced(
+    kinematics: Kinematics, matrix: list[list[int]], forcing: list[int]
+) -> tuple[list[list[int]], list[int], list[int] | None]:
+    """Return M, F and u' with the dependent speeds' equations by the acceleration constraints.
+
+    With u_d' = A u_i' + b the equations of the independent speeds are
+    [1; A]ᵀ M [1; A] u_i' = [1; A]ᵀ (F − M [0; b]).
+    """
+    g, n = kinematics.graph, len(forcing)
+    d = len(kinematics.body.velocity)
+    p = n - d
+    rows, drift = _constraints(kinematics)
+    held = [row[p:] for row in rows]
+    columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in drift]]
+    solved = g.solve(held, columns, "lu")
+    a, b = solved[:p], solved[p]
+
+    def joined(column: Sequence[int], i: int) -> int:
+        """Return row i of [1; A]ᵀ times a column."""
+        return g.sum([(column[i], 1.0), *((g.mul(a[i][k], column[p + k]), 1.0) for k in range(d))])
+
+    upper = [[joined([matrix[r][j] for r in range(n)], i) for j in range(n)] for i in range(p)]
+    force = [joined(forcing, i) for i in range(p)]
+    given = _given_accelerations(kinematics, rows, drift)
+    below, pull = given or (rows, drift)
+    whole = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
+    if given or set(kinematics.accelerations) & set(g.reachable(forcing)):
+        return *whole, None
+    both = [
+        [
+            g.sum([(upper[i][j], 1.0), *((g.mul(upper[i][p + k], a[j][k]), 1.0) for k in range(d))])
+            for j in range(p)
+        ]
+        for i in range(p)
+    ]
+    rest = [
+        g.sum([(force[i], 1.0), *((g.mul(upper[i][p + k], b[k]), -1.0) for k in range(d))])
+        for i in range(p)
+    ]
+    free = g.solve(both, [rest], "ldl")[0]
+    bound = [
+        g.sum([(b[k], 1.0), *((g.mul(a[i][k], free[i]), 1.0) for i in range(p))]) for k in range(d)
+    ]
+    return *whole, [*free, *bound]
+
+
+def _constraints(kinematics: Kinematics) -> tuple[list[list[int]], list[int]]:
+    """Return K and b of the differentiated velocity constraints K u' + b = 0."""
+    nodes = kinematics.read.all(kinematics.body.velocity)
+    return _slopes(kinematics.graph, nodes, kinematics.speeds), kinematics.dt(nodes)
+
+
+def _given_accelerations(
+    kinematics: Kinematics, rows: list[list[int]], drift: list[int]
+) -> tuple[list[list[int]], list[int]] | None:
+    """Return K and b of the user's acceleration constraints, unless they are those of `rows`."""
+    g, body = kinematics.graph, kinematics.body
+    if not body.acceleration:
+        return None
+    nodes = kinematics.read.all(body.acceleration)
+    slopes = _slopes(g, nodes, kinematics.accelerations)
+    rest = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
+    flat = [n for row in (*slopes, rest) for n in row]
+    own = [n for row in (*rows, drift) for n in row]
+    return None if kinematics.equal(flat, own) else (slopes, rest)
+
+
+def _idle(kinematics: Kinematics, forcing: Sequence[int]) -> list[int]:
+    """Return the specifieds that are in the forcing, but do no work: noncontributing forces."""
+    g = kinematics.graph
+    inputs = [g.input("r", k) for k in range(len(kinematics.read.specifieds))]
+    slopes: dict[int, list[int]] = {k: [] for k in range(len(inputs))}
+    for row in jacobian(g, forcing, inputs):
+        for k, node in row.items():
+            slopes[k].append(node)
+    return [inputs[k] for k, nodes in slopes.items() if kinematics.vanishes(nodes)]
+
+
+def _slopes(graph: Graph, nodes: Sequence[int], by: Sequence[int]) -> list[list[int]]:
+    table = jacobian(graph, nodes, by)
+    return [[row.get(k, graph.zero) for k in range(len(by))] for row in table]

@@ -1,0 +1,360 @@
+"""Angular velocities, velocities and accelerations on the graph.
+
+Each frame's motion follows from that of the frame its angular velocity is given in, each point's
+from that of a point beside it. Vectors are three nodes, components in a frame that is said beside
+them; direction cosines are multiplied along the way between two frames.
+
+The components of every velocity are *anchors*: places where derivatives stop. The derivatives of an
+anchor by those that it is made of are few; those of a velocity by all speeds are their product, and
+are never multiplied out (`pydy._mechanics.form`). Accelerations are those at u' = 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from sympy.physics.mechanics import Point
+
+from pydy._graph.derivative import Row, Rows
+from pydy._graph.identities import signatures
+from pydy._graph.node import Graph
+from pydy._mechanics.reader import InputReader, Multibody, Tree
+
+__all__ = ["Kinematics", "Motion", "Vec"]
+
+Vec = list[int]
+# The frame of the components, velocity, acceleration at u' = 0.
+Motion = tuple[Any, Vec, Vec]
+
+
+class Kinematics:
+    """Motion of frames and points in the inertial frame.
+
+    Parameters
+    ----------
+    body : Multibody
+    in_bodies : bool
+        Whether velocities of points are written in the frames of the bodies; else in the inertial
+        frame.
+    auxiliary : bool
+        Whether the auxiliary speeds are inputs; else they are zero.
+    honoured : iterable of points
+        Those with a velocity that is not the derivative of their place: the user's holds.
+    """
+
+    def __init__(
+        self,
+        body: Multibody,
+        *,
+        in_bodies: bool,
+        auxiliary: bool = False,
+        honoured: Iterable[Any] = (),
+    ) -> None:
+        self.body, self.in_bodies, self.honoured = body, in_bodies, frozenset(honoured)
+        g = self.graph = Graph()
+        self.inertial = body.frame
+        states = [*body.coordinates, *body.speeds]
+        atoms = {s: g.input("x", k) for k, s in enumerate(states)}
+        time = atoms[body.time] = g.input("t", 0)
+        coordinates = [atoms[s] for s in body.coordinates]
+        self.speeds = [atoms[s] for s in body.speeds]
+        self.accelerations = [g.input("a", k) for k in range(len(self.speeds))]
+        rates = dict(zip(body.speeds, self.accelerations, strict=True))
+        atoms.update((s.diff(body.time), node) for s, node in rates.items())
+        self.auxiliary = [g.input("aux", k) for k in range(len(body.auxiliary) if auxiliary else 0)]
+        for k, s in enumerate(body.auxiliary):
+            atoms[s] = self.auxiliary[k] if auxiliary else g.zero
+            atoms[s.diff(body.time)] = g.zero
+        self.read = InputReader(g, atoms, states)
+        self.read.second = self._second
+        self.rates = self.read.all(body.coordinate_derivatives)
+        for symbol, node in zip(body.coordinate_rates, self.rates, strict=True):
+            self.read.define(symbol, node)
+        self._dots = Rows(
+            g,
+            {n: {0: d} if d != g.zero else {} for n, d in zip(coordinates, self.rates, strict=True)}
+            | {time: {0: g.one}},
+            self._rate_of_input,
+        )
+        variables = [*self.speeds, *self.auxiliary]
+        self.rows = Rows(g, {n: {n: g.one} for n in variables})
+        self.groups: list[list[int]] = []
+        self.tree = Tree(body.frame)
+        self._steps: dict[Any, list[Vec]] = {}
+        self._cosines: dict[Any, list[Vec]] = {}
+        self._spins: dict[Any, tuple[Vec, Vec]] = {}
+        self._motions: dict[Any, Motion] = {}
+        self._moved: dict[Any, tuple[Vec, Vec]] = {}
+        self._ways: dict[Any, tuple[Any, tuple[Any, ...]]] = {}
+
+    # -- time -------------------------------------------------------------------------------------
+
+    def _rate_of_input(self, node: int) -> Row:
+        group, index = self.graph.args[node]
+        if group != "r":
+            return {}
+        rate = self.read(self.read.specifieds[index].diff(self.body.time))
+        return {0: rate} if rate != self.graph.zero else {}
+
+    def _second(self, symbol: Any) -> int | None:
+        """Return a coordinate's second derivative, at u' = 0, where accelerations are read."""
+        if not self._at_rest or symbol.derivative_count != 2:
+            return None
+        if symbol.expr not in self.body.coordinates:
+            return None
+        return self.dt([self.rates[self.body.coordinates.index(symbol.expr)]])[0]
+
+    _at_rest = False
+
+    def dt(self, nodes: Sequence[int]) -> Vec:
+        """Return derivatives by time at u' = 0."""
+        zero = self.graph.zero
+        return [self._dots(n).get(0, zero) for n in nodes]
+
+    # -- vectors ----------------------------------------------------------------------------------
+
+    def turned(self, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> Vec:
+        """Return the product of a matrix and a vector."""
+        g = self.graph
+        return [g.sum([(g.mul(a, b), 1.0) for a, b in zip(row, v, strict=True)]) for row in matrix]
+
+    def cross(self, a: Sequence[int], b: Sequence[int]) -> Vec:
+        """Return the vector product."""
+        g = self.graph
+        return [g.sub(g.mul(a[i], b[j]), g.mul(a[j], b[i])) for i, j in ((1, 2), (2, 0), (0, 1))]
+
+    def plus(self, *vectors: Sequence[int]) -> Vec:
+        """Return the sum of vectors."""
+        return [self.graph.add(*parts) for parts in zip(*vectors, strict=True)]
+
+    def step(self, frame: Any) -> list[Vec]:
+        """Return the matrix that gives components in a frame from those in its parent."""
+        if frame not in self._steps:
+            matrix = self.tree.rotation(frame, self.tree.parent(frame))
+            self._steps[frame] = [self.read.all(matrix.row(i)) for i in range(3)]
+        return self._steps[frame]
+
+    def _cosine(self, frame: Any) -> list[Vec]:
+        """Return the matrix that gives components in a frame from those in the inertial one."""
+        if frame not in self._cosines:
+            parent, own = self.tree.parent(frame), self.step(frame)
+            if parent is not self.inertial:
+                outer = [list(column) for column in zip(*self._cosine(parent), strict=True)]
+                own = [self.turned(outer, row) for row in own]
+            self._cosines[frame] = own
+        return self._cosines[frame]
+
+    def expressed(self, v: Sequence[int], frame: Any, to: Any) -> Vec:
+        """Return the components in another frame."""
+        if frame is to or all(n == self.graph.zero for n in v):
+            return list(v)
+        if frame is self.inertial:
+            return self.turned(self._cosine(to), v)
+        if to is self.inertial:
+            return self.turned(list(zip(*self._cosine(frame), strict=True)), v)
+        up, down = self._way_in(frame), self._way_in(to)
+        while up and down and up[-1] is down[-1]:
+            up.pop()
+            down.pop()
+        for f in up:
+            v = self.turned(list(zip(*self.step(f), strict=True)), v)
+        for f in reversed(down):
+            v = self.turned(self.step(f), v)
+        return list(v)
+
+    def _way_in(self, frame: Any) -> list[Any]:
+        way = [frame]
+        while (parent := self.tree.parent(way[-1])) is not None:
+            way.append(parent)
+        return way
+
+    def vector(self, vector: Any, to: Any) -> Vec:
+        """Return the components of a SymPy vector in a frame."""
+        total = [self.graph.zero] * 3
+        for part, frame in vector.args:
+            total = self.plus(total, self.expressed(self.read.all(part), frame, to))
+        return total
+
+    def tensor(self, terms: Iterable[tuple[Any, Any, Any]], to: Any) -> list[Vec]:
+        """Return the components of a dyadic in a frame."""
+        g = self.graph
+        cells: list[list[list[tuple[int, float]]]] = [[[] for _ in range(3)] for _ in range(3)]
+        for size, left, right in terms:
+            s, a, b = self.read(size), self.vector(left, to), self.vector(right, to)
+            for i in range(3):
+                for j in range(3):
+                    cells[i][j].append((g.mul(s, a[i], b[j]), 1.0))
+        return [[g.sum(cell) for cell in row] for row in cells]
+
+    def equal(self, a: Sequence[int], b: Sequence[int]) -> bool:
+        """Return whether nodes are equal as functions."""
+        values = signatures(self.graph, [*a, *b])
+        return values[: len(a)] == values[len(a) :]
+
+    def vanishes(self, nodes: Sequence[int]) -> bool:
+        """Return whether nodes are zero as functions."""
+        rest = [n for n in nodes if n != self.graph.zero]
+        return not rest or not any(signatures(self.graph, rest))
+
+    # -- anchors ----------------------------------------------------------------------------------
+
+    def anchored(self, v: Vec) -> Vec:
+        """Let derivatives stop at the components of a velocity."""
+        g, known, group = self.graph, self.rows.known, []
+        for n in v:
+            c, core = g.scaled(n)
+            if g.ops[core] == "sum" and g.args[core][1][0][1] < 0.0:
+                c, core = -c, g.neg(core)
+            if g.ops[core] in ("const", "input") or known.get(core) == {core: g.one}:
+                continue
+            known[core] = {core: g.one}
+            for node, size in ((n, c), (g.neg(core), -1.0)):
+                if node != core:
+                    known[node] = {core: g.const(size)}
+            group.append(core)
+        if group:
+            self.groups.append(group)
+        return v
+
+    # -- frames -----------------------------------------------------------------------------------
+
+    def spin(self, frame: Any, home: Any = None) -> tuple[Vec, Vec]:
+        """Return a frame's angular velocity and acceleration, in its own axes or another's."""
+        home = frame if home is None else home
+        key = (frame, home)
+        if key not in self._spins:
+            g, base = self.graph, self.tree.turns_in(frame)
+            if base is None:
+                self._spins[key] = [g.zero] * 3, [g.zero] * 3
+            else:
+                self._spins[key] = self._spun(frame, base, home)
+        return self._spins[key]
+
+    def _spun(self, frame: Any, base: Any, home: Any) -> tuple[Vec, Vec]:
+        w, alpha = self.spin(base)
+        given = self.tree.relative_spin(frame, base)
+        own = self.vector(given, home)
+        carried = self.anchored(self.expressed(w, base, home))
+        whole = self.plus(carried, own)
+        # d/dt of `own` in the inertial frame takes the angular velocity of the axes it is in.
+        turning = whole if home is frame else carried if home is base else self.spin(home)[0]
+        alpha = self.plus(self.expressed(alpha, base, home), self.dt(own), self.cross(turning, own))
+        set_by_user = self.tree.angular_acceleration(frame)
+        if set_by_user is not None:
+            theirs = self._accelerating(set_by_user, home)
+            alpha = alpha if self.equal(alpha, theirs) else theirs
+        return self.anchored(whole), alpha
+
+    def _accelerating(self, vector: Any, home: Any) -> Vec:
+        """Return an acceleration that the user wrote, at u' = 0."""
+        read, zero = self.read, self.graph.zero
+        known = dict(zip(self.body.speeds, self.accelerations, strict=True))
+        for symbol in known:
+            read.define(symbol.diff(self.body.time), zero)
+        self._at_rest = True
+        parts = self.vector(vector, home)
+        self._at_rest = False
+        for symbol in self.body.coordinates:
+            read.atoms.pop(symbol.diff(self.body.time, 2), None)
+        for symbol, node in known.items():
+            read.define(symbol.diff(self.body.time), node)
+        return parts
+
+    # -- points -----------------------------------------------------------------------------------
+
+    def place(self, points: Iterable[Any]) -> None:
+        """Find out how points hang together; those whose motion is wanted must be among them."""
+        self._ways = self.tree.paths(points)
+
+    def motion(self, point: Any) -> Motion:
+        """Return the frame of the components, velocity and acceleration of a point."""
+        chain = [point]
+        while chain[-1] not in self._motions and (base := self._base(chain[-1])) is not None:
+            chain.append(base)
+        for item in reversed(chain):
+            if item not in self._motions:
+                self._motions[item] = self._moving(item)
+        return self._motions[point]
+
+    def _base(self, point: Any) -> Any:
+        return None if point in self.honoured else self._ways[point][0]
+
+    def _moving(self, point: Any) -> Motion:
+        base = self._base(point)
+        if base is None:
+            return self._given(point)
+        home, v, a = self._motions[base]
+        for step in self._ways[point][1]:
+            for part, frame in step.args:
+                r, (w, alpha) = self.read.all(part), self.spin(frame)
+                rate = self.dt(r)
+                own_v = self.plus(self.cross(w, r), rate)
+                own_a = self.plus(
+                    self.cross(alpha, r), self.dt(rate), self.cross(w, self.plus(own_v, rate))
+                )
+                to = frame if self.in_bodies else self.inertial
+                v, a = self._carried(base, home, v, a, to)
+                v = self.anchored(self.plus(v, self.expressed(own_v, frame, to)))
+                a = self.plus(a, self.expressed(own_a, frame, to))
+                home, base = to, None
+        return home, v, self._acceleration(point, home, a)
+
+    def _carried(self, base: Any, home: Any, v: Vec, a: Vec, to: Any) -> tuple[Vec, Vec]:
+        if home is to:
+            return v, a
+        key = (base, to)
+        if base is None or key not in self._moved:
+            moved = self.anchored(self.expressed(v, home, to)), self.expressed(a, home, to)
+            if base is None:
+                return moved
+            self._moved[key] = moved
+        return self._moved[key]
+
+    def _given(self, point: Any) -> Motion:
+        """Return the motion of a point by the velocity that the user set."""
+        velocity = self.tree.velocity(point)
+        frames = [frame for _, frame in velocity.args]
+        home = frames[-1] if self.in_bodies and frames else self.inertial
+        v = self.vector(velocity, home)
+        a = self.plus(self.dt(v), self.cross(self.spin(home)[0], v))
+        return home, self.anchored(v), self._acceleration(point, home, a)
+
+    def _acceleration(self, point: Any, home: Any, a: Vec) -> Vec:
+        set_by_user = self.tree.acceleration(point)
+        if set_by_user is None:
+            return a
+        theirs = self._accelerating(set_by_user, home)
+        return a if self.equal(a, theirs) else theirs
+
+    def disagreeing(self) -> list[Any]:
+        """Return the points whose given velocity is not that of their place, innermost ones."""
+        points = [
+            p
+            for p in self._motions
+            if self._base(p) is not None and self.tree.velocity(p) is not None
+        ]
+        nodes: Vec = []
+        for point in points:
+            home, v, _ = self._motions[point]
+            nodes += [*v, *self.vector(self.tree.velocity(point), home)]
+        values = signatures(self.graph, nodes) if nodes else []
+        bad = {
+            p
+            for k, p in enumerate(points)
+            if values[6 * k : 6 * k + 3] != values[6 * k + 3 : 6 * k + 6]
+        }
+        return [p for p in points if p in bad and not self._leads_to(p, bad)]
+
+    def _leads_to(self, point: Any, others: set[Any]) -> bool:
+        while (point := self._base(point)) is not None:
+            if point in others:
+                return True
+        return False
+
+    def at(self, where: Any) -> tuple[Any, Vec]:
+        """Return the frame and the components of the velocity of a point, or of a frame's spin."""
+        if isinstance(where, Point):
+            home, v, _ = self.motion(where)
+            return home, v
+        return where, self.spin(where)[0]

@@ -1,0 +1,321 @@
+"""What SymPy's frames, points, bodies and loads hold, as the user gave it.
+
+The only module that reads the private attributes of SymPy's vector classes.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sm
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
+
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.node import Graph
+
+__all__ = [
+    "InputReader",
+    "Multibody",
+    "Tree",
+    "check_bodies",
+    "given_velocity",
+    "is_rigid",
+    "places",
+    "read_loads",
+]
+
+
+@dataclass(frozen=True, eq=False)
+class Multibody:
+    """Bodies, loads and kinematics: what equations of motion are formed from.
+
+    Attributes
+    ----------
+    frame : ReferenceFrame
+        The inertial frame.
+    bodies : tuple of Particle and RigidBody
+    loads : tuple of (Point, force Vector) and (ReferenceFrame, torque Vector)
+    time : Symbol
+    coordinates, speeds : tuple of functions of time
+        Of the speeds the dependent ones are last.
+    coordinate_rates : tuple of derivatives
+    coordinate_derivatives : tuple of expressions
+        q' in q, u and t.
+    velocity : tuple of expressions
+        Velocity constraints, one for each dependent speed.
+    acceleration : tuple of expressions
+        Their derivatives, in u' and the states; empty where they are just that.
+    auxiliary : tuple of functions of time
+        Auxiliary speeds.
+    """
+
+    frame: Any
+    bodies: tuple[Any, ...]
+    loads: tuple[tuple[Any, Any], ...]
+    time: Any
+    coordinates: tuple[Any, ...]
+    speeds: tuple[Any, ...]
+    coordinate_rates: tuple[Any, ...]
+    coordinate_derivatives: tuple[Any, ...]
+    velocity: tuple[Any, ...] = ()
+    acceleration: tuple[Any, ...] = ()
+    auxiliary: tuple[Any, ...] = ()
+
+
+def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
+    """Return loads as pairs of a point and a force, or a frame and a torque.
+
+    Raises
+    ------
+    TypeError
+        A load is neither a pair nor has a method `to_loads`.
+    ValueError
+        A pair does not begin with a point or a frame.
+    """
+    found: list[tuple[Any, Any]] = []
+    for load in loads:
+        if hasattr(load, "to_loads"):
+            found += read_loads(load.to_loads())
+            continue
+        if not isinstance(load, tuple) or len(load) != 2:
+            raise TypeError(
+                f"The load {load!r} is none of the loads that System knows: give a pair of a Point "
+                "and a force Vector, a pair of a ReferenceFrame and a torque Vector, a Force, a "
+                "Torque, or an actuator with `to_loads()`."
+            )
+        where, vector = load
+        if not isinstance(where, (Point, ReferenceFrame)):
+            raise ValueError(
+                f"The load ({where}, {vector}) must begin with the Point that the force acts at, "
+                f"or the ReferenceFrame that the torque acts on, got a {type(where).__name__}."
+            )
+        if vector != 0:
+            found.append((where, vector))
+    return tuple(found)
+
+
+def is_rigid(body: Any) -> bool:
+    """Return whether a body has a frame and an inertia."""
+    return isinstance(body, RigidBody)
+
+
+def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
+    """Return bodies as a tuple, or raise a TypeError that names what is none."""
+    found = tuple(bodies)
+    for body in found:
+        if not isinstance(body, (RigidBody, Particle)):
+            raise TypeError(
+                f"`bodies` must hold Particle and RigidBody objects, got {body!r} of type "
+                f"{type(body).__name__}."
+            )
+    return found
+
+
+class InputReader(SymPyReader):
+    """Reads expressions; what is neither a state nor time becomes an input when it is met.
+
+    Attributes
+    ----------
+    constants, specifieds : list
+        What was met, in order.
+    """
+
+    def __init__(self, graph: Graph, atoms: dict[Any, int], states: Sequence[Any]) -> None:
+        super().__init__(graph, atoms, "the bodies, loads and kinematics")
+        self.states = frozenset(states)
+        self.constants: list[Any] = []
+        self.specifieds: list[Any] = []
+        self.second: Callable[[Any], int | None] = lambda symbol: None
+
+    def _leaf(self, expr: Any) -> int | None:
+        if expr not in self.atoms:
+            if isinstance(expr, sm.Symbol):
+                self.atoms[expr] = self.graph.input("p", len(self.constants))
+                self.constants.append(expr)
+            elif isinstance(expr, (AppliedUndef, sm.Derivative)):
+                return self._function(expr)
+        return super()._leaf(expr)
+
+    def _function(self, expr: Any) -> int:
+        if isinstance(expr, sm.Derivative) and expr.expr in self.states:
+            node = self.second(expr)
+            if node is None:
+                raise ValueError(
+                    f"{self.what} hold `{expr}`, but of the coordinates and speeds only the first "
+                    "derivatives are available. Rewrite it in terms of the speeds and their first "
+                    "derivatives."
+                )
+            self.atoms[expr] = node
+            return node
+        self.atoms[expr] = node = self.graph.input("r", len(self.specifieds))
+        self.specifieds.append(expr)
+        return node
+
+
+def places(point: Any) -> dict[Any, Any]:
+    """Return the points whose place is known from a point, each with the vector from there."""
+    found: dict[Any, Any] = point._pos_dict
+    return found
+
+
+def given_velocity(point: Any, frame: Any) -> Any:
+    """Return the velocity that was set, or None; SymPy's `vel` would make one up."""
+    return point._vel_dict.get(frame)
+
+
+class Tree:
+    """How frames and points hang together, from an inertial frame outwards."""
+
+    def __init__(self, inertial: Any) -> None:
+        self.inertial = inertial
+        self.oriented = _breadth_first(inertial, lambda f: f._dcm_dict)
+        self.turning = _breadth_first(inertial, lambda f: f._ang_vel_dict)
+
+    # -- frames -----------------------------------------------------------------------------------
+
+    def parent(self, frame: Any) -> Any:
+        """Return the next frame on the way to the inertial one, None for that itself.
+
+        Raises
+        ------
+        ValueError
+            The frame has no orientation in the inertial frame.
+        """
+        if frame not in self.oriented:
+            raise ValueError(
+                f"The frame {frame} has no orientation in the inertial frame {self.inertial}. "
+                f"Orient it, or one of the frames that it is oriented in: `{frame}.orient_axis("
+                f"{self.inertial}, ...)`."
+            )
+        return self.oriented[frame]
+
+    def turns_in(self, frame: Any) -> Any:
+        """Return the frame in which a frame's angular velocity is given, None for the inertial."""
+        if frame not in self.turning:
+            self.parent(frame)
+            raise ValueError(
+                f"The frame {frame} has no angular velocity in the inertial frame "
+                f"{self.inertial}. Give it one: `{frame}.set_ang_vel({self.inertial}, ...)`."
+            )
+        return self.turning[frame]
+
+    @staticmethod
+    def rotation(frame: Any, parent: Any) -> Any:
+        """Return the matrix that gives components in a frame from those in its parent."""
+        return frame._dcm_dict[parent]
+
+    @staticmethod
+    def relative_spin(frame: Any, base: Any) -> Any:
+        """Return the angular velocity that was given between two frames."""
+        return frame._ang_vel_dict[base]
+
+    def angular_acceleration(self, frame: Any) -> Any:
+        """Return the angular acceleration that the user set in the inertial frame, or None."""
+        return frame._ang_acc_dict.get(self.inertial)
+
+    # -- points -----------------------------------------------------------------------------------
+
+    def velocity(self, point: Any) -> Any:
+        """Return the velocity that the user set, or None."""
+        return given_velocity(point, self.inertial)
+
+    def acceleration(self, point: Any) -> Any:
+        """Return the acceleration that the user set, or None."""
+        return point._acc_dict.get(self.inertial)
+
+    def paths(self, points: Iterable[Any]) -> dict[Any, tuple[Any, tuple[Any, ...]]]:
+        """Return for each point another one and the vectors from there, (None, ()) for roots.
+
+        The vectors lead to a point whose motion is known without this one's: a given velocity can
+        then be compared with that of the place. A point without one hangs on the nearest that has
+        one, as in SymPy.
+
+        Raises
+        ------
+        ValueError
+            A point has neither a velocity nor a place from a point that has one.
+        """
+        wanted = list(dict.fromkeys(points))
+        seen = _component(wanted)
+        given = [p for p in seen if self.velocity(p) is not None]
+        simple = sorted(given, key=lambda p: len(self.velocity(p).args) > 0)
+        if simple and self.velocity(simple[0]).args:
+            simple = sorted(given, key=lambda p: _length(self.velocity(p)))
+        nearest = _breadth_first_from(given)
+        rank: dict[Any, int] = {}
+        above: dict[Any, Any] = {}
+        for root in simple:
+            if root in rank:
+                continue
+            for point, base in _breadth_first_from([root]).items():
+                rank[point], above[point] = len(rank), base
+        found: dict[Any, tuple[Any, tuple[Any, ...]]] = {}
+        for point in wanted:
+            if point not in nearest:
+                raise ValueError(
+                    f"The point {point} has no velocity in the inertial frame {self.inertial}, and "
+                    "no place from a point that has one. Use "
+                    f"`{point}.set_vel({self.inertial}, ...)` or `{point}.set_pos(...)`."
+                )
+            while point is not None and point not in found:
+                if nearest[point] is not None:
+                    base = nearest[point]
+                    found[point] = base, (places(point)[base],)
+                elif above[point] is None:
+                    found[point] = None, ()
+                else:
+                    found[point] = self._structural(point, above, rank, nearest)
+                point = found[point][0]
+        return found
+
+    @staticmethod
+    def _structural(
+        point: Any, above: dict[Any, Any], rank: dict[Any, int], nearest: dict[Any, Any]
+    ) -> tuple[Any, tuple[Any, ...]]:
+        """Return what comes before a point with a given velocity, and the way from there."""
+        base, steps = above[point], [places(point)[above[point]]]
+        while True:
+            source = base
+            while nearest[source] is not None:
+                source = nearest[source]
+            if rank[source] < rank[point]:
+                return base, tuple(steps[::-1])
+            steps.append(places(base)[above[base]])
+            base = above[base]
+
+
+def _breadth_first(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[Any, Any]:
+    parent, todo = {root: None}, deque([root])
+    while todo:
+        item = todo.popleft()
+        for other in neighbours(item):
+            if other not in parent:
+                parent[other] = item
+                todo.append(other)
+    return parent
+
+
+def _breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
+    parent, todo = dict.fromkeys(roots), deque(roots)
+    while todo:
+        item = todo.popleft()
+        for other in places(item):
+            if other not in parent:
+                parent[other] = item
+                todo.append(other)
+    return parent
+
+
+def _component(points: Sequence[Any]) -> list[Any]:
+    return list(_breadth_first_from(points))
+
+
+def _length(vector: Any) -> float:
+    """Return how long a velocity is written; those of several frames come last."""
+    if len(vector.args) > 1:
+        return float("inf")
+    return float(sum(sm.count_ops(part) + 1 for parts, _ in vector.args for part in parts))

@@ -1,0 +1,74 @@
+"""Accelerations formed from bodies and loads, against SymPy's own equations in 30 digits."""
+
+import numpy as np
+import pytest
+
+import mechanisms
+import zoo
+from mechanisms import MECHANISMS, derived, state
+from oracle import oracle
+from pydy._eom.kane import multibody_of_kane
+from pydy._graph.interpret import run
+from pydy._graph.lower import lower
+from pydy._mechanics.form import form
+
+FORMS = {
+    "articulated bodies in body axes": {"in_bodies": True, "articulated": True},
+    "articulated bodies in the inertial frame": {"in_bodies": False, "articulated": True},
+    "composite bodies in body axes": {"in_bodies": True, "articulated": False},
+    "composite bodies in the inertial frame": {"in_bodies": False, "articulated": False},
+}
+# Loads with accelerations: M and F of the form are then not those of SymPy, whose F holds them.
+MODELS = {**{name: zoo.MODELS[name] for name in zoo.MODELS if name != "added_mass"}, **MECHANISMS}
+
+
+def rates(model, way, *states):
+    """The states' derivatives, from the interpreter and without any simplification."""
+    formed = form(multibody_of_kane(model.kane), **FORMS[way])
+    graph, n = formed.graph, len(formed.forcing)
+    accelerations = formed.accelerations
+    if accelerations is None:
+        accelerations = graph.solve(formed.matrix, [formed.forcing], "lu")[0]
+    nodes = [*formed.rates, *accelerations]
+    sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
+    program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])
+    values = {**model.constants, **model.specifieds}
+    r = [[values.get(s, np.nan) for s in formed.specifieds]]
+    p = np.array([values[s] for s in formed.constants], dtype=float)
+    found = []
+    for x, t in states:
+        out, failed = run(program, np.array([t]), x[None], np.array(r, dtype=float), p)
+        assert not failed.any()
+        found.append(out[0])
+    assert n == len(model.kane.u)
+    return found
+
+
+@pytest.mark.parametrize("way", FORMS)
+@pytest.mark.parametrize("name", MODELS)
+def test_the_accelerations_are_those_of_sympys_equations(name, way):
+    model = MODELS[name]()
+    samples = [state(model, seed) for seed in (1, 2)]
+    found = rates(model, way, *samples)
+    for own, (x, t) in zip(found, samples, strict=True):
+        expected = oracle(derived(model)).xdot(x, t)
+        np.testing.assert_allclose(own, expected, rtol=0, atol=1e-12 * abs(expected).max())
+
+
+def test_a_velocity_that_is_not_the_rate_of_its_place_is_the_users():
+    model = mechanisms.wheel()
+    formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=False)
+    assert [p.name for p in formed.honoured] == ["C"]
+
+
+def test_a_velocity_that_is_the_rate_of_its_place_is_replaced_by_it():
+    model = mechanisms.tilted_plates()
+    formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=False)
+    assert formed.honoured == ()
+
+
+def test_a_wheels_spin_angle_does_not_occur_in_its_equations():
+    model = mechanisms.wheel()
+    formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=True)
+    angle = formed.graph.input("x", 2)
+    assert angle not in formed.graph.reachable(formed.accelerations)
