@@ -152,6 +152,11 @@ def test_a_generator_class_that_raises_a_type_error_shows_it():
         generate_ode_function(sm.Matrix([V, X]), [X], [V], generator=Mine)
 
 
+def test_a_class_that_cannot_compile_is_no_generator():
+    with pytest.raises(NotImplementedError, match=r"`generator` is <class 'dict'>.*compile"):
+        generate_ode_function(sm.Matrix([V, X]), [X], [V], generator=dict)
+
+
 def test_an_unknown_option_is_refused():
     with pytest.raises(TypeError, match="wrong_word"):
         generate_ode_function(sm.Matrix([V, X]), [X], [V], wrong_word=1)

@@ -10,7 +10,7 @@ from pydy._forks import whole
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["compile_program", "names", "register", "resolve"]
+__all__ = ["compile_program", "names", "refusal", "register", "resolve"]
 
 # Names to classes, or to where a class lies: a back end's own imports wait until it is asked for.
 _BACKENDS: dict[str, Any] = {
@@ -38,20 +38,25 @@ def resolve(generator: Any) -> type:
     NotImplementedError
         The name is not registered.
     """
-    if isinstance(generator, type) and {"compile", "generate"} & {*dir(generator)}:
+    if isinstance(generator, type):
         return generator
     entry = _BACKENDS.get(generator) if isinstance(generator, str) else None
     if entry is None:
-        raise NotImplementedError(
-            f"`generator` is {shown(generator)}, which is not a code generator: it must be one of "
-            f"{', '.join(map(repr, names()))}, or a class with a method `compile(program)`."
-        )
+        raise refusal(generator)
     if isinstance(entry, str):
         module, _, attribute = entry.partition(":")
         with whole:
             entry = getattr(import_module(module), attribute)
     backend: type = entry
     return backend
+
+
+def refusal(generator: Any) -> NotImplementedError:
+    """Return the error for what is no code generator."""
+    return NotImplementedError(
+        f"`generator` is {shown(generator)}, which is not a code generator: it must be one of "
+        f"{', '.join(map(repr, names()))}, or a class with a method `compile(program)`."
+    )
 
 
 def compile_program(program: Program, generator: Any, options: dict[str, Any]) -> Kernel:

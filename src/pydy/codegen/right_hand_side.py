@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._backends.registry import refusal
 from pydy._checks import number, vector
 from pydy._errors import SingularMatrixError
 from pydy._graph.program import Program
@@ -90,6 +91,8 @@ class RightHandSide:
         self.refuse_strided = generator == "cython" and not options.pop("force_c_contiguous", False)
         self.assembly = assembly
         self._compiler = backend(**options)
+        if not hasattr(self._compiler, "compile"):
+            raise refusal(backend)
         self._solver = solver
         self._blocks = ("rates", "ordinary") if self.num_outputs else ("rates",)
         self._kernels: dict[tuple[Any, ...], Kernel] = {}
