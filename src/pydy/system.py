@@ -309,7 +309,8 @@ class System:
 
         It is found from the loads: forces that are constant in the inertial frame, such as gravity;
         equal and opposite forces along the line between two points that depend on their distance
-        alone; and loads whose work is a closed polynomial form, such as those of linear springs.
+        alone; and loads whose work is a closed form that SymPy integrates along the coordinates,
+        such as those of springs, -K sin 2q, or a Piecewise contact.
         Parts of loads that depend on speeds, time or specifieds (dampers, motors) have none: what
         they do changes the total energy. Where a load depends on the configuration in another
         way, the bodies' own `potential_energy` is taken if the power of the loads agrees with it.

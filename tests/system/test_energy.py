@@ -124,6 +124,70 @@ def test_a_circulatory_force_is_not_recognised():
         particle(load).potential_energy
 
 
+K, D, P = sm.symbols("K d p")
+LAWS = {
+    "sine": (lambda x: -K * sm.sin(2 * x), lambda x: -np.cos(2 * x) / 2),
+    "contact": (
+        lambda x: sm.Piecewise((K * (D - x) ** sm.Rational(3, 2), x < D), (0, True)),
+        lambda x: np.where(x < 0.5, 0.4 * np.abs(0.5 - x) ** 2.5, 0.0),
+    ),
+    "stop": (lambda x: -K * sm.Max(0, x - D), lambda x: np.maximum(x - 0.5, 0.0) ** 2 / 2),
+    "friction of rest": (lambda x: -K * sm.sign(x), np.abs),
+    "modulus": (lambda x: -K * x * sm.Abs(x), lambda x: np.abs(x) ** 3 / 3),
+    "hardening": (lambda x: -K * sm.sinh(x), np.cosh),
+    "band": (
+        lambda x: sm.Piecewise((-K * x, (x > -1) & (x < 1)), (0, True)),
+        lambda x: np.minimum(x**2, 1.0) / 2,
+    ),
+}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_the_force_along_one_coordinate_is_integrated(law):
+    force, expected = LAWS[law]
+
+    def load(frame, origin, point, x, y):
+        return [(point, force(x) * frame.x - sm.Symbol("w") * frame.y)]
+
+    system = particle(load)
+    if D in system.constants_symbols:
+        system.constants = {D: 0.5}
+    states = np.zeros((9, 4))
+    states[:, 0] = np.linspace(-1.3, 1.9, 9)
+    energy = system.evaluate_energy(states, np.zeros(9)).potential
+    wanted = expected(states[:, 0])
+    np.testing.assert_allclose(energy - energy[3], wanted - wanted[3], atol=1e-12)
+    if law != "friction of rest":
+        is_conserved(system)
+
+
+def test_a_force_between_two_coordinates_is_integrated_with_its_counterpart():
+    def load(frame, origin, point, x, y):
+        pull = K * sm.sin(x - y)
+        return [(point, -pull * frame.x), (point, pull * frame.y)]
+
+    system = particle(load)
+    x, y = system.coordinates
+    assert sm.simplify(system.potential_energy + K * sm.cos(x - y)) == 0
+    is_conserved(system)
+
+
+@pytest.mark.parametrize(
+    "force", [sm.sin(sm.sin(sm.Symbol("X"))), sm.exp(-(sm.Symbol("X") ** 2)), sm.Symbol("X") ** P]
+)
+def test_a_force_without_an_integral_says_so_and_not_that_a_point_must_stand_still(force):
+    def load(frame, origin, point, x, y):
+        return [(point, force.xreplace({sm.Symbol("X"): x}) * frame.x)]
+
+    if force.is_Pow:  # q**p has one, whatever p is
+        assert particle(load).potential_energy.has(P)
+        return
+    with pytest.raises(ValueError, match="must be one that SymPy can integrate") as caught:
+        particle(load).potential_energy
+    assert "set_pos" not in str(caught.value)
+    assert "`system.potential_energy = ...`" in str(caught.value)
+
+
 def test_springs_along_coordinates_are_recognised_together():
     def load(frame, origin, point, x, y):
         k, c = sm.symbols("k c")
@@ -266,6 +330,14 @@ def test_the_bodies_own_potential_energy_stands_for_loads_that_are_not_recognise
     system = particle(load, potential_energy=whole)
     assert system.potential_energy == whole
     is_conserved(system)
+
+
+def test_the_bodies_own_potential_energy_must_agree_with_loads_that_are_not_recognised():
+    x = me.dynamicsymbols("x")
+
+    def load(frame, origin, point, x, y):
+        return [(point, -sm.exp(-(x**2)) * sm.sin(x) * frame.x)]
+
     with pytest.raises(ValueError, match="not clear whether"):
         particle(load, potential_energy=sm.cos(x)).potential_energy
 

@@ -2,14 +2,15 @@
 
 Only what follows from the form of a load is taken: a force that is constant in the inertial frame,
 equal and opposite forces between two points that depend on their distance alone, and loads whose
-work is a closed form with polynomial coefficients, such as those of linear springs along a
-coordinate. What depends on speeds, time or specifieds has no potential. What depends on the
+work is a closed form: with polynomial coefficients, such as those of linear springs along a
+coordinate, or with others that SymPy integrates, such as -K sin 2q or a Piecewise force of a
+contact. What depends on speeds, time or specifieds has no potential. What depends on the
 configuration in another way may have one or not: it is named rather than left out.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -21,6 +22,7 @@ from pydy._eom.balance import is_potential_of
 from pydy._eom.equations import Equations
 from pydy._eom.mechanism import Mechanism
 from pydy._eom.symbols import find_symbols, replace_symbols
+from pydy._errors import UnsupportedFunctionError
 from pydy._mechanics.reader import given_velocity, places
 
 __all__ = ["Potential", "find_potential"]
@@ -36,10 +38,23 @@ class Potential:
         Of the loads that were recognised, in terms of q, t, constants and specifieds.
     unknown : list of str
         The loads that depend on the configuration but could not be recognised, for messages.
+    advice : str
+        What they lack.
     """
 
     expression: Any = sm.S.Zero
     unknown: list[str] = field(default_factory=list)
+    advice: str = ""
+
+
+_NO_PLACE = (
+    "A constant force needs the position of its point from a point that stands still in the "
+    "inertial frame (`Point.set_pos`)."
+)
+_NO_INTEGRAL = (
+    "The work of a load that depends on the configuration must be one that SymPy can integrate, "
+    "along coordinates whose derivatives are speeds, and the same on every path."
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,7 +101,10 @@ class _Search:
             if self._is_static(term.size)
         ]
         terms = [term for term in terms if not self._constant_force(term)]
-        unknown = self._polynomial(terms)
+        rest = self._polynomial(terms)
+        lost = [term for term in rest if self._is_lost(term)]
+        others = [term for term in rest if term not in lost]
+        unknown = [*lost, *self._integrable(others, self._antiderivative)]
         found = sm.Add(*self.energies)
         own = self.equations.in_states(
             sm.Add(*(body.potential_energy for body in self.mechanism.bodies))
@@ -103,8 +121,10 @@ class _Search:
             return Potential(
                 sm.S.Zero,
                 [f"the load on {where}, `{vector}`" for where, vector in self.mechanism.loads],
+                _NO_INTEGRAL,
             )
-        return Potential(found, [str(term) for term in unknown])
+        advice = [_NO_PLACE] * bool(lost) + [_NO_INTEGRAL] * (len(unknown) > len(lost))
+        return Potential(found, [str(term) for term in unknown], " ".join(advice))
 
     # -- what there is ----------------------------------------------------------------------------
 
@@ -207,21 +227,32 @@ class _Search:
 
     # -- closed forms -----------------------------------------------------------------------------
 
+    def _is_lost(self, term: _Term) -> bool:
+        """Whether a constant force lacks a place that would tell its potential."""
+        constant = isinstance(term.where, Point) and self._is_constant(term.size)
+        return constant and not self.fixed(term.where)
+
     def _polynomial(self, terms: list[_Term]) -> list[_Term]:
-        """Take loads whose work is a closed polynomial form; return the others.
+        """Take loads whose work is a closed polynomial form; return the others."""
+        return self._integrable(terms, self._integrate)
+
+    def _integrable(
+        self, terms: list[_Term], integrate: Callable[[Sequence[Any]], Any]
+    ) -> list[_Term]:
+        """Take loads whose work can be integrated; return the others.
 
         All of them together, as a spring between two bodies needs; else each alone.
         """
         if not terms:
             return []
         powers = [self._power(t.where, t.vector) for t in terms]
-        energy = self._integrate(powers)
+        energy = integrate(powers)
         if energy is not None:
             self._take(energy, sm.Add(*powers))
             return []
         rest = []
         for term, power in zip(terms, powers, strict=True):
-            energy = self._integrate([power])
+            energy = integrate([power])
             if energy is None:
                 rest.append(term)
             else:
@@ -252,6 +283,48 @@ class _Search:
         return sm.Add(
             *(-part * c / (degree + 1) for c, parts in work.items() for part, degree in parts)
         )
+
+    def _antiderivative(self, powers: Sequence[Any]) -> Any:
+        """Return minus the integral of the work, one coordinate after the other, or None."""
+        q = self.equations.coordinates
+        real = {c: sm.Dummy(c.func.__name__, real=True) for c in q}
+        rates = zip(self.equations.coordinate_derivatives, q, strict=True)
+        speed = {rate: c for rate, c in rates if rate in self.equations.speeds}
+        try:
+            terms = sm.Poly(sm.Add(*powers), *speed).terms()
+        except sm.PolynomialError:
+            return None
+        energy: Any = sm.S.Zero
+        done: set[Any] = set()
+        for monomial, force in terms:
+            if sum(monomial) != 1 or not self._is_static(force):
+                return None
+            x = real[list(speed.values())[monomial.index(1)]]
+            rest = sm.expand(replace_symbols(force, real) + energy.diff(x))
+            if rest.free_symbols & done:  # the work depends on the path, as far as can be seen
+                return None
+            part = _primitive(rest, x)
+            if part is None:
+                return None
+            energy -= part
+            done.add(x)
+        energy = replace_symbols(energy, {x: c for c, x in real.items()})
+        try:
+            sound = is_potential_of(self.equations, energy, powers)
+        except UnsupportedFunctionError:
+            return None
+        return energy if sound else None
+
+
+def _primitive(force: Any, x: Any) -> Any:
+    """Return a continuous integral over x, or None where SymPy finds none."""
+    if force.has(sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside):
+        force = sm.piecewise_fold(force.rewrite(sm.Piecewise))
+    try:
+        found = sm.integrate(force, x, manual=True)
+    except (NotImplementedError, ValueError, TypeError, AttributeError, RecursionError):
+        return None  # what SymPy raises for intervals that it cannot sort
+    return None if found.has(sm.Integral) else found
 
 
 def _ratio(force: Vector, line: Vector) -> Any:

@@ -65,10 +65,8 @@ class EnergyModel:
         if found.unknown:
             raise ValueError(
                 "The potential energy cannot be told, because it is not clear whether these "
-                f"loads have one: {'; '.join(found.unknown[:5])}. A constant force needs the "
-                "position of its point from a point that stands still in the inertial frame "
-                "(`Point.set_pos`). Or say it yourself: `system.potential_energy = ...`, an "
-                "expression for all loads together."
+                f"loads have one: {'; '.join(found.unknown[:5])}. {found.advice} Or say it "
+                "yourself: `system.potential_energy = ...`, an expression for all loads together."
             )
         return found.expression
 
