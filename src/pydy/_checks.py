@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._names import name_of, unique_names, written_out
+from pydy._names import name_of, told_apart, written_out
 
 __all__ = [
     "Places",
@@ -28,6 +28,7 @@ __all__ = [
     "number",
     "path_of",
     "real_array",
+    "resolved",
     "shown",
     "text",
     "vector",
@@ -41,9 +42,7 @@ _HUGE = "a number beyond the range of floats"
 
 def describe(symbols: Sequence[Any]) -> str:
     """Return symbols as a list for a message, shortened when there are many."""
-    names = [str(s) for s in symbols]
-    if len(set(names)) < len(names):
-        names = list(unique_names(symbols))
+    names = told_apart(symbols, [str(s) for s in symbols])
     more = [f"and {len(symbols) - 12} more"] if len(symbols) > 12 else []
     return ", ".join(names[:12] + more) or "none"
 
@@ -56,6 +55,15 @@ def listed(argument: str, value: Any, what: str = "symbols") -> list[Any]:
         except TypeError:  # an array without dimensions
             pass
     raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
+
+
+def resolved(argument: str, keys: Iterable[Any], symbols: Iterable[Any], what: str) -> list[Any]:
+    """Return symbols, with names replaced by the one of some symbols that has each."""
+    keys = list(keys)
+    if not any(isinstance(key, str) for key in keys):
+        return keys
+    places = Places(list(symbols), what)
+    return [places.symbols[places.find(k, argument)] if isinstance(k, str) else k for k in keys]
 
 
 def shown(value: Any) -> str:

@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from typing import Any
 
-__all__ = ["latex_of", "latex_of_rate", "name_of", "nearest", "unique_names", "written_out"]
+__all__ = [
+    "latex_of",
+    "latex_of_rate",
+    "name_of",
+    "nearest",
+    "told_apart",
+    "unique_names",
+    "written_out",
+]
 
 
 def name_of(symbol: Any) -> str:
@@ -24,12 +32,7 @@ def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
     Those that would be alike are written out in full, then with their assumptions, and numbered
     where that does not tell them apart either.
     """
-    names = [name_of(s) for s in symbols]
-    for spelled in (str, written_out):
-        counts = Counter(names)
-        if len(counts) == len(names):
-            break
-        names = [spelled(s) if counts[n] > 1 else n for s, n in zip(symbols, names, strict=True)]
+    names = told_apart(symbols, [name_of(s) for s in symbols], str, written_out)
     taken: set[str] = set()
     for k, name in enumerate(names):
         number = 2
@@ -38,6 +41,22 @@ def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
             number += 1
         taken.add(names[k])
     return tuple(names)
+
+
+def told_apart(
+    symbols: Sequence[Any], names: Sequence[str], *spellings: Callable[[Any], str]
+) -> list[str]:
+    """Return names of symbols, where several are alike in the first spelling that differs.
+
+    By default they are written out with their assumptions.
+    """
+    names = list(names)
+    for spelled in spellings or (written_out,):
+        counts = Counter(names)
+        if len(counts) == len(names):
+            break
+        names = [spelled(s) if counts[n] > 1 else n for s, n in zip(symbols, names, strict=True)]
+    return names
 
 
 def nearest(name: str, names: Sequence[str]) -> str:

@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sm
 from scipy.integrate import odeint
 
-from pydy._checks import flag, vector
+from pydy._checks import describe, flag, vector
 from pydy._eom.extract import extract
 from pydy._errors import IntegrationError, warn_user
 from pydy._kernel import Kernel
@@ -41,6 +41,8 @@ from pydy._system.inputs import (
     check_mapping,
     check_symbols,
     check_times,
+    named_forces,
+    named_outputs,
     sort_out,
 )
 from pydy._system.scipy_odeint import call_odeint
@@ -49,7 +51,7 @@ from pydy._system.start import check_start
 from pydy._system.summary import as_html, as_text, facts
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
-from pydy.codegen.ode_function_generators import make_system_function
+from pydy.codegen.ode_function_generators import make_function, make_system_function
 from pydy.codegen.right_hand_side import RightHandSide
 from pydy.solvers.solver import SOLVERS, Solver
 from pydy.trajectory import Trajectory
@@ -146,7 +148,8 @@ class System:
         self._exact: RightHandSide | None = None
         self._constants: dict[Any, Any] = {}
         self._specifieds: dict[Any, Any] = {}
-        self._unfollowed: set[Any] = set()  # what was warned of
+        self._unfollowed: set[Any] = set()  # what was warned of, as below
+        self._warned_of: set[Any] = set()
         self._initial_conditions: dict[Any, Any] = {}
         self._outputs: dict[Any, Any] = {}
         self._define(outputs, noncontributing_forces)
@@ -194,23 +197,27 @@ class System:
         """Return the constants and specifieds of the equations, searched for where not given."""
         if constants is not None and specifieds is not None:
             return (
-                check_symbols("constants_symbols", constants, "constant"),
-                check_symbols("specifieds_symbols", specifieds, "specified"),
+                check_symbols("constants_symbols", constants, "constant", self._equations),
+                check_symbols("specifieds_symbols", specifieds, "specified", self._equations),
             )
         found = sort_out(self._equations)
         check_accelerations(self._equations)
         if constants is not None:
-            return check_symbols("constants_symbols", constants, "constant"), found[1]
+            return check_symbols(
+                "constants_symbols", constants, "constant", self._equations
+            ), found[1]
         if specifieds is not None:
-            return found[0], check_symbols("specifieds_symbols", specifieds, "specified")
+            return found[0], check_symbols(
+                "specifieds_symbols", specifieds, "specified", self._equations
+            )
         return found
 
     def _define(self, outputs: Any, forces: Any) -> None:
         """Take the user's outputs and forces, and merge them with the residuals."""
-        forces = list(forces) if isinstance(forces, Iterable) else forces
+        forces = named_forces(self._equations, forces)
         user = {
             k: v
-            for k, v in check_mapping("outputs", outputs).items()
+            for k, v in named_outputs(check_mapping("outputs", outputs)).items()
             if k not in self._residuals and not self._is_forces(k)
         }
         given = given_in(self._specifieds)
@@ -223,6 +230,15 @@ class System:
         self._outputs = merged
         self._snapshot = dict(merged)
         self._defined = definition
+        for symbols in definition.of_one_name:
+            if symbols not in self._warned_of:
+                self._warned_of.add(symbols)
+                warn_user(
+                    f"The system has several symbols of one name: {describe(symbols)}. SymPy takes "
+                    "them for different symbols, because their assumptions differ, so that each "
+                    "has a value of its own. If one was meant, create it once and use it "
+                    "everywhere."
+                )
 
     def _is_forces(self, key: Any) -> bool:
         return bool(self._forces) and key == tuple(self._forces)
@@ -607,6 +623,15 @@ class System:
         if self._made_for is not definition and self._made_for != definition:
             self._generate(self._options)
         assert self._implementation is not None
+        if (
+            self._implementation.refuse_strided
+            and self._ode_solver is not odeint
+            and "force_c_contiguous" not in self._options
+        ):
+            # The solver was set after the generation: it may pass columns of larger arrays.
+            taking = self._implementation.taking_strided()
+            self._exact = taking if self._exact is self._implementation else self._exact
+            self._implementation, self._function = taking, make_function(taking)
         return self._implementation
 
     def _differentiable(self) -> RightHandSide:
@@ -977,9 +1002,13 @@ class System:
             use_jac,
             root_kwargs,
         )
-        found = {definition.states[k]: float(x[k]) for part in places for k in part}
-        # A new dictionary: the old one may be the caller's own.
-        self._initial_conditions = {**self._initial_conditions, **found}
+        # A new dictionary: the old one may be the caller's own. Its keys may be names.
+        conditions = dict(self._initial_conditions)
+        own = definition.places["states"]
+        keys = {own.find(key, "initial_conditions"): key for key in conditions}
+        for k in (k for part in places for k in part):
+            conditions[keys.get(k, definition.states[k])] = float(x[k])
+        self._initial_conditions = conditions
 
     @overload
     def integrate(

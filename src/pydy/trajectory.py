@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy._dataset import read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
-from pydy._names import latex_of, latex_of_rate, name_of, unique_names
+from pydy._names import latex_of, latex_of_rate, name_of, unique_names, written_out
 from pydy._optional import require
 
 __all__ = ["EventRecord", "Model", "Trajectory"]
@@ -219,6 +219,13 @@ class Trajectory:
         k = self._place.get(key)
         if k is None:
             k = self._place_of_name.get(name_of(key))
+            own = key if k is None else self._columns[k]
+            if own != key and str not in (type(own), type(key)) and str(own) == str(key):
+                raise KeyError(
+                    f"`{written_out(key)}` is none of the trajectory's quantities: "
+                    f"`{written_out(own)}` is another symbol, because its assumptions differ. "
+                    "Use that one, or its name."
+                )
         if k is None:
             raise KeyError(
                 f"`{key}` is none of the trajectory's quantities: {', '.join(self._names)}."
@@ -403,7 +410,11 @@ class Trajectory:
         if energy:
             for k, name in enumerate(ENERGIES):
                 columns[name] = ("energy", rf"\text{{{name.replace('_', ' ')}}}", self.energy[:, k])
-        constants = {name_of(s): (latex_of(s), float(v)) for s, v in self.constants.items()}
+        names = unique_names(list(self.constants))
+        constants = {
+            name: (latex_of(s), float(v))
+            for name, (s, v) in zip(names, self.constants.items(), strict=True)
+        }
         xarray = require("xarray", "labels", "Trajectory.to_xarray")
         return to_dataset(xarray, self.times, columns, constants)
 

@@ -157,9 +157,20 @@ def test_a_class_that_cannot_compile_is_no_generator():
         generate_ode_function(sm.Matrix([V, X]), [X], [V], generator=dict)
 
 
-def test_an_unknown_option_is_refused():
-    with pytest.raises(TypeError, match="wrong_word"):
-        generate_ode_function(sm.Matrix([V, X]), [X], [V], wrong_word=1)
+@pytest.mark.parametrize(
+    ("generator", "option", "meant"),
+    [
+        ("llvm", "wrong_word", "There are cse"),
+        ("lambdify", "csee", "Did you mean `cse`"),
+        ("cython", "tmpdir", "Did you mean `tmp_dir`"),
+        ("cython", "force_contiguous", "Did you mean `force_c_contiguous`"),
+    ],
+)
+def test_an_unknown_option_is_refused(generator, option, meant):
+    with pytest.raises(
+        TypeError, match=f"no option `{option}` for the generator '{generator}'.*{meant}"
+    ):
+        generate_ode_function(sm.Matrix([V, X]), [X], [V], generator=generator, **{option: 1})
 
 
 def test_the_docstring_follows_time_first_and_the_specifieds():

@@ -3,17 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from itertools import pairwise
+from operator import itemgetter
 from typing import Any
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
+from pydy._names import written_out
+
 __all__ = ["find_symbols", "replace_symbols", "sort_symbols"]
 
 
 def sort_symbols(symbols: Iterable[Any]) -> list[Any]:
-    """Sort symbols, functions of time and their derivatives as SymPy orders them."""
-    return sorted(symbols, key=sm.default_sort_key)
+    """Sort symbols, functions of time and their derivatives as SymPy orders them.
+
+    SymPy has no order for symbols that differ in their assumptions alone: those follow in the
+    order of their assumptions, so that no hash decides.
+    """
+    keyed = [(sm.default_sort_key(s), s) for s in symbols]
+    keyed.sort(key=itemgetter(0))
+    if any(a[0] == b[0] for a, b in pairwise(keyed)):
+        keyed.sort(key=lambda pair: (pair[0], written_out(pair[1])))
+    return [symbol for _, symbol in keyed]
 
 
 def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:

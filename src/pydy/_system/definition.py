@@ -14,6 +14,7 @@ from pydy._eom.equations import Equations
 from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
+from pydy._names import name_of
 from pydy._programs import Assembly, Group, assemble_system, auxiliary_groups
 from pydy._system.inputs import check_forces, output_groups, sort_out
 from pydy.codegen.arguments import symbolic_entries
@@ -111,6 +112,19 @@ class Definition:
     def lower_derivatives(self) -> dict[Any, tuple[Any, ...]]:
         """For each specified that is a derivative, what it is a derivative of, lowest first."""
         return {s: _lower(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
+
+    @cached_property
+    def of_one_name(self) -> list[tuple[Any, ...]]:
+        """Groups of symbols that differ in their assumptions alone, time included."""
+        groups: dict[Any, list[Any]] = {}
+        known = (*self.states, *self.constants, *self.specifieds, *self.outputs_symbols)
+        for symbol in dict.fromkeys((self.equations.time, *known)):
+            if not isinstance(symbol, sm.Dummy):
+                order = getattr(symbol, "derivative_count", None)
+                function = symbol if order is None else symbol.expr
+                kind = function.is_Symbol, order
+                groups.setdefault((name_of(function), kind), []).append(symbol)
+        return [tuple(group) for group in groups.values() if len(group) > 1]
 
     @cached_property
     def places(self) -> dict[str, Places]:

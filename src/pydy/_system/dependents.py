@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from scipy import optimize
 
+from pydy._checks import Places, listed
 from pydy._errors import PyDyUserWarning, SingularMatrixError
 from pydy._system.definition import Definition
 from pydy._system.evaluation import evaluate
@@ -35,13 +36,10 @@ def check_dependents(definition: Definition, dep_vars: Any) -> tuple[list[int], 
     if dep_vars is None:
         chosen = [*equations.dependent_coordinates, *equations.dependent_speeds]
     else:
-        chosen = list(dep_vars)
+        chosen = listed("dep_vars", dep_vars, "coordinates and speeds")
     allowed = (*equations.coordinates, *equations.speeds)
-    for symbol in chosen:
-        if symbol not in allowed:
-            raise ValueError(
-                f"`dep_vars` has `{symbol}`, which is not a coordinate or speed of the system."
-            )
+    places = Places(allowed, "coordinates and speeds of the system")
+    chosen = [allowed[places.find(symbol, "dep_vars")] for symbol in chosen]
     if len(set(chosen)) != len(chosen):
         raise ValueError(f"`dep_vars` repeat a variable: {describe(chosen)}.")
     q = [allowed.index(s) for s in chosen if s in equations.coordinates]

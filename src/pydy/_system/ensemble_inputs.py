@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, number, real_array
+from pydy._checks import Places, check_mapping, number, real_array
 from pydy._names import latex_of, name_of, unique_names
 from pydy._system.definition import Definition
 from pydy._system.expressions import driven
 from pydy._system.solving import HANDLED, prepare
 from pydy._version import __version__
-from pydy.codegen.arguments import SpecifiedsPlan, describe, symbolic_entries
+from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.codegen.right_hand_side import RightHandSide
 from pydy.ensemble.engine import Ensemble
 from pydy.ensemble.model import Model
@@ -116,7 +116,8 @@ def split_specifieds(given: Mapping[Any, Any]) -> tuple[dict[Any, Any], dict[Any
     varied: dict[Any, Any] = {}
     common: dict[Any, Any] = {}
     for key, value in check_mapping("specifieds", given).items():
-        plain = not isinstance(key, (tuple, list, str)) and not callable(value)
+        together = isinstance(key, (tuple, list)) or key in ("symbols", "values")
+        plain = not together and not callable(value)
         symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
         several = hasattr(value, "dims") or (plain and not symbolic and np.ndim(value) > 0)
         (varied if plain and several else common)[key] = value
@@ -126,7 +127,7 @@ def split_specifieds(given: Mapping[Any, Any]) -> tuple[dict[Any, Any], dict[Any
 def _columns(
     argument: str,
     given: Mapping[Any, Any],
-    symbols: Sequence[Any],
+    places: Places,
     base: np.ndarray,
     axes: _Axes,
     names: Mapping[Any, str],
@@ -134,20 +135,15 @@ def _columns(
 ) -> list[tuple[Any, Any]]:
     """Return (dims, values) for each symbol; those that are not given are as in `base`."""
     columns: list[tuple[Any, Any]] = [((), np.asarray(value)) for value in base]
-    place = {s: k for k, s in enumerate(symbols)}
-    for symbol, value in given.items():
-        if symbol not in place:
-            what = {"initial": "states", "constant": "constants"}.get(role, "specifieds")
-            raise ValueError(
-                f"`{argument}` has the key `{symbol}`, which is not one of the {what} of the "
-                f"system: {describe(symbols)}."
-            )
+    found = places.columns(given, argument).tolist()
+    for place, value in zip(found, given.values(), strict=True):
+        symbol = places.symbols[place]
         what = f"`{argument}[{symbol}]`"
         if not hasattr(value, "dims") and np.ndim(value) == 0:
-            columns[place[symbol]] = ((), np.asarray(number(value, what, finite=True)))
+            columns[place] = ((), np.asarray(number(value, what, finite=True)))
         else:
             attrs = {"role": role, "latex": latex_of(symbol)}
-            columns[place[symbol]] = axes.add(what, value, names[symbol], attrs)
+            columns[place] = axes.add(what, value, names[symbol], attrs)
     return columns
 
 
@@ -205,15 +201,14 @@ def make_ensemble(
     names = dict(zip(variables, unique_names(variables), strict=True))
     axes = _Axes(product, names.values())
     labels = {s: f"initial_{names[s]}" for s in definition.states}
-    for s in (*definition.constants, *definition.specifieds):
-        name = name_of(s)
+    others = (*definition.constants, *definition.specifieds)
+    for s, name in zip(others, unique_names(others), strict=True):
         labels[s] = f"{name} (constant)" if name in axes.taken else name
     initial, constants, specifieds = given
-    x = _columns("initial_conditions", initial, definition.states, base[0], axes, labels, "initial")
-    p = _columns("constants", constants, definition.constants, base[1], axes, labels, "constant")
-    r = _columns(
-        "specifieds", specifieds, definition.specifieds, plan.values, axes, labels, "specified"
-    )
+    at = definition.places
+    x = _columns("initial_conditions", initial, at["states"], base[0], axes, labels, "initial")
+    p = _columns("constants", constants, at["constants"], base[1], axes, labels, "constant")
+    r = _columns("specifieds", specifieds, at["specifieds"], plan.values, axes, labels, "specified")
     for s, (dims, value) in zip(definition.constants, p, strict=True):
         if not dims:
             attrs = {"role": "constant", "latex": latex_of(s)}

@@ -9,10 +9,11 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from pydy._checks import check_mapping
+from pydy._checks import Places, check_mapping, listed, resolved
 from pydy._eom.equations import Equations
 from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
+from pydy._names import told_apart
 from pydy._programs import Group
 from pydy.codegen.arguments import describe, real_array
 
@@ -22,6 +23,8 @@ __all__ = [
     "check_mapping",
     "check_symbols",
     "check_times",
+    "named_forces",
+    "named_outputs",
     "output_groups",
     "sort_out",
 ]
@@ -34,7 +37,12 @@ class SymbolSet(set[Any]):
         return iter(sort_symbols(set.__iter__(self)))
 
     def __repr__(self) -> str:
-        return "{" + ", ".join(map(str, self)) + "}" if self else "set()"
+        symbols = list(self)
+        return (
+            "{" + ", ".join(told_apart(symbols, [str(s) for s in symbols])) + "}"
+            if self
+            else "set()"
+        )
 
     __str__ = __repr__
 
@@ -64,14 +72,18 @@ def check_times(times: Any) -> np.ndarray:
     return array
 
 
-def check_symbols(argument: str, symbols: Iterable[Any], kind: str) -> list[Any]:
+def check_symbols(argument: str, symbols: Any, kind: str, equations: Equations) -> list[Any]:
     """Return a user's own list of constants or specifieds, sorted."""
-    try:
-        unique = set(symbols)
-    except TypeError:
-        raise TypeError(f"`{argument}` must be an iterable of symbols, got {symbols!r}.") from None
+    given = listed(argument, symbols)
+    unique = dict.fromkeys(
+        resolved(argument, given, equations.symbols, "symbols of the equations")
+        if any(isinstance(s, str) for s in given)
+        else given
+    )
     for symbol in unique:
         constant = isinstance(symbol, sm.Symbol)
+        if symbol == equations.time:
+            raise ValueError(f"`{argument}` has `{symbol}`, which is time in the equations.")
         function = isinstance(symbol, (AppliedUndef, sm.Derivative))
         if not (constant if kind == "constant" else function):
             expected = "symbols" if kind == "constant" else "functions of time"
@@ -147,6 +159,32 @@ def _term_with(symbol: Any, expressions: Iterable[Any]) -> Any:
     return symbol
 
 
+def named_outputs(outputs: Mapping[Any, Any]) -> dict[Any, Any]:
+    """Return an outputs dictionary with symbols in place of names.
+
+    A name is that of a symbol in its own expressions, or a new symbol.
+    """
+    result: dict[Any, Any] = {}
+    for key, value in outputs.items():
+        several = isinstance(key, (tuple, list))
+        names = key if several else (key,)
+        if any(isinstance(name, str) for name in names):
+            entries = value if isinstance(value, (tuple, list, sm.MatrixBase)) else (value,)
+            own = Places(
+                list(find_symbols([e for e in entries if isinstance(e, sm.Basic)])), "symbols"
+            )
+            found = [own.get(n, "outputs") if isinstance(n, str) else None for n in names]
+            names = tuple(
+                own.symbols[k] if k is not None else sm.Symbol(n) if isinstance(n, str) else n
+                for n, k in zip(names, found, strict=True)
+            )
+            key = names if several else names[0]
+        if key in result:
+            raise ValueError(f"`outputs` gives `{key}` more than once.")
+        result[key] = value
+    return result
+
+
 def output_groups(outputs: Mapping[Any, Any]) -> list[Group]:
     """Return the entries of an outputs dictionary as groups of names and expressions."""
     groups = []
@@ -188,11 +226,21 @@ def _expression(names: Sequence[Any], value: Any) -> Any:
     return expression
 
 
-def check_forces(equations: Equations, forces: Any) -> list[Any]:
-    """Return the names of the noncontributing forces as a list."""
+def named_forces(equations: Equations, forces: Any) -> list[Any] | None:
+    """Return noncontributing forces as a list, with symbols in place of names."""
     if forces is None:
-        return []
-    names = list(forces) if isinstance(forces, Iterable) else [forces]
+        return None
+    several = isinstance(forces, Iterable) and not isinstance(forces, str)
+    return resolved(
+        "noncontributing_forces",
+        listed("noncontributing_forces", forces) if several else [forces],
+        find_symbols(equations.auxiliary_equations),
+        "symbols of the auxiliary equations",
+    )
+
+
+def check_forces(equations: Equations, names: list[Any] | None) -> list[Any]:
+    """Return the names of the noncontributing forces."""
     if not names:
         return []
     wanted = len(equations.auxiliary_equations)

@@ -8,6 +8,8 @@ from typing import Any
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
+from pydy._names import told_apart
+
 __all__ = ["rhs_docstring"]
 
 _HEAD = """\
@@ -115,7 +117,8 @@ y : ndarray, shape({o},)
 
 
 def _items(names: Sequence[Any]) -> str:
-    return "\n".join(f"        - {_name(name)}" for name in names)
+    told = told_apart(names, [_name(name) for name in names])
+    return "\n".join(f"        - {name}" for name in told)
 
 
 def _name(symbol: Any) -> str:

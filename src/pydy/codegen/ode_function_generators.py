@@ -16,7 +16,8 @@ from sympy.logic.boolalg import Boolean
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends.registry import resolve
-from pydy._checks import describe, flag, listed, number, shown
+from pydy._checks import describe, flag, listed, number, resolved, shown
+from pydy._eom.symbols import find_symbols
 from pydy._programs import Assembly, assemble_form
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.right_hand_side import Layout, RightHandSide
@@ -120,15 +121,17 @@ def generate_ode_function(
     array([ 1.   , -4.905])
     """
     time = dynamicsymbols._t
-    q, u = _symbols("coordinates", coordinates), _symbols("speeds", speeds)
-    p = _symbols("constants", constants)
-    r = [] if specifieds is None else _symbols("specifieds", specifieds)
     time_first = flag(time_first, "`time_first`")
-    _refuse_repeated([*q, *u, *r, *p])
     force = _column("right_hand_side", right_hand_side)
     first = None
     if coordinate_derivatives is not None:
         first = _column("coordinate_derivatives", coordinate_derivatives)
+    parts = (force, first or (), () if mass_matrix is None else mass_matrix)
+    q = _symbols("coordinates", coordinates, parts, time)
+    u = _symbols("speeds", speeds, parts, time)
+    p = _symbols("constants", constants, parts, time)
+    r = _symbols("specifieds", () if specifieds is None else specifieds, parts, time)
+    _refuse_repeated([*q, *u, *r, *p])
     matrix = _check_form(force, q, u, mass_matrix, first)
     solver = resolve_solver(linear_sys_solver)
     if isinstance(solver, str) and matrix is not None:
@@ -174,6 +177,27 @@ def generate_ode_function(
     )
 
 
+def _symbols(argument: str, value: Any, parts: Sequence[Any], time: Any) -> list[Any]:
+    """Return a user's list of symbols, with those of the equations in place of names."""
+    symbols = listed(argument, value)
+    if any(isinstance(s, str) for s in symbols):
+        found = find_symbols([e for part in parts for e in sm.Matrix(part)])
+        found.pop(time, None)
+        symbols = resolved(argument, symbols, found, "symbols of the equations")
+    if time in symbols:
+        raise ValueError(
+            f"`{argument}` has `{time}`, which is time in the equations: its value would be "
+            "ignored. Rename the symbol, or set `dynamicsymbols._t` to another one before the "
+            "equations are derived."
+        )
+    for symbol in symbols:
+        if not isinstance(symbol, (sm.Symbol, AppliedUndef, sm.Derivative)):
+            raise ValueError(
+                f"`{argument}` must hold symbols or functions of time, got {shown(symbol)}."
+            )
+    return symbols
+
+
 def _column(argument: str, value: Any) -> list[Any]:
     """Return a column matrix or a sequence of expressions as a list."""
     if isinstance(value, sm.MatrixBase):
@@ -182,17 +206,6 @@ def _column(argument: str, value: Any) -> list[Any]:
         return list(value)
     entries = listed(argument, value, "expressions, or a column matrix")
     return [_expression(argument, e) for e in entries]
-
-
-def _symbols(argument: str, value: Any) -> list[Any]:
-    """Return a sequence of symbols as a list."""
-    symbols = listed(argument, value)
-    for symbol in symbols:
-        if not isinstance(symbol, (sm.Symbol, AppliedUndef, sm.Derivative)):
-            raise ValueError(
-                f"`{argument}` must hold symbols or functions of time, got {shown(symbol)}."
-            )
-    return symbols
 
 
 def _expression(argument: str, value: Any) -> Any:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass
+from inspect import Parameter, signature
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,7 @@ from pydy._checks import number, vector
 from pydy._errors import SingularMatrixError
 from pydy._graph.program import Program
 from pydy._kernel import Kernel, KernelCall
+from pydy._names import nearest
 from pydy._programs import Assembly
 from pydy.codegen.arguments import (
     ConstantsArgument,
@@ -90,7 +92,7 @@ class RightHandSide:
         # Only the Cython generator has this option; here it decides what is refused.
         self.refuse_strided = generator == "cython" and not options.pop("force_c_contiguous", False)
         self.assembly = assembly
-        self._compiler = backend(**options)
+        self._compiler = _compiler(backend, generator, options)
         if not hasattr(self._compiler, "compile"):
             raise refusal(backend)
         self._solver = solver
@@ -105,6 +107,13 @@ class RightHandSide:
         state["_changed"] = {}
         state["function_of_user"] = None  # it pickles as this object: no circles
         return state
+
+    def taking_strided(self) -> RightHandSide:
+        """Return the same, with the same code, for states in any layout."""
+        other = copy(self)
+        other.refuse_strided, other._changed = False, {}
+        other.function_of_user = None
+        return other
 
     @property
     def kernel(self) -> Kernel:
@@ -381,6 +390,23 @@ class RightHandSide:
             if failed[0]:
                 raise_singular(self.layout, t, x)
             out[:] = values[0]
+
+
+def _compiler(backend: type, generator: Any, options: dict[str, Any]) -> Any:
+    """Return a back end with its options, or say which options it has."""
+    try:
+        taken = signature(backend).parameters
+    except ValueError:  # a class that is not written in Python may have none
+        return backend(**options)
+    open_ended = any(p.kind is Parameter.VAR_KEYWORD for p in taken.values())
+    unknown = [] if open_ended else [name for name in options if name not in taken]
+    if unknown:
+        known = [*taken, *(["force_c_contiguous"] if generator == "cython" else [])]
+        raise TypeError(
+            f"generate_ode_function() has no option `{unknown[0]}` for the generator "
+            f"{generator!r}. {nearest(unknown[0], known)}"
+        )
+    return backend(**options)
 
 
 def raise_singular(layout: Layout, t: float, x: np.ndarray) -> None:

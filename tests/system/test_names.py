@@ -1,0 +1,268 @@
+"""Names in place of symbols, and symbols of one name that differ in their assumptions."""
+
+import warnings
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import zoo
+from cases import close
+from pydy.codegen.ode_function_generators import generate_ode_function
+from pydy.errors import PyDyUserWarning
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.system import System
+
+M, HEAVY = sm.Symbol("m"), sm.Symbol("m", positive=True)
+X, V = me.dynamicsymbols("x v")
+
+
+def two_masses(first=M, second=HEAVY, **options):
+    """A mass on a spring, of which `first` is the mass and `second` the stiffness."""
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, V * frame.x)
+    kane = me.KanesMethod(frame, [X], [V], [X.diff() - V])
+    kane.kanes_equations([me.Particle("B", point, first)], [(point, -second * X * frame.x)])
+    return System(kane, **options)
+
+
+@pytest.fixture
+def system():
+    return multi_mass_spring_damper(apply_external_forces=True)
+
+
+# names
+
+
+def test_names_stand_for_symbols_everywhere(system):
+    x0, v0 = system.states
+    m0, k0, c0 = sm.symbols("m0 k0 c0")
+    (f0,) = system.specifieds_symbols
+    system.times = [0.0, 0.5, 1.0]
+    system.constants = {m0: 2.0, k0: 3.0, c0: 0.5}
+    system.initial_conditions = {x0: 0.5, v0: -0.25}
+    system.specifieds = {f0: 1.5}
+    expected = system.integrate()
+    system.constants = {"m0": 2.0, "k0": 3.0, c0: 0.5}
+    system.initial_conditions = {"x0": 0.5, "v0(t)": -0.25}
+    for specifieds in ({"f0": 1.5}, {"f0(t)": 1.5}, {("f0",): [1.5]}, {"f0": sm.Float(1.5)}):
+        system.specifieds = specifieds
+        close(system.integrate(), expected, 1e-14)
+    system.specifieds = {"symbols": ["f0"], "values": [1.5]}
+    close(system.integrate(), expected, 1e-14)
+    close(system.evaluate_ode(p={"k0": 4.0}, r={"f0": 0.0}), [-0.25, (-4 * 0.5 + 0.5 * 0.25) / 2])
+
+
+def test_an_expression_is_given_by_name(system):
+    system.specifieds = {"f0": sm.Symbol("gain") * system.states[0]}
+    system.constants = {"gain": 3.0}
+    close(system.evaluate_ode([1.0, 0.0]), [0.0, 2.0])
+
+
+def test_a_name_edited_in_place_counts(system):
+    system.constants["k0"] = 7.0
+    close(system.evaluate_ode([1.0, 0.0]), [0.0, -7.0])
+    system.constants["nope"] = 1.0
+    with pytest.raises(ValueError, match="`nope`, which is not one of the constants"):
+        system.evaluate_ode()
+
+
+@pytest.mark.parametrize("argument", ["constants", "initial_conditions", "specifieds"])
+def test_a_symbol_and_its_name_together_are_refused(system, argument):
+    symbol = {
+        "constants": sm.Symbol("m0"),
+        "initial_conditions": system.states[0],
+        "specifieds": me.dynamicsymbols("f0"),
+    }[argument]
+    with pytest.raises(ValueError, match=f"`{argument}` gives .* more than once"):
+        setattr(system, argument, {symbol: 1.0, str(symbol): 1.0})
+
+
+def test_outputs_have_names(system):
+    x0, v0 = system.states
+    system.outputs = {"speed": v0, ("twice", "thrice"): (2 * x0, 3 * x0)}
+    assert system.outputs_symbols == list(sm.symbols("speed twice thrice"))
+    close(system.evaluate_outputs([1.0, 5.0]), [5.0, 2.0, 3.0])
+    system.outputs["half"] = x0 / 2
+    close(system.evaluate_outputs([1.0, 5.0]), [5.0, 2.0, 3.0, 0.5])
+
+
+def test_an_outputs_name_is_that_of_the_symbol_in_its_own_equation(system):
+    a = me.dynamicsymbols("a")
+    system.outputs = {"a": a - system.speeds[0].diff()}
+    assert system.outputs_symbols == [a]
+
+
+def test_an_output_and_its_name_together_are_refused(system):
+    with pytest.raises(ValueError, match="`outputs` gives `speed` more than once"):
+        system.outputs = {"speed": X, sm.Symbol("speed"): X}
+
+
+def test_dependent_states_are_given_by_name():
+    model = zoo.fourbar()
+    dependent = [*model.kane._qdep, *model.kane._udep]
+    free = {s: v for s, v in model.start.items() if s not in dependent}
+    guess = {str(s): v for s, v in model.start.items()}
+    system = System(model.kane, constants=model.constants, initial_conditions=guess)
+    system.set_dependent_initial_conditions([str(s) for s in dependent])
+    assert {str(s) for s in system.initial_conditions} == {str(s) for s in system.states}
+    assert all(system.initial_conditions[str(s)] == v for s, v in free.items())
+    assert np.abs(system.evaluate_constraints()).max() < 1e-8
+
+
+def test_a_wrong_dependent_is_refused_by_name():
+    system = System(zoo.fourbar().kane)
+    with pytest.raises(ValueError, match="`dep_vars` has the key `nope`"):
+        system.set_dependent_initial_conditions(["nope"])
+    with pytest.raises(TypeError, match="`dep_vars` must be a sequence of coordinates"):
+        system.set_dependent_initial_conditions(5)
+
+
+@pytest.mark.parametrize("names", [["m0", "k0", "c0"], [sm.Symbol("m0"), "k0", "c0"]])
+def test_constants_symbols_may_be_names(system, names):
+    again = System(system.eom_method, constants_symbols=names, specifieds_symbols=["f0"])
+    assert again.constants_symbols == set(sm.symbols("m0 k0 c0"))
+    assert again.specifieds_symbols == set(system.specifieds_symbols)
+
+
+@pytest.mark.parametrize("argument", ["constants_symbols", "specifieds_symbols"])
+@pytest.mark.parametrize("value", [5, "m0", {"m0": 1.0}])
+def test_a_list_of_symbols_must_be_one(system, argument, value):
+    with pytest.raises(TypeError, match=f"`{argument}` must be a sequence of symbols"):
+        System(system.eom_method, **{argument: value})
+
+
+def test_time_is_no_constant(system):
+    with pytest.raises(ValueError, match="`constants_symbols` has `t`, which is time"):
+        System(system.eom_method, constants_symbols=[me.dynamicsymbols._t])
+
+
+def test_ensembles_take_names(system):
+    times = np.linspace(0.0, 1.0, num=3)
+    x0 = system.states[0]
+    by_symbol = system.integrate_ensemble(initial_conditions={x0: [1.0, 2.0]}, times=times)
+    by_name = system.integrate_ensemble(
+        initial_conditions={"x0": [1.0, 2.0]}, constants={"k0": 1.0}, times=times
+    )
+    close(by_name.x0.values, by_symbol.x0.values, 1e-15)
+    pushed = system.integrate_ensemble(specifieds={"f0": [0.0, 2.0]}, times=times)
+    assert pushed.sizes["sample"] == 2
+    with pytest.raises(ValueError, match="`initial_conditions` has the key `nope`"):
+        system.integrate_ensemble(initial_conditions={"nope": [1.0, 2.0]}, times=times)
+
+
+def test_generate_ode_function_takes_names_of_symbols_in_the_equations():
+    k = sm.Symbol("k")
+    rhs = generate_ode_function([V, -k * X / HEAVY], ["x"], [V], ["k", "m"])
+    close(rhs([0.5, 1.0], 0.0, [4.0, 2.0]), [1.0, -1.0])
+    with pytest.raises(ValueError, match="`constants` has the key `nope`"):
+        generate_ode_function([V, -k * X], [X], [V], ["k", "nope"])
+
+
+@pytest.mark.parametrize("argument", ["coordinates", "speeds", "constants", "specifieds"])
+@pytest.mark.parametrize("value", [5, "x"])
+def test_generate_ode_function_needs_lists_of_symbols(argument, value):
+    arguments = {"coordinates": [X], "speeds": [V], argument: value}
+    with pytest.raises(TypeError, match=f"`{argument}` must be a sequence of symbols"):
+        generate_ode_function([V, -X], **arguments)
+
+
+@pytest.mark.parametrize("argument", ["constants", "specifieds"])
+def test_time_is_no_argument_of_a_generated_function(argument):
+    t = sm.Symbol("t")
+    with pytest.raises(ValueError, match=f"`{argument}` has `t`, which is time in the equations"):
+        generate_ode_function([V, -t * X], [X], [V], **{argument: [t]})
+
+
+# one name, different assumptions
+
+
+def test_two_constants_of_one_name_are_named_with_what_differs():
+    with pytest.warns(PyDyUserWarning, match=r"several symbols of one name: m, m \(positive\)"):
+        system = two_masses()
+    assert str(system.constants_symbols) == "{m, m (positive)}"
+    system.constants = {M: 2.0, HEAVY: 6.0}
+    close(system.evaluate_ode([1.0, 0.0]), [0.0, -3.0])
+    assert "- m (positive)\n" in system.generate_ode_function().__doc__
+    with pytest.raises(ValueError, match=r"'m', which several constants .*: m, m \(positive\)"):
+        system.constants = {"m": 2.0}
+
+
+def test_constants_of_one_name_are_in_the_order_of_their_assumptions():
+    for first, second in ((M, HEAVY), (HEAVY, M)):
+        with pytest.warns(PyDyUserWarning, match=r"m, m \(positive\)"):
+            assert list(two_masses(first, second).constants_symbols) == [M, HEAVY]
+
+
+def test_the_warning_of_one_name_comes_once():
+    with pytest.warns(PyDyUserWarning, match="several symbols of one name"):
+        system = two_masses()
+    system.outputs = {"e": M * V**2 / 2}
+    system.evaluate_outputs()
+
+
+def test_a_constant_of_other_assumptions_in_an_output_warns():
+    system = two_masses(sm.Symbol("b"), HEAVY)
+    with pytest.warns(PyDyUserWarning, match=r"several symbols of one name: m, m \(positive\)"):
+        system.outputs = {"e": M * V**2 / 2}
+
+
+def test_another_symbol_for_time_in_an_expression_warns():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    with pytest.warns(PyDyUserWarning, match=r"of one name: t, t \(real\)"):
+        system.specifieds = {"f0": sm.sin(sm.Symbol("t", real=True))}
+
+
+def test_a_constant_of_other_assumptions_as_a_key_is_named():
+    system = two_masses(sm.Symbol("b"), HEAVY)
+    with pytest.raises(ValueError, match=r"got m, known is m \(positive\).*its name 'm'"):
+        system.constants = {M: 2.0}
+
+
+def test_a_coordinate_of_other_assumptions_as_a_key_is_named():
+    system = two_masses(sm.Symbol("b"), HEAVY)
+    with pytest.raises(ValueError, match=r"got x\(t\) \(real\), known is x\(t\)"):
+        system.initial_conditions = {me.dynamicsymbols("x", real=True): 1.0}
+
+
+def test_nothing_of_one_name_is_dropped_from_a_trajectory():
+    with pytest.warns(PyDyUserWarning, match="several symbols of one name"):
+        system = two_masses(constants={M: 2.0, HEAVY: 6.0}, times=[0.0, 1.0])
+    data = system.simulate().to_xarray()
+    assert (float(data["m"]), float(data["m (positive)"])) == (2.0, 6.0)
+
+
+def test_nothing_of_one_name_is_dropped_from_an_ensemble():
+    with pytest.warns(PyDyUserWarning, match="several symbols of one name"):
+        system = two_masses(constants={M: 2.0})
+    data = system.integrate_ensemble(constants={HEAVY: [3.0, 6.0]}, times=[0.0, 1.0])
+    assert float(data["m"]) == 2.0
+    assert data["m (positive)"].values.tolist() == [3.0, 6.0]
+
+
+def test_outputs_of_one_name_keep_their_columns():
+    system = n_link_pendulum_on_cart(1, cart_force=False)
+    first, second = sm.Symbol("e"), sm.Symbol("e", real=True)
+    system.times = [0.0, 1.0]
+    with pytest.warns(PyDyUserWarning, match=r"several symbols of one name: e, e \(real\)"):
+        system.outputs = {first: sm.Integer(1), second: sm.Integer(2)}
+    trajectory = system.simulate()
+    assert set(trajectory.to_xarray()) >= {"e", "e (real)"}
+    assert (trajectory[first][0], trajectory[second][0]) == (1.0, 2.0)
+
+
+def test_a_trajectory_does_not_mix_up_symbols():
+    system = two_masses(sm.Symbol("b"), HEAVY, times=[0.0, 1.0])
+    trajectory = system.simulate()
+    with pytest.raises(KeyError, match=r"x\(t\) \(real\)` is none .* assumptions differ"):
+        trajectory[me.dynamicsymbols("x", real=True)]
+    assert trajectory["x"].shape == (2,)
+
+
+def test_symbols_of_different_kinds_may_share_a_name():
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        system = two_masses(sm.Symbol("x"), HEAVY, times=[0.0, 1.0])
+    with pytest.raises(ValueError, match="not one of the states"):
+        system.initial_conditions = {sm.Symbol("x"): 1.0}
