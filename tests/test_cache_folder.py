@@ -303,14 +303,13 @@ def put_by_somebody_else(prepared, place):
 EQUATIONS = """
 import sys, warnings
 import numpy as np
-from pydy._backends import background, jit
-background._QUIET_SECONDS = 0.0
+from pydy._backends import background, compiling
+background._QUIET_SECONDS = 1e9
 if sys.argv[1:] == ["wrong"]:
-    right = jit._object_code
-    def wrong(text, *rest, **options):
-        return right(text.replace("fsub", "fadd").replace("fneg double", "fadd double 1.0,"),
-                     *rest, **options)
-    jit._object_code = wrong
+    right = compiling.binding.parse_assembly
+    def wrong(text, *rest):
+        return right(text.replace("fsub", "fadd").replace("fneg double", "fadd double 1.0,"), *rest)
+    compiling.binding.parse_assembly = wrong
 from pydy.models import multi_mass_spring_damper
 with warnings.catch_warnings(record=True) as said:
     warnings.simplefilter("always")

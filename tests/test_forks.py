@@ -92,7 +92,7 @@ def test_a_fork_waits_for_what_is_not_sound_in_between(name):
 def test_a_task_that_was_under_way_is_done_again_in_the_child():
     begun, end, done = threading.Event(), threading.Event(), []
 
-    def work():
+    def work(compile_source):
         begun.set()
         end.wait(20.0)
         done.append(os.getpid())
@@ -117,16 +117,18 @@ def test_a_task_that_was_under_way_is_done_again_in_the_child():
 def test_a_child_has_a_side_thread_of_its_own():
     begun, end = threading.Event(), threading.Event()
 
-    def work():
+    def work(compile_source):
         begun.set()
         end.wait(20.0)
 
-    background.submit(background.Task(work))
+    task = background.Task(work)
+    background.submit(task)
     assert begun.wait(10.0)
 
     def another():
         done = threading.Event()
-        background.submit(background.Task(done.set))
+        task = background.Task(lambda compile_source: done.set())
+        background.submit(task)
         return done.wait(10.0)
 
     assert in_a_child(another)
@@ -175,7 +177,7 @@ LOOP = """
 import os, signal, sys, threading, time, warnings
 warnings.simplefilter("ignore")
 import numpy as np
-from pydy._backends import cache
+from pydy._backends import jit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 large = [n_link_pendulum_on_cart(n) for n in (3, 4, 5)]
@@ -192,7 +194,7 @@ def compute(system):
 def work():
     k = 0
     while not enough.is_set():
-        cache.memory.clear()
+        jit.memory.clear()
         compute(large[k % 3])
         k += 1
 

@@ -22,8 +22,7 @@ from graphs import (
     program_of,
     solve_program,
 )
-from pydy._backends import cache as cache_of_code
-from pydy._backends import ir
+from pydy._backends import ir, jit
 from pydy._backends.llvm import LLVMBackend, kernel_text
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
@@ -490,7 +489,7 @@ def test_slots_beyond_what_a_small_stack_holds_come_from_the_heap(monkeypatch, l
     wanted, _ = LLVMBackend(lanes=lanes).compile(program).evaluate(np.zeros(5), x, *nothing)
     monkeypatch.setattr(ir, "STACK_BYTES", 0)
     monkeypatch.setenv("PYDY_CACHE_DIR", "off")
-    cache_of_code.memory.clear()
+    jit.memory.clear()
     text = kernel_text(program, lanes)
     assert "call ptr @malloc(" in text
     assert text.count("call void @free(") == 2  # one for each way out

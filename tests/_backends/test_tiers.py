@@ -12,7 +12,7 @@ import pytest
 
 import zoo
 from graphs import on_tape
-from pydy._backends import background, cache, jit
+from pydy._backends import background, jit
 from pydy._backends.llvm import LLVMBackend, _repeats
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
@@ -22,7 +22,7 @@ from pydy.system import System
 @pytest.fixture
 def nothing_cached(monkeypatch):
     monkeypatch.setenv("PYDY_CACHE_DIR", "off")
-    cache.memory.clear()
+    jit.memory.clear()
 
 
 def rates_kernel(name):
@@ -64,7 +64,7 @@ def test_the_gate_uses_the_better_code_with_the_constants_that_are_bound(nothing
 
 def test_a_task_is_done_once_whoever_comes_first():
     done = []
-    task = background.Task(lambda: done.append(threading.current_thread().name))
+    task = background.Task(lambda compile_source: done.append(threading.current_thread().name))
     threads = [threading.Thread(target=task.run) for _ in range(4)]
     for thread in threads:
         thread.start()
@@ -88,7 +88,7 @@ def test_code_keeps_alive_what_it_calls(nothing_cached):
     routines = jit.load(jit.Source("twice", lambda brief: twice, ("twice",)))
     caller = jit.load(jit.Source("more", lambda brief: more, ("more",)), routines)
     alive = weakref.ref(routines)
-    cache.memory.clear()
+    jit.memory.clear()
     del routines
     gc.collect()
     assert alive() is not None

@@ -16,7 +16,7 @@ import json
 import numpy as np
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 from pydy import _programs
-from pydy._backends import background, jit
+from pydy._backends import background, compiling, native
 from pydy.system import System
 
 background._QUIET_SECONDS = 0.0
@@ -30,12 +30,15 @@ def counted(module, name, kind):
     setattr(module, name, wrapper)
 
 counted(_programs, "simplify", "simplified")
-counted(jit, "_object_code", "compiled")
+counted(compiling, "_emitter", "compiled")
 system = System(n_link_pendulum_on_cart(6, cart_force=False))
 x = np.linspace(-1.0, 1.0, 14)
 rates = system.evaluate_ode(x)
 jacobian = system.evaluate_jacobian(x)
 assert all(kernel.addresses for kernel in system._current()._kernels.values())
+better = native._runtime().better
+if better is not None:
+    better.run()
 print(json.dumps([counts, rates.tolist(), jacobian.tolist()]))
 """
 

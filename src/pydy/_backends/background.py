@@ -1,21 +1,29 @@
-"""Work that is done on the side, in one thread, while the program goes on.
+"""Work that is done on the side, by a process of its own, while the program goes on.
 
-It waits for a quiet moment: llvmlite lets one thread at a time into LLVM, so a long compilation on
-the side would hold up a short one that the program waits for. A forked child begins without work on
-the side; what it needs of it, it does itself.
+llvmlite lets one thread at a time into LLVM, and the interpreter one at a time into Python. A
+thread that compiles a large model would hold up for seconds whatever the program compiles
+meanwhile. So a thread of this process only asks another process for the machine code, waits, and
+links it, which takes two milliseconds.
+
+It waits for a quiet moment, so that short scripts start no process, takes the newest task first,
+and knows tasks as long as somebody else does: what nobody can call any more is not compiled. A
+forked child begins without work on the side; what it needs of it, it does itself.
 """
 
 from __future__ import annotations
 
 import atexit
-import queue
 import threading
 import time
 from collections.abc import Callable
+from weakref import WeakKeyDictionary
 
 from pydy import _forks
+from pydy._backends.compiling import Helper, HelperError, Source, object_code
 
-__all__ = ["Task", "in_use", "submit"]
+__all__ = ["Compile", "Task", "in_use", "submit"]
+
+Compile = Callable[[Source], bytes]
 
 
 class Task:
@@ -24,29 +32,41 @@ class Task:
     Parameters
     ----------
     function : callable
-        Takes nothing and returns nothing.
+        Takes what compiles a `Source`, here or elsewhere, and returns nothing.
     """
 
-    def __init__(self, function: Callable[[], None]) -> None:
-        self._function: Callable[[], None] | None = function
+    def __init__(self, function: Callable[[Compile], None]) -> None:
+        self._function: Callable[[Compile], None] | None = function
         self._lock = _forks.Lock()
 
-    def run(self) -> None:
+    def run(self, compile_source: Compile = object_code) -> None:
         """Do it, or wait until the thread that is at it has done it."""
         with self._lock:
-            try:
-                if self._function is not None:
-                    self._function()
-            finally:
-                self._function = None  # not before: a child that is forked meanwhile does it again
+            if self._function is not None:
+                self._function(compile_source)
+                # Not before: a child that is forked meanwhile does it again.
+                self._function = None
 
 
-_TASKS: queue.SimpleQueue[Task | None] = queue.SimpleQueue()
-_START = _forks.Lock()
-_ENDING = threading.Event()
 _QUIET_SECONDS = 0.25
-_thread: threading.Thread | None = None
+_IDLE_SECONDS = 10.0
+_START = _forks.Lock()
 _last_wanted = 0.0
+
+
+_TASKS: WeakKeyDictionary[Task, None] = WeakKeyDictionary()
+_SUBMITTED, _ENDING = threading.Event(), threading.Event()
+_helper = Helper()
+_thread: threading.Thread | None = None
+
+
+@_forks.in_child
+def _begin_anew() -> None:
+    global _TASKS, _SUBMITTED, _ENDING, _thread
+    _TASKS = WeakKeyDictionary()
+    _SUBMITTED, _ENDING = threading.Event(), threading.Event()
+    _helper.leave()
+    _thread = None
 
 
 def in_use() -> None:
@@ -58,37 +78,48 @@ def in_use() -> None:
 def submit(task: Task) -> None:
     """Have a task done on the side; what is left when the interpreter ends is dropped."""
     global _thread
+    in_use()
     with _START:
-        if _thread is None or not _thread.is_alive():
+        _TASKS[task] = None
+        if _thread is None:
             _thread = threading.Thread(target=_work, name="pydy-background", daemon=True)
             _thread.start()
             atexit.register(_end)
-    in_use()
-    _TASKS.put(task)
+    _SUBMITTED.set()
 
 
 def _work() -> None:
-    while True:
-        task = _TASKS.get()
-        while task is not None and not _ENDING.is_set():
+    while not _ENDING.is_set():
+        if not _SUBMITTED.wait(_IDLE_SECONDS):
+            _helper.close()
+            _SUBMITTED.wait()
+        _SUBMITTED.clear()
+        while _TASKS and not _ENDING.is_set():
             left = _last_wanted + _QUIET_SECONDS - time.monotonic()
-            if left <= 0.0:
-                break
-            _ENDING.wait(left)
-        if task is None or _ENDING.is_set():
-            return
-        task.run()
+            if left > 0.0:
+                _ENDING.wait(left)
+            elif not _do_newest():
+                return
+
+
+def _do_newest() -> bool:
+    """Do a task; return whether there is any use in going on."""
+    try:
+        task, _ = _TASKS.popitem()
+    except KeyError:  # nobody else knew it any more
+        return True
+    try:
+        task.run(_helper.compile)
+    except HelperError:  # who needs the task does it
+        return False
+    return True
 
 
 def _end() -> None:
-    """Let the task in hand finish: a thread must not be inside LLVM when the process ends."""
+    """Let the thread finish: it must not be inside LLVM when the process ends."""
     _ENDING.set()
-    _TASKS.put(None)
-    if _thread is not None:
-        _thread.join()
-
-
-@_forks.in_child
-def _begin_anew() -> None:
-    global _TASKS, _ENDING, _thread
-    _TASKS, _ENDING, _thread = queue.SimpleQueue(), threading.Event(), None
+    _SUBMITTED.set()
+    while _thread is not None and _thread.is_alive():
+        _helper.close()  # it may have started only now
+        _thread.join(0.1)
+    _helper.close()

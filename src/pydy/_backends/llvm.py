@@ -7,10 +7,14 @@ order of operations are kept, and fused multiply-adds are those that the IR spel
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import partial
 from typing import Any
+from weakref import ref
 
 from pydy import _forks
 from pydy._backends import background, jit
+from pydy._backends.background import Compile
+from pydy._backends.compiling import object_code
 from pydy._backends.ir import HEAP_DECLARATIONS, MALLOC, Function, vector_type
 from pydy._backends.ir_emit import BRANCH_WEIGHTS, SOLVES, Emitter, called
 from pydy._backends.ir_math import sincos_declarations, sincos_functions, sincos_names
@@ -50,7 +54,7 @@ class LLVMBackend:
         lanes: int = self.options["lanes"]
         source = jit.Source(
             f"kernel {program.digest} {lanes}",
-            lambda brief: kernel_text(program, lanes, brief),
+            partial(kernel_text, program, lanes),
             ("kernel", "prepare", "strided")[: 2 + (lanes > 1)],
             loops=lanes == 1 and _repeats(program),
         )
@@ -62,7 +66,7 @@ class LLVMBackend:
             code = jit.load_quickly(source, routines)
         entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), code)
         if quick:
-            entry.better = background.Task(lambda: _improve(entry, source, calls))
+            entry.better = background.Task(partial(_improve, ref(entry), source, calls))
             background.submit(entry.better)
         recipe = ("llvm", self.options)
         strided = code.addresses.get("strided", 0)
@@ -84,28 +88,30 @@ def _repeats(program: Program) -> bool:
     return _LARGE < count < _SHORT * len(program.outputs)
 
 
-def _improve(entry: Entry, source: jit.Source, calls: bool) -> None:
-    """Compile at LLVM's best and put the result in the entry's place."""
-    routines = _routines(1, at_best=True) if calls else None
-    code = jit.load(source, routines)
-    entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
+def _improve(known: ref[Entry], source: jit.Source, calls: bool, compile_source: Compile) -> None:
+    """Compile at LLVM's best and put the result in the entry's place, if it is still there."""
+    routines = _routines(1, True, compile_source) if calls else None
+    code = jit.load(source, routines, compile_source)
+    entry = known()
+    if entry is not None:
+        entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
 
 
 _ROUTINES: dict[tuple[int, bool], jit.Code] = {}
 _ROUTINES_LOCK = _forks.Lock()
 
 
-def _routines(lanes: int, at_best: bool) -> jit.Code:
+def _routines(lanes: int, at_best: bool, compile_source: Compile = object_code) -> jit.Code:
     """Return the routines kernels call; unless they are cached, quickly compiled will do."""
     best = _ROUTINES.get((lanes, True))
     if best is not None:
         return best
     names = solver_names(lanes) + sincos_names(lanes)
-    source = jit.Source(f"routines {lanes}", lambda brief: _routines_text(lanes), names, loops=True)
+    source = jit.Source(f"routines {lanes}", partial(_routines_text, lanes), names, loops=True)
     code: jit.Code | None
     if at_best:
         with _ROUTINES_LOCK:  # whoever comes second finds what the first one compiled
-            code = jit.load(source)
+            code = jit.load(source, None, compile_source)
     else:
         code = jit.find(source)
     if code is not None:
@@ -116,7 +122,7 @@ def _routines(lanes: int, at_best: bool) -> jit.Code:
     return quick
 
 
-def _routines_text(lanes: int) -> str:
+def _routines_text(lanes: int, brief: bool) -> str:
     """Return the module of what many kernels share: linear solves, sine and cosine."""
     widths = (1, 2, 4, 8) if lanes == 1 else (1, lanes)
     parts = [_arithmetic_declarations(widths), *_LIBM_ANGLES, *BRANCH_WEIGHTS]

@@ -21,10 +21,10 @@ from typing import Any, Literal
 
 import numpy as np
 
-from pydy import _array_layout
+from pydy import _array_layout, _cache_folder
 from pydy._array_layout import DATA, DESCR, FLAGS, FLOAT, KIND, NDIM, SHAPE
 from pydy._backends import jit
-from pydy._backends.background import Task, submit
+from pydy._backends.background import Compile, Task, submit
 from pydy._backends.base import strict
 from pydy._backends.ir import Function
 from pydy._backends.ir_sweep import (
@@ -103,18 +103,21 @@ def _text(brief: bool) -> str:
     return row_sweep_function() + sweep_gate_function() + _gate_text()
 
 
-def _compile_for_later(source: jit.Source) -> None:
-    jit.load(source)
+def _keep(source: jit.Source, compile_source: Compile) -> None:
+    """Compile for the next process; this one goes on with what is there at once."""
+    _cache_folder.write(source.key, compile_source(source))
 
 
 class _Runtime:
     def __init__(self) -> None:
         names = (sweep_name(1), SWEEP_GATE, "gate")
         source = jit.Source("runtime", _text, names, loops=True)
+        self.better: Task | None = None
         code = jit.find(source)
         if code is None:
-            # For the next process; this one goes on with what is there at once.
-            submit(Task(partial(_compile_for_later, source)))
+            if _cache_folder.folder() is not None:
+                self.better = Task(partial(_keep, source))
+                submit(self.better)
             code = jit.load_quickly(source)
         self.code = code
         self.gate = _method(b"native_call", code.addresses["gate"])
@@ -187,13 +190,17 @@ def _make_sweep(
     return sweep
 
 
+def _sweep_text(lanes: int, brief: bool) -> str:
+    return sweep_module(lanes)
+
+
 _WIDE: dict[int, jit.Code] = {}
 
 
 def _wide_sweep(lanes: int) -> int:
     if lanes not in _WIDE:
         name = sweep_name(lanes)
-        source = jit.Source(f"sweep {lanes}", lambda brief: sweep_module(lanes), (name,), True)
+        source = jit.Source(f"sweep {lanes}", partial(_sweep_text, lanes), (name,), True)
         _WIDE[lanes] = jit.load(source)
     return _WIDE[lanes].addresses[sweep_name(lanes)]
 

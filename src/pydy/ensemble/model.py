@@ -83,6 +83,7 @@ class Results:
 
 
 _KERNELS: dict[tuple[str, int], Kernel] = {}
+_KEPT = 8  # of several models, for blocks that come one by one
 _LOCK = _forks.Lock()
 
 
@@ -91,6 +92,8 @@ def _kernel(program: Program, lanes: int) -> Kernel:
     key = (program.digest, lanes)
     with _LOCK:
         if key not in _KERNELS:
+            while len(_KERNELS) >= _KEPT:
+                del _KERNELS[next(iter(_KERNELS))]
             _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
         return _KERNELS[key]
 
