@@ -242,7 +242,9 @@ def make_ensemble(
     work = Work(model, reductions, described)
     # Work with few samples goes to all threads; large results come in pieces.
     row = 8.0 * len(names) * (len(times) if not reductions else 8)
-    default = int(min(max(_BYTES / row, _LEAST), _MOST))
+    # One by one takes long: an interrupt should find blocks that are finished.
+    most = _MOST if model.in_lanes else _LEAST
+    default = int(min(max(_BYTES / row, _LEAST), most))
     about = {
         "ode_solver": solver.name,
         "lanes": 8 if model.in_lanes else 1,

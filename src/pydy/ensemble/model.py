@@ -123,7 +123,12 @@ def run(
 
 
 def evaluate_outputs(
-    model: Model, r: np.ndarray, p: np.ndarray, times: np.ndarray, states: np.ndarray
+    model: Model,
+    r: np.ndarray,
+    p: np.ndarray,
+    times: np.ndarray,
+    states: np.ndarray,
+    stopped: Callable[[], bool],
 ) -> np.ndarray:
     """Return the outputs along trajectories (n, m, times), shape (outputs, m, times)."""
     program = model.outputs
@@ -136,7 +141,7 @@ def evaluate_outputs(
     kernel = _kernel(program, 1)
     out = np.empty((len(program.outputs), *states.shape[1:]))
     for k in range(states.shape[1]):
-        inputs = _inputs(model, r[k])
+        inputs = _inputs(model, r[k], stopped)
         x = np.ascontiguousarray(states[:, k].T)
         reached = np.isfinite(x).all(axis=1)
         rows = np.array(
@@ -154,10 +159,14 @@ def evaluate_outputs(
 # -- one by one -----------------------------------------------------------------------------------
 
 
-def _inputs(model: Model, r: np.ndarray) -> Callable[[np.ndarray, float], np.ndarray]:
+def _inputs(
+    model: Model, r: np.ndarray, stopped: Callable[[], bool]
+) -> Callable[[np.ndarray, float], np.ndarray]:
     """Return the function that gives all specifieds of one sample."""
 
     def inputs(x: np.ndarray, t: float) -> np.ndarray:
+        if stopped():
+            raise KeyboardInterrupt
         result = r.copy()
         for columns, samples in model.sampled:
             result[columns] = samples.at(t)
@@ -195,12 +204,13 @@ def _run_one_by_one(
             np.ascontiguousarray(p[k]),
             np.ascontiguousarray(r[k]),
             model.sampled,
-            _inputs(model, r[k]) if model.functions else None,
+            _inputs(model, r[k], stopped) if model.functions else None,
             lambda: model.states,
             None if jacobian is None else lambda: _kernel(jacobian, 1),
         )
         try:
-            one = Integration(model.method, _Rates(call), n, times, (r[k], p[k]), model.options)
+            args = (r[k], p[k])
+            one = Integration(model.method, _Rates(call), n, times, args, model.options, stopped)
             found = one.run(x[k])
             info = one.info()
         except IntegrationError as error:

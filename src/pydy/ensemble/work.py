@@ -39,6 +39,7 @@ class _EventTimes:
 
 
 Reduction = Extreme | _Final | _EventTimes | Callable[[Any], Any]
+_Outputs = Callable[[np.ndarray, np.ndarray], np.ndarray]  # of times and states
 
 
 def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tuple[Reduction, ...]:
@@ -132,7 +133,9 @@ class Work:
             times = times[[0, -1]]  # steps do not depend on the outputs
         x, r, p = samples.rows()
         results = run(model, x, r, p, times, stopped, states)
-        found = self._reduced(results, times, samples, r, p)
+        found = self._reduced(
+            results, times, lambda t, x: evaluate_outputs(model, r, p, t, x, stopped)
+        )
         for name in ("steps", "rejected", "evaluations", "status"):
             found[name] = Variable((), getattr(results, name))
         found["end_time"] = Variable((), results.reached)
@@ -154,25 +157,25 @@ class Work:
         }
 
     def _values(
-        self, names: Sequence[str], states: np.ndarray, times: np.ndarray, r: Any, p: Any
+        self, names: Sequence[str], states: np.ndarray, times: np.ndarray, outputs: _Outputs
     ) -> dict[str, np.ndarray]:
         """Return states and outputs by name, each of the shape (m, times)."""
         values = dict(zip(self.model.states, states, strict=True))
         if not set(names) <= set(values):
-            outputs = evaluate_outputs(self.model, r, p, times, states)
-            values |= dict(zip(self.model.output_names, outputs, strict=True))
+            values |= dict(zip(self.model.output_names, outputs(times, states), strict=True))
         return values
 
     def _reduced(
-        self, results: Results, times: np.ndarray, samples: Samples, r: Any, p: Any
+        self, results: Results, times: np.ndarray, outputs: _Outputs
     ) -> dict[str, Variable]:
         states = results.states
         if not self.reductions or self.function:
-            values = self._values(self.names, states, times, r, p)
+            values = self._values(self.names, states, times, outputs)
             return {name: Variable(("time",), values[name]) for name in self.names}
         found: dict[str, Variable] = {}
         extremes = [e for e in self.reductions if isinstance(e, Extreme)]
-        along = self._values([e.name for e in extremes], states, times, r, p) if extremes else {}
+        names = [e.name for e in extremes]
+        along = self._values(names, states, times, outputs)
         for entry in self.reductions:
             if isinstance(entry, Extreme):
                 take = np.fmax if entry.kind == "max" else np.fmin  # NaN is where there is nothing
@@ -180,7 +183,7 @@ class Work:
                 attrs = self.attrs.get(entry.name, {})
                 found[name] = Variable((), take.reduce(along[entry.name], axis=1), dict(attrs))
             elif isinstance(entry, _Final):
-                last = self._values(self.names, states[:, :, -1:], times[-1:], r, p)
+                last = self._values(self.names, states[:, :, -1:], times[-1:], outputs)
                 found |= {name: Variable((), last[name][:, 0]) for name in self.names}
             elif isinstance(entry, _EventTimes):
                 found |= self._event_times(results, entry.occurrences)

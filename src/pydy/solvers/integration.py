@@ -90,6 +90,8 @@ class Integration:
     times : ndarray
     args : tuple
     options : Options
+    stopped : callable
+        Asked now and then; True is as good as a Ctrl-C.
     """
 
     def __init__(
@@ -100,9 +102,10 @@ class Integration:
         times: np.ndarray,
         args: tuple[Any, ...],
         options: Options,
+        stopped: Callable[[], bool] = lambda: False,
     ) -> None:
         self.name, self.n, self.options = method, n, options
-        self.interrupts = Interrupts()
+        self.interrupts = Interrupts(stopped)
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
         self.span = float(times[-1] - times[0])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
+from collections.abc import Callable
 from types import FrameType
 from typing import Any
 
@@ -16,10 +17,16 @@ class Interrupts:
     A `KeyboardInterrupt` that Python raises on its way from compiled code into a callback would be
     lost: ctypes prints it and goes on with what lay in the result. A second Ctrl-C is raised at
     once, for a function of the user that hangs. Handlers other than Python's own are left alone,
-    and so are threads other than the main one, which get no signals.
+    and so are threads other than the main one, which get no signals: there, `stopped` tells.
+
+    Parameters
+    ----------
+    stopped : callable
+        Asked at every `check`: True is as good as a Ctrl-C.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, stopped: Callable[[], bool] = lambda: False) -> None:
+        self._stopped = stopped
         self._pending = False
         self._before: Any = None
 
@@ -41,5 +48,5 @@ class Interrupts:
 
     def check(self) -> None:
         """Raise the `KeyboardInterrupt` that waits, if one does."""
-        if self._pending:
+        if self._pending or self._stopped():
             raise KeyboardInterrupt

@@ -1,0 +1,93 @@
+"""Ctrl-C, as a shell sends it to a process, while trajectories are integrated one by one."""
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+from pathlib import Path
+
+import pytest
+import xarray as xr
+
+PATIENCE = 15.0  # seconds on a busy machine, where 0.1 are meant
+
+# The first of four samples ends at once, the others would take hours.
+SCRIPT = """
+    import signal
+    import sys
+
+    import sympy as sm
+
+    import zoo
+    from cases import system_of
+    from pydy.ensemble import store
+    from pydy.models import multi_mass_spring_damper
+    from pydy.solvers import Event
+
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    kind, path = sys.argv[1:]
+    if kind == "projection":
+        system, varied = system_of(zoo.fourbar()), sm.Symbol("g")
+        options = {"constraints": "project"}
+    else:
+        system = multi_mass_spring_damper(apply_external_forces=True)
+        varied = next(s for s in system.constants_symbols if s.name == "k0")
+        (force,) = system.specifieds_symbols
+        x, v = system.states
+        system.initial_conditions = {x: 1.0}
+        options = {
+            "function": {"specifieds": {force: lambda x, t: 0.0}},
+            "events": {"events": [Event(x - 1e9)]},
+            "radau": {"ode_solver": "radau"},
+        }[kind]
+    write = store.write
+
+    def tell(*arguments):
+        write(*arguments)
+        print("written", flush=True)
+
+    store.write = tell
+    try:
+        system.integrate_ensemble(
+            constants={varied: [1.0, 1e14, 1e14, 1e14]},
+            times=[0.0, 1.0, 2.0],
+            max_steps=10**15,
+            chunks=1,
+            workers=2,
+            store=path,
+            resume="x",
+            **options,
+        )
+    except KeyboardInterrupt:
+        print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.parametrize("kind", ["function", "events", "radau", "projection"])
+def test_ctrl_c_ends_an_ensemble_and_keeps_the_finished_blocks(tmp_path, kind):
+    script, path = tmp_path / "script.py", tmp_path / "s.zarr"
+    script.write_text(textwrap.dedent(SCRIPT), "utf-8")
+    tests = Path(__file__).parents[1]
+    process = subprocess.Popen(
+        [sys.executable, str(script), kind, str(path)],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join([str(tests), *sys.path])},
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    watchdog = threading.Timer(300.0, process.kill)
+    watchdog.start()
+    try:
+        assert process.stdout.readline() == "written\n"
+        time.sleep(0.3)  # the others are under way
+        process.send_signal(signal.SIGINT)
+        assert process.wait(timeout=PATIENCE) == 0
+        assert process.stdout.readline() == "interrupted\n"
+    finally:
+        watchdog.cancel()
+        process.kill()
+        process.communicate()
+    status = xr.open_zarr(path, consolidated=False).status.values
+    assert status.tolist() == [0, -1, -1, -1]
