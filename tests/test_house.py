@@ -36,11 +36,11 @@ FLOORS = {
     "_kernel": 2,
     "plot": 2,
     "inputs": 2,
+    "trajectory": 1.5,
     "_graph": 1,  # below _eom, which classifies constraints numerically
     "_cache_folder": 1,
     "_checks": 1,
     "errors": 1,
-    "trajectory": 1,
     "_dataset": 0,
     "_errors": 0,
     "_forks": 0,

@@ -107,11 +107,12 @@ def _plain(value: Any) -> Any:
 def _checked(path: Any) -> str:
     """Return a path as a string; xarray takes None for "return the bytes"."""
     try:
-        return os.fsdecode(path)
+        name = os.fsdecode(path)
     except TypeError:
-        raise TypeError(
-            f"`path` must be the name of a file, a string or a path, got {path!r}."
-        ) from None
+        name = "\0"
+    if "\0" in name:
+        raise TypeError(f"`path` must be the name of a file, a string or a path, got {path!r}.")
+    return name
 
 
 def read_netcdf(

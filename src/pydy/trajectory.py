@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from typing import Any, Protocol
 
 import numpy as np
 
+from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
 from pydy._dataset import read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
 from pydy._names import latex_of, latex_of_rate, name_of, unique_names, written_out
@@ -130,14 +131,24 @@ class Trajectory:
         model: Model | None = None,
         dense: Callable[[np.ndarray], np.ndarray] | None = None,
     ) -> None:
-        self.times = np.array(times, dtype=float)
+        self.times = np.array(real_array(times, "`times`"))
+        if self.times.ndim != 1 or not (np.diff(self.times) >= 0.0).all():
+            raise ValueError(f"`times` must be one-dimensional and ascending, got {shown(times)}.")
         m = len(self.times)
-        self._symbols = {kind: tuple(symbols.get(kind, ())) for kind in KINDS}
+        kinds = check_mapping("symbols", symbols)
+        self._symbols = {
+            kind: tuple(listed(f"symbols[{kind!r}]", kinds.get(kind, ()))) for kind in KINDS
+        }
         self.states = _table("states", states, m, len(self.state_symbols))
         self.outputs = _table("outputs", outputs, m, len(self.outputs_symbols))
         self.specifieds = _table("specifieds", specifieds, m, len(self.specifieds_symbols))
-        self.constants = dict(constants or {})
-        self.events = tuple(events)
+        self.constants = {
+            symbol: number(value, f"`constants[{symbol}]`")
+            for symbol, value in check_mapping("constants", constants).items()
+        }
+        self.events = tuple(listed("events", events, "EventRecord"))
+        if not all(isinstance(event, EventRecord) for event in self.events):
+            raise TypeError(f"`events` must hold objects of EventRecord, got {shown(events)}.")
         self.statistics = statistics
         self._model = model
         self._dense = dense
@@ -193,6 +204,8 @@ class Trajectory:
         ----------
         *kinds : {'coordinate', 'speed', 'auxiliary', 'output', 'constraint', 'force', 'specified'}
         """
+        for kind in kinds:
+            choice(kind, KINDS, "`kinds`")
         all_kinds = [kind for kind in KINDS for _ in self._symbols[kind]]
         return tuple(n for n, k in zip(self._names, all_kinds, strict=True) if k in kinds)
 
@@ -216,7 +229,7 @@ class Trajectory:
         return self._latex[name]
 
     def _find(self, key: Any) -> int:
-        k = self._place.get(key)
+        k = self._place.get(key) if isinstance(key, Hashable) else None
         if k is None:
             k = self._place_of_name.get(name_of(key))
             own = key if k is None else self._columns[k]
@@ -320,7 +333,7 @@ class Trajectory:
         >>> sys.simulate().at([0.05, 0.15])['x0'].round(6)
         array([0.998771, 0.989312])
         """
-        times = np.atleast_1d(np.asarray(times, dtype=float))
+        times = np.atleast_1d(real_array(times, "`times`"))
         if times.ndim != 1 or not (np.diff(times) >= 0.0).all():
             raise ValueError(f"`times` must be one-dimensional and ascending, got {times!r}.")
         outside = times[~((times >= self.times[0]) & (times <= self.times[-1]))]
@@ -342,8 +355,8 @@ class Trajectory:
             times,
             states,
             self._symbols,
-            outputs=outputs.reshape(len(times), -1),
-            specifieds=specifieds.reshape(len(times), -1),
+            outputs=outputs.reshape(len(times), len(self.outputs_symbols)),
+            specifieds=specifieds.reshape(len(times), len(self.specifieds_symbols)),
             constants=self.constants,
             events=self.events,
             statistics=self.statistics,
@@ -398,6 +411,7 @@ class Trajectory:
         ImportError
             xarray is not installed.
         """
+        derivatives, energy = flag(derivatives, "`derivatives`"), flag(energy, "`energy`")
         columns = {
             name: (kind, self.latex(name), self[name])
             for kind in KINDS
@@ -503,7 +517,7 @@ class Trajectory:
 
 def _table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
     """Return an own copy with one row for each time and one column for each symbol."""
-    table = np.empty((m, 0)) if values is None else np.array(values, dtype=float)
+    table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
     if table.shape != (m, width):
         raise ValueError(
             f"`{argument}` must have the shape ({m}, {width}), one row for each time and one "
