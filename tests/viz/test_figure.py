@@ -2,6 +2,7 @@
 
 import shutil
 import sys
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -98,3 +99,62 @@ def test_an_unknown_suffix_is_refused(scene, tmp_path, name, options):
 def test_frames_must_follow_each_other(scene, tmp_path):
     with pytest.raises(ValueError, match="`fps` must be positive"):
         scene.save(tmp_path / "a.gif", fps=0)
+
+
+def test_pictures_show_whole_bodies(tmp_path):
+    # The spheres fill the box that is to be seen, and its corners lie within the picture.
+    from matplotlib.image import imread
+
+    ends = [O.locatenew("A", x * N.x + y * N.y) for x in (-1, 1) for y in (-2, 2)]
+    balls = [Visual(Sphere(0.5, colour="red"), end) for end in ends]
+    scene = Scene(N, O, *balls, ground=False, title="Balls")
+    scene.animate([0.0], np.zeros((1, 0)), symbols=[])
+    picture = imread(scene.save(tmp_path / "a.png"))[:, :, :3]
+    coloured = np.ptp(picture, axis=2) > 0.3
+    edge = np.concatenate([coloured[0], coloured[-1], coloured[:, 0], coloured[:, -1]])
+    assert coloured.sum() > 5_000
+    assert not edge.any()
+
+
+def test_nothing_is_cut_at_the_rectangle_of_the_axes(scene):
+    axes = scene.to_matplotlib(0.55)
+    assert not any(artist.get_clip_on() for artist in (*axes.collections, *axes.lines[-3:]))
+
+
+def test_a_film_makes_its_artists_once_and_draws_each_frame_once(scene, tmp_path, monkeypatch):
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from mpl_toolkits.mplot3d import Axes3D
+
+    counts = {"drawn": 0, "made": 0}
+
+    def counted(kind, method):
+        def call(self, *args, **options):
+            counts[kind] += 1
+            return method(self, *args, **options)
+
+        return call
+
+    monkeypatch.setattr(FigureCanvasAgg, "draw", counted("drawn", FigureCanvasAgg.draw))
+    made = counted("made", Axes3D.add_collection3d)
+    monkeypatch.setattr(Axes3D, "add_collection3d", made)
+    scene.save(tmp_path / "a.gif", fps=10, dpi=40)
+    assert counts == {"drawn": 11, "made": 4}
+
+
+def test_frames_of_a_film_differ_as_the_scene_moves(scene, tmp_path):
+    from PIL import Image
+
+    frames = []
+    with Image.open(scene.save(tmp_path / "a.gif", fps=4, dpi=40)) as film:
+        for k in range(film.n_frames):
+            film.seek(k)
+            frames.append(np.array(film.convert("RGB"), dtype=int))
+    assert all(np.abs(a - b).max() > 100 for a, b in pairwise(frames))
+
+
+def test_a_bar_counts_the_frames(scene, tmp_path, capsys):
+    pytest.importorskip("tqdm")
+    scene.save(tmp_path / "a.gif", fps=4, dpi=40, progress=True)
+    assert "5/5" in capsys.readouterr().err
+    with pytest.raises(TypeError, match="`progress` must be True or False, got 'yes'"):
+        scene.save(tmp_path / "a.gif", progress="yes")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +26,7 @@ def draw(animation: Animation, look: Look, t: float, axes: Any = None) -> Any:
     if axes is None:
         from matplotlib.figure import Figure
 
-        figure = Figure(figsize=(7, 5), layout="tight")
-        axes = figure.add_subplot(projection="3d")
+        axes = _whole(Figure(figsize=(7, 5)))
     elif not hasattr(axes, "add_collection3d"):
         raise TypeError(
             "`axes` must be three-dimensional, made with subplot(projection='3d'), got the "
@@ -44,6 +44,7 @@ def save(
     fps: float,
     dpi: int,
     size: tuple[float, float],
+    progress: bool,
 ) -> None:
     """Save a film or a picture, as the suffix of the path says."""
     suffix = path.suffix.lower()
@@ -57,29 +58,62 @@ def save(
     require("matplotlib", "plot", "A picture or film of a scene")
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=size, layout="tight")
-    axes = figure.add_subplot(projection="3d")
-    drawing = _Drawing(animation, frame(animation, look), axes, look.title)
+    figure = Figure(figsize=size, dpi=dpi)
+    drawing = _Drawing(animation, frame(animation, look), _whole(figure), look.title)
+    start, end = float(animation.times[0]), float(animation.times[-1])
     if suffix in _PICTURES:
-        drawing.draw(float(animation.times[0]))
+        drawing.draw(start)
         figure.savefig(path, dpi=dpi)
         return
-    writer = _writer(suffix, fps)
-    start, end = float(animation.times[0]), float(animation.times[-1])
     count = max(1, round((end - start) / speed * fps)) + 1
+    instants: Iterable[float] = np.linspace(start, end, count)
+    if progress:
+        instants = require("tqdm.auto", "ensemble", "`progress=True`").tqdm(instants)
+    if suffix == ".gif":
+        _save_gif(drawing, figure, instants, path, fps)
+        return
+    writer = _mp4_writer(fps)
     with writer.saving(figure, str(path), dpi):
-        for t in np.linspace(start, end, count):
-            axes.clear()
+        for t in instants:
             drawing.draw(float(t))
             writer.grab_frame()
 
 
-def _writer(suffix: str, fps: Any) -> Any:
-    from matplotlib.animation import FFMpegWriter, PillowWriter
+def _whole(figure: Any) -> Any:
+    """Return Axes that are as large as their figure: what is beyond them is beyond the picture."""
+    return figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
 
-    if suffix == ".gif":
-        require("PIL", "plot", "A GIF film of a scene")
-        return PillowWriter(fps=fps)
+
+def _save_gif(
+    drawing: _Drawing, figure: Any, instants: Iterable[float], path: Path, fps: float
+) -> None:
+    """Save a GIF: each frame is drawn once, and its colours are chosen by an octree.
+
+    Matplotlib's writer draws through `savefig` and leaves the choice to Pillow's median cut, which
+    takes as long as drawing.
+    """
+    require("PIL", "plot", "A GIF film of a scene")
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
+
+    canvas = FigureCanvasAgg(figure)
+
+    def frames() -> Iterator[Any]:
+        for t in instants:
+            drawing.draw(float(t))
+            canvas.draw()
+            pixels = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba())
+            yield pixels.convert("RGB").quantize(
+                method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE
+            )
+
+    rest = frames()
+    next(rest).save(path, save_all=True, append_images=rest, duration=int(1000.0 / fps), loop=0)
+
+
+def _mp4_writer(fps: Any) -> Any:
+    from matplotlib.animation import FFMpegWriter
+
     if not FFMpegWriter.isAvailable():
         raise FileNotFoundError(
             "MP4 films need the program ffmpeg, which was not found. Install it (Debian and "
@@ -92,7 +126,7 @@ def _writer(suffix: str, fps: Any) -> Any:
 
 
 class _Drawing:
-    """Draws instants of an animation into one Axes3D."""
+    """Draws instants of an animation into one Axes3D, whose artists it makes once."""
 
     def __init__(self, animation: Animation, seen: Framing, axes: Any, title: str) -> None:
         self.animation = animation
@@ -104,39 +138,58 @@ class _Drawing:
         self.turn = np.stack([seen.right, -depth, seen.up])
         self.light = self.turn @ (0.9 * depth + 0.7 * seen.right + 2.2 * seen.up)
         self.light /= np.linalg.norm(self.light)
+        self.artists: dict[tuple[int, str], Any] = {}
+        self.grid: list[Any] = []
+        self.target: np.ndarray | None = None  # what the camera looks at
+        self.zoom = 1.0
 
     def draw(self, t: float) -> None:
-        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
-
-        axes, seen = self.axes, self.seen
+        seen = self.seen
         instant = self.animation.at(t)
         target = seen.target.copy()
         if seen.path is not None:
             row = [np.interp(t, self.animation.times, seen.path[:, k]) for k in range(3)]
             target += np.array(row)
-        self._frame(target)
-        for item, whole in zip(instant.items, self.animation.items, strict=True):
+        if self.target is None or not np.array_equal(target, self.target):
+            self._frame(target)
+        self.target = target
+        for k, (item, whole) in enumerate(zip(instant.items, self.animation.items, strict=True)):
             colour, shape = item.shape.colour, item.shape
             if isinstance(shape, Trace) or item.visual.trail:
                 past = self.animation.times <= t
                 if isinstance(shape, Trace) and shape.duration is not None:
                     past &= self.animation.times >= t - shape.duration
                 path = np.concatenate([whole.positions[past], item.positions])
-                axes.plot(*(self.turn @ path.T), color=colour, linewidth=1.2, alpha=0.8)
+                self._line((k, "path"), path, color=colour, linewidth=1.2, alpha=0.8)
             if isinstance(shape, Line) and shape.radius is None and item.points is not None:
-                axes.plot(*(self.turn @ item.points[0].T), color=colour, linewidth=1.5)
+                self._line((k, "line"), item.points[0], color=colour, linewidth=1.5)
             triangles = item.surface()
             if triangles is None:
                 continue
             vertices, faces = triangles
             corners = (vertices @ self.turn.T)[faces]
-            colours = self._shaded(corners, colour, shape.opacity)
-            # Without edges the seams between triangles shine through.
-            axes.add_collection3d(
-                Poly3DCollection(corners, facecolors=colours, edgecolors=colours, linewidths=0.3)
+            self._surface((k, "surface"), corners, self._shaded(corners, colour, shape.opacity))
+
+    def _line(self, key: tuple[int, str], points: np.ndarray, **style: Any) -> None:
+        columns = self.turn @ points.T
+        if key in self.artists:
+            self.artists[key].set_data_3d(*columns)
+        else:
+            (self.artists[key],) = self.axes.plot(*columns, clip_on=False, **style)
+
+    def _surface(self, key: tuple[int, str], corners: np.ndarray, colours: np.ndarray) -> None:
+        from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+        if key not in self.artists:
+            self.artists[key] = Poly3DCollection(
+                corners, facecolors=colours, edgecolors=colours, linewidths=0.3, clip_on=False
             )
-        if self.title:
-            axes.set_title(self.title)
+            self.axes.add_collection3d(self.artists[key])
+            return
+        self.artists[key].set_verts(corners)
+        # Without edges the seams between triangles shine through.
+        self.artists[key].set_facecolor(colours)
+        self.artists[key].set_edgecolor(colours)
 
     def _shaded(self, corners: np.ndarray, colour: str, opacity: float) -> np.ndarray:
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -145,6 +198,27 @@ class _Drawing:
         bright = 0.7 + 0.3 * normals @ self.light
         base = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
         return np.column_stack([bright[:, None] * base, np.full(len(corners), opacity)])
+
+    def _fit(self, middle: np.ndarray, edges: np.ndarray) -> None:
+        """Choose the zoom with which the box to be seen just fits into the picture."""
+        from mpl_toolkits.mplot3d.proj3d import proj_transform
+
+        axes, half = self.axes, np.abs(self.turn) @ self.seen.extent / 2
+        signs = np.stack(np.meshgrid(*[[-1.0, 1.0]] * 3), -1).reshape(-1, 3)
+        corners = (middle + signs * half).T
+        whole, titled = axes.figure.bbox, 30.0 if self.title else 0.0
+        low, high = np.array([whole.x0, whole.y0]), np.array([whole.x1, whole.y1 - titled])
+        if axes.get_position(original=True).size[0] < 1.0:  # one of several
+            low, high = axes.bbox.min, axes.bbox.max
+        for _ in range(4):  # the perspective grows with the zoom
+            axes.set_box_aspect(edges, zoom=self.zoom)
+            axes.apply_aspect()
+            x, y, _ = proj_transform(*corners, axes.get_proj())
+            seen = axes.transData.transform(np.stack([x, y], -1))
+            centre = (axes.bbox.min + axes.bbox.max) / 2
+            room = np.where(seen > centre, high - centre, centre - low)
+            self.zoom *= 0.96 / float((np.abs(seen - centre) / room).max())
+        axes.set_box_aspect(edges, zoom=self.zoom)
 
     def _frame(self, target: np.ndarray) -> None:
         """Set limits, direction of view, and draw the ground's grid."""
@@ -155,18 +229,26 @@ class _Drawing:
         if seen.ground is not None:
             limits[2, 0] = min(limits[2, 0], seen.ground)
         axes.set(xlim=limits[0], ylim=limits[1], zlim=limits[2])
-        axes.set_box_aspect(limits[:, 1] - limits[:, 0], zoom=1.25)
+        edges = limits[:, 1] - limits[:, 0]
+        axes.set_box_aspect(edges, zoom=self.zoom)
         x, y, z = self.turn @ seen.direction
         axes.view_init(
             elev=float(np.degrees(np.arcsin(np.clip(z, -1, 1)))),
             azim=float(np.degrees(np.arctan2(y, x))),
         )
         axes.set_axis_off()
+        if self.target is None:
+            if self.title:
+                axes.set_title(self.title, y=1.0, pad=0.0)
+            self._fit(middle, edges)
+        for line in self.grid:
+            line.remove()
+        self.grid = []
         if seen.ground is None:
             return
         (x0, x1), (y0, y1) = limits[:2]
         style = {"color": "0.8", "linewidth": 0.5, "zorder": -1}
         for x in seen.cell * np.arange(np.ceil(x0 / seen.cell), np.floor(x1 / seen.cell) + 1):
-            axes.plot([x, x], [y0, y1], [seen.ground] * 2, **style)
+            self.grid += axes.plot([x, x], [y0, y1], [seen.ground] * 2, **style)
         for y in seen.cell * np.arange(np.ceil(y0 / seen.cell), np.floor(y1 / seen.cell) + 1):
-            axes.plot([x0, x1], [y, y], [seen.ground] * 2, **style)
+            self.grid += axes.plot([x0, x1], [y, y], [seen.ground] * 2, **style)

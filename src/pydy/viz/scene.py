@@ -313,7 +313,13 @@ class Scene:
         return draw(moving, self._look, instant, axes)
 
     def save(
-        self, path: Any, *, fps: float = 30.0, dpi: int = 120, size: tuple[float, float] = (7, 5)
+        self,
+        path: Any,
+        *,
+        fps: float = 30.0,
+        dpi: int = 120,
+        size: tuple[float, float] = (7, 5),
+        progress: bool = False,
     ) -> Path:
         """Save a film (``.mp4``, ``.gif``) or a picture of the first instant (``.png``, ``.pdf``…).
 
@@ -326,6 +332,8 @@ class Scene:
         dpi : int, optional
         size : (float, float), optional
             Width and height in inches.
+        progress : bool, optional
+            Whether a bar counts the pictures of a film; needs tqdm.
 
         Returns
         -------
@@ -341,7 +349,8 @@ class Scene:
         from pydy.viz.figure import save
 
         target = path_of(path, "`path`")
-        save(self._moving(), self._look, self._speed, target, fps, dpi, size)
+        bar = flag(progress, "`progress`")
+        save(self._moving(), self._look, self._speed, target, fps, dpi, size, bar)
         return target
 
 
