@@ -27,6 +27,7 @@ from pydy._graph.node import Graph
 from pydy._graph.passes import Passes
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
+from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
 from pydy._graph.structure import difference_basis
 
@@ -190,6 +191,12 @@ class Assembly:
         own = self.fork()
         return own.lowered([(name, shape, own.read(expressions, name))], own.graph, sizes)
 
+    def bounded_program(self, name: str) -> Program:
+        """Return the Program of a block and of bounds on its rounding errors, as 'rounding'."""
+        own = self.fork()
+        nodes: list[int] = getattr(own, name)
+        return own.lowered([(name, (len(nodes),), nodes)], own.graph, bounded=name)
+
     def jacobian_program(self, name: str, group: str) -> Program:
         """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
         width = dict(zip("xrp", self.sizes, strict=True))[group]
@@ -218,8 +225,12 @@ class Assembly:
         blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
         graph: Graph | None = None,
         sizes: tuple[int, int, int] | None = None,
+        bounded: str | None = None,
     ) -> Program:
         """Simplify and lower blocks of nodes, of this graph and of its sizes by default.
+
+        The rounding bounds of the block `bounded` follow as a further block, 'rounding'; they are
+        those of the nodes as simplified, which are what is computed.
 
         Each Program starts from the equations as they are: it does not depend on which others were
         made before.
@@ -233,6 +244,10 @@ class Assembly:
             for name, shape, part in blocks:
                 new.append((name, shape, nodes[start : start + len(part)]))
                 start += len(part)
+                if name == bounded:
+                    bounds = rounding_bounds(graph, new[-1][2])
+            if bounded is not None:
+                new.append(("rounding", (len(bounds),), bounds))
             return lower(graph, sizes or self.sizes, new, passes=self.passes)
 
     def fingerprint(self) -> bytes:

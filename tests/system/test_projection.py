@@ -321,7 +321,7 @@ def sliding(kane, **options):
 
 def test_a_redundant_constraint_is_held_and_named_once():
     system = sliding(redundant())
-    with pytest.warns(PyDyUserWarning, match="These constraints follow from others") as caught:
+    with pytest.warns(PyDyUserWarning, match="Redundant constraints at t = 0.0: ") as caught:
         x = system.integrate(constraints="project")
     assert len(caught) == 1
     assert "holonomic constraint 1: -2*x(t) + 2*y(t)" in str(caught[0].message)
@@ -345,7 +345,7 @@ def test_constraints_that_are_independent_are_not_warned_of():
 def test_constraints_that_contradict_each_other_are_an_integration_error():
     kane = pair(lambda x, y, z: [y - x, y - x - 1], lambda vx, vy, vz: [vy - vx])
     with (
-        pytest.warns(PyDyUserWarning, match="follow from others"),
+        pytest.warns(PyDyUserWarning, match="Redundant constraints"),
         pytest.raises(IntegrationError, match="the projection did not converge"),
     ):
         sliding(kane).integrate(constraints="project")

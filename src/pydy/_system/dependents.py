@@ -15,6 +15,7 @@ from pydy._system.definition import Definition
 from pydy._system.evaluation import evaluate
 from pydy.codegen.arguments import describe
 from pydy.codegen.right_hand_side import RightHandSide
+from pydy.solvers.constraints import satisfied
 
 __all__ = ["check_dependents", "solve_dependents"]
 
@@ -93,7 +94,7 @@ def solve_dependents(
         return row
 
     if coordinates:
-        residual = implementation.compiled("holonomic")
+        bounded, size = implementation.compiled_bounded("holonomic"), len(coordinates)
 
         def placed(z: np.ndarray) -> np.ndarray:
             state = x.copy()
@@ -108,13 +109,12 @@ def solve_dependents(
                 **root_kwargs,
             }
         solution = optimize.root(
-            lambda z: value(residual, placed(z)), x[coordinates], **root_kwargs
+            lambda z: value(bounded, placed(z))[:size], x[coordinates], **root_kwargs
         )
         x[coordinates] = solution.x
-        left = value(residual, x)
+        left, rounding = np.split(value(bounded, x), 2)
         # hybr can stop short of its step criterion with nothing left to improve.
-        close = np.abs(left).max() <= 1e-10 * max(1.0, float(np.abs(x).max()))
-        if not close and not (solution.success and np.isfinite(left).all()):
+        if not satisfied(left, rounding) and not (solution.success and np.isfinite(left).all()):
             names = [definition.states[k] for k in coordinates]
             warnings.warn(
                 f"The holonomic constraints did not converge for {describe(names)}: the largest "

@@ -226,4 +226,4 @@ def _projection(assembly: Assembly) -> Program:
         "kinetic_hessian": assembly.kinetic_hessian,
     }
     blocks = [(name, (len(nodes),), nodes) for name, nodes in parts.items()]
-    return assembly.lowered(blocks, graph)
+    return assembly.lowered(blocks, graph, bounded="holonomic")

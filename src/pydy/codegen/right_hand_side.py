@@ -172,6 +172,16 @@ class RightHandSide:
             ),
         )
 
+    def compiled_bounded(self, block: str) -> Kernel:
+        """Return the Kernel of a block and its rounding bounds; see `Assembly.bounded_program`."""
+        assembly = self.assembly
+        return self.compiled_by(
+            (block, "bounded"),
+            lambda: stored_program(
+                assembly, f"{block}, bounded", lambda: assembly.bounded_program(block)
+            ),
+        )
+
     def compiled_expressions(
         self, name: str, shape: tuple[int, ...], expressions: tuple[Any, ...]
     ) -> Kernel:

@@ -187,7 +187,7 @@ def _run_one_by_one(
     states: np.ndarray,
 ) -> Results:
     """Integrate with the solver of single trajectories."""
-    from pydy._errors import IntegrationError
+    from pydy._errors import IntegrationError, warn_user
     from pydy.solvers.integration import Integration
 
     m, n = x.shape
@@ -195,7 +195,7 @@ def _run_one_by_one(
     counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
     states[:] = np.nan
     results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
-    jacobian = model.jacobian
+    jacobian, passage = model.jacobian, ""
     for k in range(m):
         if stopped():
             raise KeyboardInterrupt
@@ -213,10 +213,13 @@ def _run_one_by_one(
             one = Integration(model.method, _Rates(call), n, times, args, model.options, stopped)
             found = one.run(x[k])
             info = one.info()
+            passage = passage or one.passage()
         except IntegrationError as error:
             found, info = error.states, error.info
         results.states[:, k, : len(found)] = found.T
         _take(results, k, info)
+    if passage:
+        warn_user(f"In one sample or more {passage}")
     return results
 
 

@@ -2,15 +2,39 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 
 from pydy._kernel import Kernel
 
-__all__ = ["CompiledConstraints"]
+__all__ = ["NEARLY_SINGULAR", "ROUNDINGS", "CompiledConstraints", "satisfied"]
+
+ROUNDINGS = 8.0
+"""The largest residual of a constraint that is satisfied, in units of its rounding bound."""
+
+NEARLY_SINGULAR = 1e-5
+"""How near to losing rank the rows of velocity constraints no longer tell the way on.
+
+Positions, which are known to a rounding, tell two branches that cross apart down to its square
+root, about 1e-8.
+"""
 
 _DEPENDENT = 1e-9
+_EPS = 2.0**-52
+
+
+def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
+    """Return whether residuals are nothing but rounding.
+
+    Parameters
+    ----------
+    residuals : ndarray, shape (h,)
+    bounds : ndarray, shape (h,)
+        On their rounding errors, in units of 2⁻⁵²; see `pydy._graph.rounding`.
+    """
+    return bool((np.abs(residuals) <= ROUNDINGS * _EPS * bounds).all())
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,8 +45,8 @@ class CompiledConstraints:
     ----------
     kernel : Kernel
         Outputs, one after the other: holonomic residuals (h), velocity residuals (v), ∂h/∂q
-        (h, q), N of q' = N u (q, u), ∂v/∂u (v, u), and the unreduced mass matrix (u, u) where
-        `weighted`.
+        (h, q), N of q' = N u (q, u), ∂v/∂u (v, u), the unreduced mass matrix (u, u) where
+        `weighted`, and bounds on the rounding errors of the holonomic residuals (h).
     holonomic, velocity, coordinates, speeds : int
     weighted : bool
         Whether corrections are measured by the mass matrix; by their square sum otherwise.
@@ -52,6 +76,41 @@ class CompiledConstraints:
             *(_dependent(part["velocity_gradient"].reshape(self.velocity, self.speeds))),
         ]
         return [name for name, found in zip(self.names, rows, strict=True) if found]
+
+    def combination(
+        self, values: np.ndarray, longest: np.ndarray, rank: int
+    ) -> tuple[float, list[str]]:
+        """Return how near the velocity constraints are to losing rank, and which of them do.
+
+        Parameters
+        ----------
+        values : ndarray
+            What the kernel gives at some state.
+        longest : ndarray, shape (v,)
+            The lengths of their rows elsewhere, in the norm of corrections.
+        rank : int
+            Elsewhere.
+
+        Returns
+        -------
+        nearness : float
+            The least singular value of the rows in units of `longest`, but for those that are zero
+            elsewhere too.
+        names : list of str
+            Of the constraints whose combination then vanishes.
+        """
+        part = {b.name: values[b.start : b.stop] for b in self.kernel.program.blocks}
+        rows = part["velocity_gradient"].reshape(self.velocity, self.speeds)
+        if self.weighted:
+            hessian = part["kinetic_hessian"].reshape(self.speeds, self.speeds)
+            with suppress(np.linalg.LinAlgError):
+                rows = np.linalg.solve(np.linalg.cholesky(hessian), rows.T).T
+        left, sizes, _ = np.linalg.svd(rows / np.where(longest > 0.0, longest, 1.0)[:, None])
+        parts = np.abs(left[:, rank - 1])
+        names = self.names[self.holonomic :]
+        return float(sizes[rank - 1]), [
+            name for name, size in zip(names, parts, strict=True) if size > 0.1 * parts.max()
+        ]
 
 
 def _dependent(rows: np.ndarray) -> list[bool]:

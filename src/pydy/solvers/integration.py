@@ -11,7 +11,6 @@ from collections.abc import Callable
 from functools import cache
 from time import perf_counter
 from typing import Any
-from warnings import warn
 from weakref import WeakSet
 
 import numpy as np
@@ -20,11 +19,11 @@ from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
     MissingDependencyError,
-    PyDyUserWarning,
+    warn_user,
 )
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
-from pydy.solvers.constraints import CompiledConstraints
+from pydy.solvers.constraints import NEARLY_SINGULAR, CompiledConstraints
 from pydy.solvers.events import CompiledEvents, EventRecord
 from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.methods import IMPLICIT, tableau_of
@@ -37,6 +36,7 @@ from pydy.solvers.outcome import (
     NOT_COMPUTED,
     OUTCOMES,
     RESET_NOT_FINITE,
+    SINGULAR_CONFIGURATION,
     START_OFF_CONSTRAINTS,
     STEP_UNDERFLOW,
     TERMINATED,
@@ -47,7 +47,7 @@ from pydy.solvers.workspace import Workspace
 
 __all__ = ["Integration"]
 
-_TOLD: WeakSet[Kernel] = WeakSet()  # whose dependent constraints have been told of
+_TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
 
 _SLICE = 0.02  # seconds in compiled code, about
 _CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time are accumulating
@@ -231,6 +231,7 @@ class Integration:
         if self._tight:
             self._check_tolerances()
         if self.options.constraints is not None:
+            self.arrays.seen[:] = 0.0
             self._tell_dependent(self.options.constraints)
             self._project_start()
         if self.options.events is not None:
@@ -238,7 +239,7 @@ class Integration:
             self._look_at_start(self.options.events)
 
     def _tell_dependent(self, wanted: CompiledConstraints) -> None:
-        """Warn, once for each system, of constraints that others imply."""
+        """Warn, once for each system, of redundant constraints."""
         call = self.call
         assert call is not None
         if wanted.kernel in _TOLD:
@@ -247,12 +248,19 @@ class Integration:
         t = float(self.progress.state[at.TIME])
         names = wanted.dependent(call.evaluate(wanted.kernel, self.memory.x[: self.n].copy(), t))
         if names:
-            warn(
-                f"These constraints follow from others at t = {t!r}, and are held without being "
-                f"counted: {'; '.join(names)}. Leave them out if that is so in every state.",
-                PyDyUserWarning,
-                stacklevel=6,
+            warn_user(
+                f"Redundant constraints at t = {t!r}: {'; '.join(names)}. They are enforced but do "
+                "not raise the rank. Leave them out if that is so in every state."
             )
+
+    def _combined(self, x: np.ndarray, t: float) -> tuple[float, str]:
+        """Return how near the constraints are to losing rank in a state, and which of them do."""
+        wanted, call, seen = self.options.constraints, self.call, self.arrays.seen
+        if wanted is None or call is None or not seen[at.RANK] or not np.isfinite(x).all():
+            return 1.0, ""
+        values, longest = call.evaluate(wanted.kernel, x, t), seen[at.WHERE + self.n :]
+        nearness, names = wanted.combination(values, longest, int(seen[at.RANK]))
+        return nearness, "; ".join(names)
 
     def _project_start(self) -> None:
         """Move the initial state onto the constraints, unless it is far from them."""
@@ -388,6 +396,23 @@ class Integration:
             "events": list(self.records),
         }
 
+    def passage(self) -> str:
+        """Return where the latest run came too near to a singular configuration, or nothing.
+
+        Beyond it the branches of the motion may have been mixed up.
+        """
+        seen = self.arrays.seen
+        if not seen.size or not seen[at.RANK] or seen[at.NEARNESS] > NEARLY_SINGULAR:
+            return ""
+        t = float(seen[at.WHEN])
+        rows = self._combined(seen[at.WHERE : at.WHERE + self.n].copy(), t)[1]
+        return (
+            f"`{self.name}` passed a singular configuration of the constraints at t = {t!r}, where "
+            f"a combination of these rows vanishes: {rows}. From there the motion may have gone on "
+            "along another branch, with another energy. Compare the energy before and after, and "
+            "runs at other tolerances; other constraints may have no such configuration."
+        )
+
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()
         return names[k] if k < len(names) else f"x[{k}]"
@@ -402,12 +427,19 @@ class Integration:
         if not np.isfinite(self._x0).all():
             raise ValueError(f"`x0` must be finite, got {self._x0}.")
         step = float(self.progress.state[at.SIZE])
-        self._stop(
-            int(self.progress.counts[at.FAILURE]) if code == STEP_UNDERFLOW else code,
-            max_steps=self.options.max_steps,
-            step=step,
-            size=f" with a step size of {step:.3g}" if np.isfinite(step) and step else "",
-        )
+        if code == STEP_UNDERFLOW:
+            code = int(self.progress.counts[at.FAILURE])
+        details: dict[str, Any] = {
+            "max_steps": self.options.max_steps,
+            "step": step,
+            "size": f" with a step size of {step:.3g}" if np.isfinite(step) and step else "",
+        }
+        t = float(self.progress.state[at.TIME])
+        nearness, rows = self._combined(self.memory.x[: self.n].copy(), t)
+        if nearness < NEARLY_SINGULAR:
+            what = OUTCOMES[code].text.format(**details)
+            self._stop(SINGULAR_CONFIGURATION, rows=rows, what=what)
+        self._stop(code, **details)
 
     @property
     def status(self) -> str:

@@ -21,6 +21,9 @@ STARTED, STEPS, REJECTED, EVALUATIONS, JACOBIANS, FACTORISATIONS = range(6)
 NEXT, BUDGET, LIMIT, FAILURE, LOGGED, PROJECTIONS = range(6, 12)
 # Constraints.words
 ACTIVE, PROJECTOR, HOLONOMIC, VELOCITY, COORDINATES, SPEEDS, WEIGHTED, PROJECT = range(8)
+# Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
+# it was nearest to losing it.
+RANK, NEARNESS, WHEN, WHERE = range(4)
 # Watch.words
 WATCHER, EVENTS, SCAN = range(3)
 
@@ -89,7 +92,9 @@ class Constraints(NamedTuple):
 
     words: np.ndarray  # int64
     c: np.ndarray
-    values: np.ndarray  # residuals (h), (v); ∂h/∂q (h, q); N (q, u); ∂v/∂u (v, u); M (u, u)
+    # residuals (h), (v); ∂h/∂q (h, q); N (q, u); ∂v/∂u (v, u); M (u, u); rounding bounds (h);
+    # then what the projection notes: `RANK` and so on, a state, the longest that rows were (v)
+    values: np.ndarray
 
 
 class Watch(NamedTuple):

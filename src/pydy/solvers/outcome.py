@@ -20,6 +20,7 @@ __all__ = [
     "OUTCOMES",
     "RESET_NOT_FINITE",
     "SINGULAR",
+    "SINGULAR_CONFIGURATION",
     "START_OFF_CONSTRAINTS",
     "STEP_UNDERFLOW",
     "TERMINATED",
@@ -33,6 +34,7 @@ NOT_COMPUTED = -1
 FINISHED, TOO_MANY_STEPS, STEP_UNDERFLOW, SINGULAR, NOT_FINITE, TERMINATED = range(6)
 CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = range(6, 10)
 INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
+SINGULAR_CONFIGURATION = 14
 
 
 class Outcome(NamedTuple):
@@ -119,5 +121,12 @@ OUTCOMES = {
         "reset_not_finite",
         "met the event `{event}`, whose reset gave {state}",
         "Check its expressions.",
+    ),
+    SINGULAR_CONFIGURATION: Outcome(
+        "singular_configuration",
+        "stopped at a singular configuration of the constraints, where a combination of these rows "
+        "vanishes ({rows}): it {what},",
+        "Several motions may continue from there, and the constraints do not tell which. Another "
+        "step size or tolerance may pass it; other constraints may have no such configuration.",
     ),
 }

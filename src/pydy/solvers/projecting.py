@@ -14,17 +14,22 @@ import math
 import numpy as np
 
 from pydy.solvers.compiled import inlined, part
+from pydy.solvers.constraints import NEARLY_SINGULAR, ROUNDINGS
 from pydy.solvers.entrance import opened_constraints, opened_problem, opened_progress
 from pydy.solvers.intrinsics import address_of, call_kernel, numbers_at
 from pydy.solvers.layout import (
     COORDINATES,
     HOLONOMIC,
+    NEARNESS,
     PROJECTIONS,
     PROJECTOR,
+    RANK,
     SPEEDS,
     STATES,
     VELOCITY,
     WEIGHTED,
+    WHEN,
+    WHERE,
 )
 from pydy.solvers.outcome import CONSTRAINTS_NOT_MET
 from pydy.solvers.rates import set_inputs
@@ -85,10 +90,12 @@ def _minimum_norm(rows, right):
     """Return the least y with ``rows @ y = right``; `right` keeps what no y can reach.
 
     Rows are scaled to unit length and orthogonalised, the longest first; both arrays are
-    overwritten.
+    overwritten. Also returned are the lengths of the rows as they came, and what orthogonalisation
+    left of them: 0 of those that follow from others.
     """
     m, n = rows.shape
     y = np.zeros(n)
+    lengths, kept = np.zeros(m), np.zeros(m)
     scale = np.empty(m)
     left = np.empty(m, dtype=np.bool_)
     for i in range(m):
@@ -97,7 +104,8 @@ def _minimum_norm(rows, right):
         for k in range(n):
             norm += rows[i, k] * rows[i, k]
         if norm > 0.0:
-            scale[i] = 1.0 / math.sqrt(norm)
+            lengths[i] = math.sqrt(norm)
+            scale[i] = 1.0 / lengths[i]
             right[i] *= scale[i]
             for k in range(n):
                 rows[i, k] *= scale[i]
@@ -114,6 +122,7 @@ def _minimum_norm(rows, right):
             break
         left[pivot] = False
         length = math.sqrt(longest)
+        kept[pivot] = length * lengths[pivot]
         z = right[pivot] / length
         right[pivot] = 0.0
         for k in range(n):
@@ -129,7 +138,7 @@ def _minimum_norm(rows, right):
                     rows[i, k] -= along * rows[pivot, k]
     for i in range(m):
         right[i] /= scale[i]
-    return y
+    return y, lengths, kept
 
 
 @inlined(allocates=True)
@@ -149,6 +158,29 @@ def _negative(values, start, m):
     return vector
 
 
+@inlined(pasted=True)
+def _watch(seen, t, x, lengths, kept):
+    """Note where a row was nearest to following from others, or first was very near to it.
+
+    Rows are measured by the longest they have been: one that vanishes has lost its part too.
+    """
+    longest = WHERE + x.size
+    rank, nearness = 0, 1.0
+    for i in range(kept.size):
+        seen[longest + i] = max(seen[longest + i], lengths[i])
+        if kept[i] > 0.0:
+            rank += 1
+            nearness = min(nearness, kept[i] / seen[longest + i])
+    if rank > seen[RANK]:
+        seen[RANK], seen[NEARNESS] = rank, 1.0
+    elif rank < seen[RANK]:
+        nearness = 0.0
+    if nearness < seen[NEARNESS] and seen[NEARNESS] > NEARLY_SINGULAR:
+        seen[NEARNESS], seen[WHEN] = nearness, t
+        for i in range(x.size):
+            seen[WHERE + i] = x[i]
+
+
 @part("int64")
 def project(table, t, place):
     """Move the state at an address onto the constraints; 0, or CONSTRAINTS_NOT_MET."""
@@ -160,6 +192,8 @@ def project(table, t, place):
     at_kinematics = at_gradient + h * q
     at_velocity = at_kinematics + q * u
     at_mass = at_velocity + v * u
+    at_rounding = at_mass + words[WEIGHTED] * u * u
+    at_worst = at_rounding + h
     set_inputs(problem, t)
     counts[PROJECTIONS] += 1
     factor = np.zeros((u, u))
@@ -177,21 +211,14 @@ def project(table, t, place):
         )
         if code < 0:
             return CONSTRAINTS_NOT_MET
-        # In units of rounding errors: of angles and lengths as they are, and of 1 at least, for
-        # expressions in which larger terms cancel.
-        worst = rough = 0.0
-        gradient = _table(values, at_gradient, h, q)
+        # In units of what rounding may make of them.
+        worst = 0.0
         for i in range(h):
-            scale = wide = 0.0
-            for j in range(q):
-                scale += abs(gradient[i, j]) * max(abs(x[j]), 1e-3)
-                wide += abs(gradient[i, j]) * max(abs(x[j]), 1.0)
             if values[i] != 0.0:
-                worst = max(worst, abs(values[i]) / (_EPS * scale))
-                rough = max(rough, abs(values[i]) / (_EPS * wide))
+                worst = max(worst, abs(values[i]) / (_EPS * values[at_rounding + i]))
             if values[i] != values[i]:
                 return CONSTRAINTS_NOT_MET
-        if worst <= 4.0 or (worst >= 0.5 * before and rough <= 256.0):
+        if worst <= 1.0 or (worst >= 0.5 * before and worst <= ROUNDINGS):
             break
         if iteration == _ITERATIONS - 1:
             return CONSTRAINTS_NOT_MET
@@ -200,6 +227,7 @@ def project(table, t, place):
             factor = _table(values, at_mass, u, u)
             _factor(factor)
         kinematics = _table(values, at_kinematics, q, u)
+        gradient = _table(values, at_gradient, h, q)
         rows = np.zeros((h, u))
         for i in range(h):
             for k in range(u):
@@ -212,7 +240,7 @@ def project(table, t, place):
                     rows[i, k] = 0.0  # nothing but rounding, as in the norm of a quaternion
         _divide_rows(rows, factor)
         right = _negative(values, 0, h)
-        step = _minimum_norm(rows, right)
+        step, _, _ = _minimum_norm(rows, right)
         _divide_transposed(factor, step)
         for j in range(q):
             for k in range(u):
@@ -221,7 +249,7 @@ def project(table, t, place):
         for i in range(h):
             rest = max(rest, abs(right[i]))
         if rest > 0.0:  # rows that no speed reaches, or that others imply
-            step = _minimum_norm(gradient, right)
+            step, _, _ = _minimum_norm(gradient, right)
             for j in range(q):
                 x[j] += step[j]
     if v > 0:
@@ -230,8 +258,9 @@ def project(table, t, place):
             _factor(factor)
         rows = _table(values, at_velocity, v, u)
         _divide_rows(rows, factor)
-        step = _minimum_norm(rows, _negative(values, h, v))
+        step, lengths, kept = _minimum_norm(rows, _negative(values, h, v))
         _divide_transposed(factor, step)
         for k in range(u):
             x[q + k] += step[k]
+        _watch(values[at_worst:], t, x, lengths, kept)
     return 0

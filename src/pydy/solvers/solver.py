@@ -228,6 +228,8 @@ class Prepared:
                 "each other ever faster and accumulate there (Zeno behaviour). "
                 f"{OUTCOMES[EVENTS_ACCUMULATE].remedy}"
             )
+        if passage := self._integration.passage():
+            warn_user(passage)
         return states
 
     @property

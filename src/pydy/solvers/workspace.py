@@ -57,6 +57,8 @@ class Workspace:
         The Python functions that compiled code calls.
     memory : Memory
     constraints : Constraints
+    seen : ndarray
+        The part of ``constraints.values`` that the projection notes something in.
     watch : Watch
     progress : Run
     beginning : (ndarray, ndarray)
@@ -81,6 +83,7 @@ class Workspace:
         self.call: KernelCall | None = None if native is None else native(args)
         self.problem = self._bind(f, args)
         self.method, self.memory = self._reserve()
+        self.seen = np.zeros(0)
         self.constraints = self._hold()
         self.watch = self._look_out()
         state, count = np.zeros(7), np.zeros(12, dtype=np.int64)
@@ -170,7 +173,9 @@ class Workspace:
         words[at.COORDINATES], words[at.SPEEDS] = wanted.coordinates, wanted.speeds
         words[at.WEIGHTED] = wanted.weighted
         size = sum(b.stop - b.start for b in wanted.kernel.program.blocks)
-        return Constraints(words, c, np.zeros(size))
+        values = np.zeros(size + at.WHERE + self.n + wanted.velocity)
+        self.seen = values[size:]
+        return Constraints(words, c, values)
 
     def _look_out(self) -> Watch:
         wanted = self.options.events

@@ -1,0 +1,167 @@
+"""constraints='project' where residuals are all rounding, and where constraints lose rank."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+from pydy._errors import IntegrationError, PyDyUserWarning
+from pydy.solvers import Event
+from pydy.solvers.outcome import SINGULAR_CONFIGURATION
+from singular import bead, bricard, n_four_bar, slider_crank
+
+ALL = ["dop853", "tsit5", "vern9", "rk4", "radau"]
+RADII = [1.0, 1e2, 1e4, 1e6, 1e8]
+
+
+def options_of(solver, tolerance, max_step=None):
+    """rk4 has a fixed step in place of both."""
+    if solver == "rk4":
+        return {"step": max_step or 1e-3}
+    limit = {} if max_step is None else {"max_step": max_step}
+    return {"rtol": tolerance, "atol": tolerance, **limit}
+
+
+def passes_or_says_why(case, solver, tolerance, max_step, end=10.0):
+    """Whether it finishes; it may stop within 1e-6 rad of a singular configuration, and say so."""
+    system = case.system
+    system.ode_solver, system.times = solver, np.linspace(0.0, end, 11)
+    options = options_of(solver, tolerance, max_step)
+    error = None
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", ".* passed a singular configuration")
+        try:
+            x = system.integrate(constraints="project", max_steps=50_000, **options)
+        except IntegrationError as caught:
+            error = caught
+    if error is None:
+        assert np.isfinite(x).all()
+        return
+    assert case.distance(error.state) < 1e-6
+    assert error.info["code"] == SINGULAR_CONFIGURATION
+    assert "stopped at a singular configuration of the constraints" in str(error)
+
+
+# -- residuals that are all rounding --------------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("form", ["squared", "root"])
+def test_a_bead_on_a_circle_of_any_size_is_held(form, solver):
+    for radius in RADII:
+        for start, speed in ((1e-3, 0.0), (0.5, 0.0), (0.0, 1.0)):
+            # Neither warns: both take the same residual for rounding.
+            system = bead(form, radius, start, speed).system
+            system.ode_solver, system.times = solver, np.linspace(0.0, 30.0, 4)
+            for tolerance in (1e-6, 1e-12):
+                step = 2e-2 if solver == "rk4" else None
+                x = system.integrate(constraints="project", **options_of(solver, tolerance, step))
+                # The circle's height at x, without cancellation.
+                height = x[:, 0] ** 2 / (radius + np.sqrt(radius**2 - x[:, 0] ** 2))
+                assert np.abs(x[:, 1] - height).max() < 1e-14 * radius
+
+
+@pytest.mark.parametrize("form", ["squared", "root"])
+def test_short_steps_do_not_make_a_bead_fall_off(form):
+    for radius in RADII:
+        passes_or_says_why(bead(form, radius), "dop853", 1e-9, 1e-4, end=0.5)
+
+
+@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("windows", [1, 2, 3])
+def test_the_n_four_bar_passes_its_singular_positions_or_says_why_not(windows, solver):
+    tolerances = [1e-6] if solver == "rk4" else [1e-6, 1e-8, 1e-10, 1e-12]
+    for tolerance in tolerances:
+        for max_step in (None, 1e-2):
+            passes_or_says_why(n_four_bar(windows), solver, tolerance, max_step)
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_a_slider_crank_with_equal_lengths_passes_its_dead_centres_or_says_why_not(solver):
+    tolerances = [1e-6] if solver == "rk4" else [1e-6, 1e-8, 1e-10, 1e-12]
+    for tolerance in tolerances:
+        for max_step in (None, 1e-2):
+            passes_or_says_why(slider_crank(), solver, tolerance, max_step)
+
+
+@pytest.mark.parametrize("case", [n_four_bar(1), slider_crank()])
+def test_short_steps_pass_singular_configurations_too(case):
+    passes_or_says_why(case, "dop853", 1e-9, 1e-4, end=1.0)
+
+
+# -- being told -----------------------------------------------------------------------------------
+
+
+def until_flat(**event):
+    """The upright N-four-bar, and what integrates it to where it first lies flat."""
+    system = n_four_bar(1).system
+    system.ode_solver, system.times = "dop853", np.linspace(0.0, 1.0, 11)
+    flat = Event(system.coordinates[0], name="flat", **event)
+    return system, {"constraints": "project", "events": [flat], "rtol": 1e-9, "atol": 1e-9}
+
+
+def test_a_run_that_ends_in_a_singular_configuration_warns_with_time_and_rows():
+    system, options = until_flat(terminal=True)
+    with pytest.warns(PyDyUserWarning, match="passed a singular configuration") as caught:
+        _, info = system.integrate(full_output=True, **options)
+    assert len(caught) == 1
+    message = str(caught[0].message)
+    assert f"at t = {info['time']!r}, where a combination of these rows vanishes: " in message
+    assert "velocity constraint 0: " in message
+    # Of the two, closing in height does not vanish.
+    assert "velocity constraint 1: " not in message
+    assert "Compare the energy before and after" in message
+    assert caught[0].filename == __file__
+
+
+def test_a_run_that_stops_in_a_singular_configuration_says_so_with_the_rows():
+    system, options = until_flat(terminal=True)
+    with pytest.warns(PyDyUserWarning, match="passed a singular configuration"):
+        _, info = system.integrate(full_output=True, **options)
+    angle = system.coordinates[0]
+    system, options = until_flat(reset={angle: angle})
+    with pytest.raises(IntegrationError) as caught:
+        system.integrate(max_steps=info["steps"] + info["rejected"], **options)
+    message = str(caught.value)
+    assert caught.value.info["code"] == SINGULAR_CONFIGURATION
+    assert "stopped at a singular configuration of the constraints" in message
+    assert "a combination of these rows vanishes (velocity constraint 0: " in message
+    assert f"took {info['steps'] + info['rejected']} steps, `max_steps`, at t = " in message
+    assert "Several motions may continue from there" in message
+
+
+def test_a_run_that_stops_elsewhere_does_not_speak_of_singular_configurations():
+    system, options = until_flat()
+    with pytest.raises(IntegrationError, match="took 3 steps, `max_steps` at t = "):
+        system.integrate(max_steps=3, **options)
+
+
+def test_an_ensemble_warns_once():
+    system, options = until_flat(terminal=True)
+    rates = {u: [-1.0, -1.2, -1.4] for u in system.speeds[:2]}
+    with pytest.warns(PyDyUserWarning, match="In one sample or more `dop853` passed") as caught:
+        system.integrate_ensemble(initial_conditions=rates, **options)
+    assert len(caught) == 1
+
+
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10])
+def test_bricards_mechanism_keeps_its_energy_or_warns(tolerance):
+    system = bricard((0, 1, 3, 4)).system
+    system.ode_solver, system.times = "dop853", np.linspace(0.0, 10.0, 11)
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        x = system.integrate(
+            constraints="project", rtol=tolerance, atol=tolerance, max_steps=100_000
+        )
+    total = system.evaluate_energy(x=x).total
+    told = [str(w.message) for w in caught]
+    assert told or np.abs(total - total[0]).max() < 1e-3
+    assert all("passed a singular configuration" in m for m in told)
+
+
+def test_all_rows_that_hold_bricards_mechanism_anywhere_give_no_warning():
+    system = bricard((1, 2, 3, 4)).system
+    system.ode_solver, system.times = "dop853", np.linspace(0.0, 10.0, 11)
+    x = system.integrate(constraints="project", rtol=1e-8, atol=1e-8)
+    total = system.evaluate_energy(x=x).total
+    assert np.abs(total - total[0]).max() < 1e-5
