@@ -15,7 +15,7 @@ import pytest
 
 from graphs import on_tape
 from pydy._backends import background, compiling, jit
-from pydy._backends.llvm import LLVMBackend
+from pydy._backends.llvm import LLVMBackend, _Text
 from pydy._graph.node import Graph
 
 THREE = "define double @three() {\nret double 3.0\n}"
@@ -87,6 +87,17 @@ def test_a_program_that_is_not_python_is_not_started(helper, monkeypatch, execut
     assert helper._process is None
 
 
+def test_a_program_goes_there_and_back(helper):
+    source = jit.Source("program", _Text(program(4), 1), ("kernel", "prepare"))
+    assert helper.compile(source) == compiling.object_code(source)
+
+
+def test_what_pythons_own_settings_print_is_no_code(helper, monkeypatch, tmp_path):
+    (tmp_path / "sitecustomize.py").write_text("print('good morning' * 100)")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    assert helper.compile(SOURCE) == compiling.object_code(SOURCE)
+
+
 def test_it_ends_with_the_program():
     code = """
 from pydy._backends import background
@@ -131,6 +142,14 @@ def at_once(monkeypatch):
     monkeypatch.setattr(background, "_QUIET_SECONDS", 0.0)
 
 
+@pytest.fixture
+def nothing_on_the_side(monkeypatch):
+    """Tasks are known, but nobody is told."""
+    monkeypatch.setattr(background, "submit", lambda task: known.update({task: None}))
+    known = weakref.WeakKeyDictionary()
+    return known
+
+
 def test_the_side_thread_compiles_nothing_in_this_process(nothing_cached, at_once, monkeypatch):
     compilers = []
     emitter = compiling._emitter
@@ -157,25 +176,26 @@ def test_nothing_waits_for_what_is_compiled_on_the_side(nothing_cached, at_once,
     monkeypatch.setattr(compiling.Helper, "compile", slow)
     first = LLVMBackend().compile(program(12))
     assert begun.wait(30.0)
-    # By this thread: if it waited for the other one, it would wait until the latter gave up.
+    # If one of these waited for the side, it would do so until the latter gave up.
     began = time.monotonic()
     second = LLVMBackend().compile(program(13))
     assert second.addresses
+    before = first.owner[0].addresses
+    assert first.addresses != before  # not even for its own
     assert time.monotonic() - began < 30.0
-    assert not end.is_set()
     end.set()
-    assert first.addresses
+    until(lambda: not background._TASKS)
+    assert first.owner[0].addresses == first.addresses
 
 
-def test_where_no_process_can_be_started_the_program_compiles(nothing_cached, monkeypatch):
-    def none(_self, source):
+def test_where_no_process_can_be_started_the_program_compiles(nothing_cached, nothing_on_the_side):
+    def none(source):
         raise compiling.HelperError("there is none")
 
-    monkeypatch.setattr(compiling.Helper, "compile", none)
     kernel = LLVMBackend().compile(program(14))
     task = kernel.owner[0].better
     with pytest.raises(compiling.HelperError):
-        task.run(background._helper.compile)
+        task.run_with(none)
     before = kernel.owner[0].addresses
     assert kernel.addresses != before
 
@@ -191,21 +211,22 @@ def test_a_process_without_work_is_ended(nothing_cached, at_once, monkeypatch):
 
 
 @pytest.mark.parametrize("settled", [False, True])
-def test_code_goes_with_the_last_reference_to_its_kernel(nothing_cached, monkeypatch, settled):
-    monkeypatch.setattr(background, "_QUIET_SECONDS", 1e9)
+def test_code_goes_with_the_last_reference_to_its_kernel(
+    nothing_cached, nothing_on_the_side, settled
+):
     kernel = LLVMBackend().compile(program(16))
     if settled:
         assert kernel.addresses
     engines = [weakref.ref(code._engine) for code in kernel.owner[0]._owners]
     assert len(engines) == 1 + settled
-    tasks = len(background._TASKS)
+    assert len(nothing_on_the_side) == 1
     gc.disable()  # no cycles either
     try:
         del kernel
         assert [engine() for engine in engines] == [None] * len(engines)
     finally:
         gc.enable()
-    assert len(background._TASKS) == tasks - 1
+    assert len(nothing_on_the_side) == 0
 
 
 def test_code_of_the_side_goes_too(nothing_cached, at_once):

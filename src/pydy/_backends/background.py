@@ -6,8 +6,9 @@ meanwhile. So a thread of this process only asks another process for the machine
 links it, which takes two milliseconds.
 
 It waits for a quiet moment, so that short scripts start no process, takes the newest task first,
-and knows tasks as long as somebody else does: what nobody can call any more is not compiled. A
-forked child begins without work on the side; what it needs of it, it does itself.
+and knows tasks as long as somebody else does: what nobody can call any more is not compiled. Who
+needs the result of a task does it at once, even if it is under way on the side: the other process
+has a low priority. A forked child begins without work on the side.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ Compile = Callable[[Source], bytes]
 
 
 class Task:
-    """Something to do once, by whoever comes first: the side thread or the one that needs it.
+    """Something to do once: on the side, or by the first thread that needs it.
 
     Parameters
     ----------
@@ -39,13 +40,18 @@ class Task:
         self._function: Callable[[Compile], None] | None = function
         self._lock = _forks.Lock()
 
-    def run(self, compile_source: Compile = object_code) -> None:
-        """Do it, or wait until the thread that is at it has done it."""
+    def run(self) -> None:
+        """Do it here, or wait until another thread that needs it has done it."""
         with self._lock:
-            if self._function is not None:
-                self._function(compile_source)
-                # Not before: a child that is forked meanwhile does it again.
-                self._function = None
+            self.run_with(object_code)
+
+    def run_with(self, compile_source: Compile) -> None:
+        """Do it, unless it is done, with machine code from elsewhere."""
+        function = self._function
+        if function is not None:
+            function(compile_source)
+            # Not before: a child that is forked meanwhile does it again.
+            self._function = None
 
 
 _QUIET_SECONDS = 0.25
@@ -109,7 +115,7 @@ def _do_newest() -> bool:
     except KeyError:  # nobody else knew it any more
         return True
     try:
-        task.run(_helper.compile)
+        task.run_with(_helper.compile)
     except HelperError:  # who needs the task does it
         return False
     return True

@@ -155,6 +155,7 @@ class Helper:
         try:
             if self._process is None:
                 self._process = _started()
+                _wait_until_ready(self._process.stdout)
             process = self._process
             rest = memoryview(pickle.dumps(source))
             while rest:
@@ -186,13 +187,21 @@ class Helper:
 
 
 _SIZE = 8  # bytes that say how many follow
+_READY = b"\npydy is ready to compile\n"
+
+
+def _wait_until_ready(pipe: Any) -> None:
+    """Pass over what the user's own settings of Python print when it starts."""
+    seen = b""
+    while not seen.endswith(_READY):
+        seen = seen[-len(_READY) :] + _received(pipe, 1)
 
 
 def _received(pipe: Any, size: int) -> bytes:
     """Read so many bytes."""
     data = bytearray()
     while len(data) < size:
-        chunk = pipe.read(size - len(data))
+        chunk = pipe.read(min(size - len(data), 2**20))
         if not chunk:
             raise EOFError
         data += chunk
@@ -218,9 +227,12 @@ def serve() -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a Ctrl-C is meant for the program
     if hasattr(os, "nice"):
         os.nice(10)
-    with suppress(EOFError, OSError):
+    with suppress(EOFError, OSError), os.fdopen(os.dup(1), "wb") as replies:
+        os.dup2(2, 1)  # whatever is printed is no reply
+        replies.write(_READY)
+        replies.flush()
         while True:
             source = pickle.load(sys.stdin.buffer)
             code = object_code(source)
-            sys.stdout.buffer.write(len(code).to_bytes(_SIZE) + code)
-            sys.stdout.buffer.flush()
+            replies.write(len(code).to_bytes(_SIZE) + code)
+            replies.flush()

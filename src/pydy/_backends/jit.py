@@ -68,7 +68,9 @@ def load(source: Source, calls: Code | None = None, compile_source: Compile = ob
     if known is None:
         stored = compile_source(source)
         _cache_folder.write(source.key, stored)
-        known = memory[source.key] = _linked(stored, source.names, calls)
+        known = memory.get(source.key)  # compiled twice, here and on the side
+        if known is None:
+            known = memory[source.key] = _linked(stored, source.names, calls)
     return known
 
 

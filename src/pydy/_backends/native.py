@@ -64,6 +64,8 @@ class Entry:
 
     def replace(self, addresses: tuple[int, int], owner: Any) -> None:
         """Use other functions from the next call on."""
+        if addresses == self.addresses:
+            return
         self._owners.append(owner)
         self.addresses = addresses
         for words in self._words:
