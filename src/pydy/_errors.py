@@ -12,6 +12,7 @@ import warnings
 import numpy as np
 
 __all__ = [
+    "EnsembleInterrupted",
     "GeneratorError",
     "IntegrationError",
     "IntegrationInterrupted",
@@ -115,3 +116,23 @@ class IntegrationInterrupted(_Partial, KeyboardInterrupt):
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it, with the attributes of
     `IntegrationError`.
     """
+
+
+class EnsembleInterrupted(KeyboardInterrupt):
+    """The user interrupted an ensemble. The samples that were finished are here.
+
+    A `KeyboardInterrupt`, so that no ``except Exception`` swallows it.
+
+    Attributes
+    ----------
+    results : xarray.Dataset
+        What the ensemble would have returned. Samples that are not finished have the status −1 and
+        no numbers.
+    """
+
+    def __init__(self, message: str, results: object) -> None:
+        super().__init__(message)
+        self.results = results
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (str(self), self.results))

@@ -6,6 +6,7 @@ Each one subclasses the built-in that a caller would catch.
 from __future__ import annotations
 
 from pydy._errors import (
+    EnsembleInterrupted,
     GeneratorError,
     IntegrationError,
     IntegrationInterrupted,
@@ -16,6 +17,7 @@ from pydy._errors import (
 )
 
 __all__ = [
+    "EnsembleInterrupted",
     "GeneratorError",
     "IntegrationError",
     "IntegrationInterrupted",

@@ -1246,6 +1246,8 @@ class System:
             A value, name or shape that does not fit, before anything is computed.
         ImportError
             A package is missing: ``pip install 'pydy[ensemble]'``.
+        EnsembleInterrupted
+            The user interrupted it; the error holds the finished samples, where there is no store.
 
         Notes
         -----

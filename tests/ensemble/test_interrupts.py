@@ -1,6 +1,7 @@
 """Ctrl-C, as a shell sends it to a process, while trajectories are integrated one by one."""
 
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -9,8 +10,13 @@ import threading
 import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 import xarray as xr
+
+from ensemble_cases import constant
+from pydy.errors import EnsembleInterrupted
+from pydy.models import multi_mass_spring_damper
 
 PATIENCE = 15.0  # seconds on a busy machine, where 0.1 are meant
 
@@ -91,3 +97,39 @@ def test_ctrl_c_ends_an_ensemble_and_keeps_the_finished_blocks(tmp_path, kind):
         process.communicate()
     status = xr.open_zarr(path, consolidated=False).status.values
     assert status.tolist() == [0, -1, -1, -1]
+
+
+@pytest.mark.parametrize("reduce", [None, "final", lambda dataset: dataset[["x0"]].max("time")])
+def test_finished_samples_in_memory_are_handed_over(reduce):
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    x, _ = system.states
+    stiffness = constant(system, "k0")
+    calls = []
+
+    def push(x, t):
+        if abs(x[1]) > 1e5:  # one of the samples that take hours
+            calls.append(t)
+            if len(calls) == 100:
+                os.kill(os.getpid(), signal.SIGINT)
+        return 0.0
+
+    k = np.array([1.0] * 8 + [1e14] * 8)
+    options = {"constants": {stiffness: k}, "times": [0.0, 1.0, 2.0], "max_steps": 10**15}
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(EnsembleInterrupted, match="8 of 16 samples are finished") as caught:
+            system.integrate_ensemble(
+                initial_conditions={x: 1.0},
+                specifieds={force: push},
+                reduce=reduce,
+                workers=1,
+                **options,
+            )
+    finally:
+        signal.signal(signal.SIGINT, before)
+    results = caught.value.results
+    assert results.status.values.tolist() == [0] * 8 + [-1] * 8
+    assert np.isfinite(results.x0[:8]).all()
+    assert np.isnan(results.x0[8:]).all()
+    assert pickle.loads(pickle.dumps(caught.value)).results.identical(results)

@@ -12,17 +12,19 @@ from typing import Any
 
 import numpy as np
 
-from pydy._errors import warn_user
+from pydy._errors import EnsembleInterrupted, warn_user
 from pydy._optional import require
 from pydy.ensemble import store as stores
 from pydy.ensemble.identity import UnidentifiedError
 from pydy.ensemble.labels import Form, Variable, check_forms, to_dataset
 from pydy.ensemble.samples import Block, Samples, block_sizes
 from pydy.ensemble.work import Work
+from pydy.solvers.outcome import NOT_COMPUTED
 
 __all__ = ["Ensemble"]
 
 _LEAST = 64  # samples in a block: fewer leave lanes idle at its end for too long
+_ONE_BY_ONE = 8  # samples in a block: an interrupt keeps the finished ones
 
 
 @dataclass(frozen=True, eq=False)
@@ -79,14 +81,35 @@ class Ensemble:
             for name, v in found.items():
                 if name not in placed:
                     whole[name].values[block] = v.values
+            with lock:
+                left.remove(block)
 
         # Small enough that all threads end at about the same time; sizes decide no bit.
         share = -(-self.samples.size // (4 * self._threads()))
-        number = max(_LEAST, min(prod(self.sizes), share))
+        number = max(_LEAST, min(prod(self.sizes), share)) if model.in_lanes else _ONE_BY_ONE
         sizes = block_sizes(self.samples.dims, number, number)
-        blocks = [block for _, block in self.samples.blocks(sizes)]
-        self._on_threads(blocks, do)
+        left = [block for _, block in self.samples.blocks(sizes)]
+        try:
+            self._on_threads(tuple(left), do)
+        except KeyboardInterrupt:
+            if not whole:
+                raise
+            raise self._interrupted(whole, left) from None
         return self._dataset(whole)
+
+    def _interrupted(self, whole: dict[str, Variable], left: Sequence[Block]) -> BaseException:
+        """Return the error that hands over what is finished."""
+        for block in left:
+            for name, v in whole.items():
+                nothing = np.nan if v.values.dtype.kind in "fc" else np.zeros((), v.values.dtype)
+                v.values[block] = NOT_COMPUTED if name == "status" else nothing
+        status = whole["status"].values
+        return EnsembleInterrupted(
+            f"The ensemble was interrupted: {np.sum(status != NOT_COMPUTED)} of {status.size} "
+            "samples are finished. They are in the attribute `results` of this error; `status` is "
+            f"{NOT_COMPUTED} for the others.",
+            self._dataset(whole),
+        )
 
     def _forms(self, variables: Mapping[str, Variable]) -> dict[str, Form]:
         first = len(self.samples.dims)
