@@ -11,7 +11,10 @@ ROOT = Path(__file__).parents[1]
 INTERNAL = {
     f"pydy.codegen.{name}"
     for name in ("arguments", "docstring", "external_solve", "right_hand_side", "stored")
-} | {f"pydy.ensemble.{name}" for name in ("engine", "labels", "model", "samples", "store", "work")}
+} | {
+    f"pydy.ensemble.{name}"
+    for name in ("engine", "identity", "labels", "model", "samples", "store", "work")
+}
 
 
 def shows_names(path):

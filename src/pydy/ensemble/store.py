@@ -1,7 +1,7 @@
 """The Zarr store of an ensemble: one chunk for each block, so that any process may write its own.
 
-A block is there when its `status` is, which is written last; anything else of it may be half
-written and is written again.
+A block is there when its `status` is, which is written last, and all its chunks decode; anything
+else may be half written or damaged, and is written again.
 """
 
 from __future__ import annotations
