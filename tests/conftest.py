@@ -7,7 +7,7 @@ import tempfile
 from contextlib import suppress
 from pathlib import Path
 
-from pydy._cache_folder import folder
+from pydy._cache_folder import folder, make
 
 _OWN = folder()
 _FOLDER = tempfile.TemporaryDirectory(prefix="pydy-tests-", ignore_cleanup_errors=True)
@@ -18,5 +18,5 @@ os.environ.setdefault("MPLBACKEND", "Agg")  # pictures are drawn, not shown
 # models: they are the user's. (Windows may not permit the link: then they are compiled again.)
 if _OWN is not None:
     with suppress(OSError):
-        (_OWN / "solvers").mkdir(parents=True, exist_ok=True)
+        make(_OWN / "solvers")
         (Path(_FOLDER.name) / "solvers").symlink_to(_OWN / "solvers", target_is_directory=True)

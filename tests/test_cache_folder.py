@@ -8,6 +8,7 @@ from __future__ import annotations
 import os
 import pickle
 import random
+import shutil
 import signal
 import stat
 import subprocess
@@ -338,16 +339,24 @@ places = pytest.mark.parametrize(
 )
 
 
+@pytest.fixture(scope="module")
+def wrong_code(tmp_path_factory):
+    """A folder with machine code of other equations, and what the right ones give."""
+    place = tmp_path_factory.mktemp("code") / "prepared"
+    right = equations("off")
+    wrong = equations(place, "wrong")
+    assert wrong != right
+    assert equations(place) == wrong  # one's own code is believed
+    return place, right
+
+
 @second_user
 @places
 def test_another_users_machine_code_ends_in_a_warning_and_a_correct_number(
-    shared, tmp_path, within, mode
+    shared, wrong_code, within, mode
 ):
-    right = equations("off")
-    wrong = equations(tmp_path / "prepared", "wrong")
-    assert wrong != right
-    assert equations(tmp_path / "prepared") == wrong  # one's own code is believed
-    put_by_somebody_else(tmp_path / "prepared", shared / within)
+    place, right = wrong_code
+    put_by_somebody_else(place, shared / within)
     shared.chmod(mode)
     *said, first, second, third, fourth = equations(shared / within)
     assert set(said) == {"PyDyUserWarning"}
@@ -384,22 +393,31 @@ def solver(place):
     return done.stdout.strip(), done.stderr
 
 
+@pytest.fixture(scope="module")
+def exploit(tmp_path_factory):
+    """A folder with a solver that makes a file where it is loaded, and that file."""
+    place, file = tmp_path_factory.mktemp("solver") / "prepared", Path(tempfile.mkdtemp()) / "run"
+    assert solver(place)[0] == "42.0"
+    (entry,) = (place / "solvers").glob("*.code")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PYDY_CACHE_DIR", str(place))
+        cache.write(entry.stem, pickle.dumps(Touch(str(file))), "solvers")
+    broken = place.with_name("own")
+    shutil.copytree(place, broken)
+    solver(broken)  # it works: one's own entries are read
+    assert file.exists()
+    file.unlink()
+    yield place, file
+    shutil.rmtree(file.parent)
+
+
 @second_user
 @places
-def test_another_users_pickles_are_not_read(shared, tmp_path, within, mode, monkeypatch):
-    prepared = tmp_path / "prepared"
-    assert solver(prepared)[0] == "42.0"
-    (entry,) = (prepared / "solvers").glob("*.code")
-    monkeypatch.setenv("PYDY_CACHE_DIR", str(prepared))
-    cache.write(entry.stem, pickle.dumps(Touch(str(tmp_path / "run"))), "solvers")
-    put_by_somebody_else(prepared, shared / within)
+def test_another_users_pickles_are_not_read(shared, exploit, within, mode):
+    place, file = exploit
+    put_by_somebody_else(place, shared / within)
     shared.chmod(mode)
     number, said = solver(shared / within)
     assert number == "42.0"
     assert said.count("PyDyUserWarning") == 1
-    assert not (tmp_path / "run").exists()
-    prepared.chmod(0o700)
-    for path in (prepared / "solvers", entry):
-        path.chmod(0o700)
-    solver(prepared)  # the exploit itself works: one's own entries are read
-    assert (tmp_path / "run").exists()
+    assert not file.exists()

@@ -13,7 +13,7 @@ from harness.program import assembly_of, equations_of
 from harness.serve import time_of
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._backends.cache import memory
+from pydy._backends.jit import memory
 from pydy._backends.llvm import LLVMBackend
 
 

@@ -26,7 +26,7 @@ from pathlib import Path
 
 from pydy._errors import PyDyUserWarning
 
-__all__ = ["LIMIT_BYTES", "folder", "read", "unsafe", "write"]
+__all__ = ["LIMIT_BYTES", "folder", "make", "read", "unsafe", "write"]
 
 LIMIT_BYTES = 256 * 2**20
 _MAGIC = b"pydy code 1\n"
@@ -116,10 +116,10 @@ def folder(name: str = "") -> Path | None:
     return None
 
 
-def _make(place: Path) -> None:
+def make(place: Path) -> None:
     """Make a folder and those above it, for the user alone."""
     if not place.is_dir():
-        _make(place.parent)
+        make(place.parent)
         with contextlib.suppress(FileExistsError):
             place.mkdir(0o700)
 
@@ -184,7 +184,7 @@ def write(key: str, content: bytes, name: str = "") -> None:
     if place is None:
         return
     try:
-        _make(place)
+        make(place)
         if folder(name) != place:  # what was not there before has been made by somebody else
             return
         handle, aside = tempfile.mkstemp(dir=place, prefix="tmp-")  # for the user alone
