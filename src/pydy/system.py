@@ -18,7 +18,7 @@ from scipy.integrate import odeint
 
 from pydy._checks import describe, flag, vector
 from pydy._eom.extract import extract
-from pydy._errors import IntegrationError, warn_user
+from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._kernel import Kernel
 from pydy._names import nearest
 from pydy._programs import check_accelerations
@@ -667,7 +667,22 @@ class System:
         """Return the constants or the initial conditions in order."""
         what = "constants" if argument == "constants" else "states"
         places = self._definition.places[what]
-        return places.read(argument, values, default)
+        try:
+            return places.read(argument, values, default)
+        except ValueError as error:
+            mechanism = self._equations.mechanism
+            gone = [
+                str(key)
+                for key in values
+                if places.get(key, argument) is None and mechanism and key in mechanism.symbols
+            ]
+            if not gone:
+                raise
+            raise ValueError(
+                f"{error} The bodies or loads hold `{gone[0]}`, but it cancels: the motion does "
+                "not depend on it. Leave it out, or check the velocities and angular velocities "
+                "that were given."
+            ) from None
 
     def _p(self) -> np.ndarray:
         return self._numbers("constants", self._constants, 1.0)
@@ -729,7 +744,12 @@ class System:
             rows = specified_rows(r, instants, len(layout.specifieds))
         constants = self._p_with(p)
         made = kernel(implementation)
-        out = evaluate(made, layout, instants, states, rows, constants)
+        try:
+            out = evaluate(made, layout, instants, states, rows, constants)
+        except SingularMatrixError as error:
+            k = int((states == error.state).all(axis=1).argmax()) % len(rows)
+            explain(error, self._definition, implementation.assembly, rows[k], constants)
+            raise
         out = out.reshape(len(out), *made.program.blocks[0].shape)
         if not np.isfinite(out).all():
             definition = self._definition
@@ -1092,7 +1112,7 @@ class System:
             if not checked or self._ode_solver is not odeint:
                 return self._ode_solver(f, x0, times, args=args, **solver_kwargs)
             result = call_odeint(f, x0, times, args, definition.states, solver_kwargs)
-        except IntegrationError as error:
+        except (IntegrationError, SingularMatrixError) as error:
             r = plan(error.state, error.time)
             explain(error, definition, integrated.assembly, r, p)
             raise

@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 import zoo
 from cases import system_of
+from pydy.system import System
 
 GENERATORS = ["llvm", "lambdify"]
 
@@ -50,3 +52,36 @@ def test_a_singular_mass_matrix_comes_out_of_integrate():
     system.constants[sm.Symbol("m2")] = 0.0
     with pytest.raises(np.linalg.LinAlgError, match=r"0\.5"):
         system.integrate()
+
+
+def without_turning():
+    """A rigid body whose frame was never told to turn: its inertia cancels, and w has no row."""
+    q, x, u, w = me.dynamicsymbols("q x u w")
+    mass, length, inertia, g = sm.symbols("m l I g")
+    frame, body, centre = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("P")
+    body.set_ang_vel(frame, 0)
+    centre.set_vel(frame, length * u * (sm.cos(q) * frame.x + sm.sin(q) * frame.y))
+    t = me.dynamicsymbols._t
+    kane = me.KanesMethod(frame, [q, x], [u, w], kd_eqs=[q.diff(t) - u, x.diff(t) - w])
+    rigid = me.RigidBody("R", centre, body, mass, (me.inertia(body, 0, 0, inertia), centre))
+    kane.kanes_equations([rigid], [(centre, -mass * g * frame.y)])
+    return kane, inertia
+
+
+def test_a_constant_that_cancelled_is_called_that():
+    kane, inertia = without_turning()
+    with pytest.raises(ValueError, match=r"has the key `I`.*hold `I`, but it cancels"):
+        System(kane, constants={inertia: 2.0})
+    with pytest.raises(ValueError, match=r"has the key `nothing`.*: g, l, m\.$"):
+        System(kane, constants={sm.Symbol("nothing"): 2.0})
+
+
+@pytest.mark.parametrize("solver", ["odeint", "dop853"])
+def test_rows_that_are_identically_zero_are_named(solver):
+    system = System(without_turning()[0], times=[0.0, 1.0], ode_solver=solver)
+    named = r"rows that are identically zero, of w\(t\): no mass or inertia takes part"
+    with pytest.raises((np.linalg.LinAlgError, RuntimeError), match=named):
+        system.integrate()
+    with pytest.raises(np.linalg.LinAlgError, match=named) as caught:
+        system.evaluate_ode(np.zeros((3, 4)), np.zeros(3))
+    assert "redundant" not in str(caught.value)

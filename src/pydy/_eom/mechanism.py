@@ -43,6 +43,18 @@ class Mechanism:
                     terms.append(size * self.dot(rate, left) * self.dot(rate, right) / 2)
         return sm.Add(*terms)
 
+    @cached_property
+    def symbols(self) -> set[Any]:
+        """The symbols in the bodies and loads, whether the equations of motion hold them or not."""
+        parts = [body.mass for body in self.bodies]
+        vectors = [vector for _, vector in self.loads]
+        for body in self.bodies:
+            vectors.append(body.masscenter.vel(self.frame))
+            if not isinstance(body, Particle):
+                parts += [size for size, _, _ in body.central_inertia.args]
+        parts += [part for vector in vectors for own, _ in vector.args for part in own]
+        return set().union(*(sm.sympify(part).free_symbols for part in parts))
+
     def _square(self, vector: Any) -> Any:
         if len(vector.args) == 1:
             return sum(part**2 for part in vector.args[0][0])

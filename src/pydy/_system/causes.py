@@ -6,13 +6,14 @@ SymPy's that is zero, or kinematic equations in gimbal lock divide by zero in so
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from scipy.linalg import qr
 
 from pydy._checks import describe
-from pydy._errors import IntegrationError
+from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
@@ -26,14 +27,14 @@ _TINY = 1e-6  # of the largest: near a singular configuration, where steps becom
 
 
 def explain(
-    error: IntegrationError,
+    error: IntegrationError | SingularMatrixError,
     definition: Definition,
     assembly: Assembly,
     r: np.ndarray,
     p: np.ndarray,
 ) -> None:
     """Put the cause into the message of an error, in place of general advice."""
-    code = error.info.get("code")
+    code = error.info.get("code") if isinstance(error, IntegrationError) else SINGULAR
     if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW):
         cause = cause_of(definition, assembly, error.time, np.array(error.state), r, p)
         if cause:
@@ -61,6 +62,13 @@ def cause_of(
         if not np.isfinite(value):
             return f"The specified `{symbol}` is {value} there."
     equations = definition.equations
+    idle = _idle(assembly, equations.speeds)
+    if idle:
+        return (
+            f"The mass matrix has rows that are identically zero, of {describe(idle)}: no mass or "
+            "inertia takes part in them, or it has cancelled. Check that velocities of points and "
+            "angular velocities of frames hold these speeds, and that bodies have mass and inertia."
+        )
     values = _values(definition, assembly, t, x, r, p)
     kinematics = values["kinematics"].reshape(len(equations.coordinates), -1)
     wild = _wild(kinematics)
@@ -86,6 +94,15 @@ def cause_of(
                 "name the dependent speeds in another order."
             )
     return None
+
+
+def _idle(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
+    """Return the speeds whose rows of the mass matrix are zero, whatever the state."""
+    n, cells = len(speeds), assembly.mass_matrix
+    if len(cells) != n * n:
+        return []
+    zero = assembly.graph.zero
+    return [u for k, u in enumerate(speeds) if all(c == zero for c in cells[k * n : k * n + n])]
 
 
 def _values(
