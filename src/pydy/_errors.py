@@ -13,6 +13,7 @@ import numpy as np
 
 __all__ = [
     "EnsembleInterrupted",
+    "EquilibriumError",
     "GeneratorError",
     "IntegrationError",
     "IntegrationInterrupted",
@@ -136,3 +137,23 @@ class EnsembleInterrupted(KeyboardInterrupt):
 
     def __reduce__(self) -> tuple[object, ...]:
         return (type(self), (str(self), self.results))
+
+
+class EquilibriumError(RuntimeError):
+    """No equilibrium was found. Where the search ended is here.
+
+    Attributes
+    ----------
+    values : numpy.ndarray, shape (k,)
+        Of the unknowns.
+    residuals : numpy.ndarray, shape (m,)
+        What should be zero there.
+    """
+
+    def __init__(self, message: str, values: np.ndarray, residuals: np.ndarray) -> None:
+        super().__init__(message)
+        self.values = values
+        self.residuals = residuals
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (str(self), self.values, self.residuals))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from pydy._errors import (
     EnsembleInterrupted,
+    EquilibriumError,
     GeneratorError,
     IntegrationError,
     IntegrationInterrupted,
@@ -18,6 +19,7 @@ from pydy._errors import (
 
 __all__ = [
     "EnsembleInterrupted",
+    "EquilibriumError",
     "GeneratorError",
     "IntegrationError",
     "IntegrationInterrupted",

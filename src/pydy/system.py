@@ -22,6 +22,7 @@ from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._kernel import Kernel
 from pydy._names import nearest
 from pydy._programs import check_accelerations
+from pydy._system.analysis import Numbers, find_equilibrium, linearize
 from pydy._system.causes import cause_of, explain
 from pydy._system.definition import Definition, define, given_in
 from pydy._system.dependents import check_dependents, solve_dependents
@@ -49,6 +50,7 @@ from pydy._system.scipy_odeint import call_odeint
 from pydy._system.solving import HANDLED, prepare
 from pydy._system.start import check_start
 from pydy._system.summary import as_html, as_text, facts
+from pydy.analysis import Equilibrium, LinearModel
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_function, make_system_function
@@ -974,6 +976,112 @@ class System:
                 options = ", ".join(map(repr, table))
                 raise ValueError(f"`{name}` must be one of {options}, got {value!r}.")
         return self._evaluate(blocks[of], x, t, r, p, groups[wrt])
+
+    def find_equilibrium(
+        self,
+        unknowns: Iterable[Any] | None = None,
+        given: dict[Any, float] | None = None,
+        *,
+        moving: Iterable[Any] = (),
+        bounds: dict[Any, Any] | None = None,
+    ) -> Equilibrium:
+        """Find a state in which the system stays, or moves on steadily.
+
+        Numbers that are neither unknown nor given are those of the System; the search starts from
+        its initial conditions.
+
+        Parameters
+        ----------
+        unknowns : iterable of symbols or names, optional
+            States, constants and specifieds to solve for; by default all coordinates and speeds
+            that are neither given nor moving.
+        given : dict, optional
+            Values of other states, constants and specifieds for this search.
+        moving : iterable of coordinates, optional
+            Those that may change steadily, such as the position of a vehicle along its way.
+        bounds : dict, optional
+            Pairs of the lowest and the highest value of unknowns.
+
+        Returns
+        -------
+        Equilibrium
+            `initial_conditions` and the like fit the System's attributes of those names.
+
+        Raises
+        ------
+        EquilibriumError
+            None was found; the message tells how near the search came and which rows are left.
+        ValueError
+            A name is none of the system's.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper(apply_gravity=True)
+        >>> system.constants = {'m0': 2.0, 'k0': 5.0, 'g': 9.81}
+        >>> found = system.find_equilibrium()
+        >>> round(found.values[system.coordinates[0]], 6)
+        3.924
+        >>> system.initial_conditions = found.initial_conditions
+        """
+        return find_equilibrium(self._numbers_now(), unknowns, given, moving, bounds)
+
+    def linearize(
+        self,
+        at: Any = None,
+        t: Any = None,
+        *,
+        inputs: Iterable[Any] | None = None,
+        outputs: Iterable[Any] | None = None,
+    ) -> LinearModel:
+        """Return the linear model of small motions that keep the constraints.
+
+        Parameters
+        ----------
+        at : array_like, shape (n,) or (m, n), optional
+            States; the initial conditions by default. With several, such as along a trajectory,
+            each matrix has a first axis for them.
+        t : float or array_like, shape (m,), optional
+            As in `evaluate_ode`.
+        inputs : iterable of specifieds or names, optional
+            All by default. Where one is given as an expression, the input is an addition to it.
+        outputs : iterable of states, outputs or names, optional
+            All states by default.
+
+        Returns
+        -------
+        LinearModel
+
+        Raises
+        ------
+        ValueError
+            A name is none of the system's, or the configuration is singular.
+
+        Examples
+        --------
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart()
+        >>> model = system.linearize(outputs=['q1'])
+        >>> model.A[3].round(6)
+        array([0., 2., 0., 0.])
+        >>> model.eigenvalues.real.max().round(6)
+        1.414214
+        """
+        numbers = self._numbers_now()
+        n = len(self._definition.states)
+        x, instants, single = samples(at, t, self._x0, self._times, n)
+        return linearize(numbers, x, instants, inputs, outputs, single)
+
+    def _numbers_now(self) -> Numbers:
+        t = float(self._times[0]) if len(self._times) else 0.0
+        return Numbers(
+            self._definition,
+            self._differentiable(),
+            self._plan(self._specifieds),
+            self._x0(),
+            self._p(),
+            t,
+        )
 
     # -- simulation -------------------------------------------------------------------------------
 

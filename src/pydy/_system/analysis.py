@@ -1,0 +1,311 @@
+"""Equilibria and linear models of a System: its equations as functions of chosen unknowns."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import Places, listed, number, real_array
+from pydy._kernel import Kernel
+from pydy._names import unique_names
+from pydy._system.definition import Definition
+from pydy._system.evaluation import evaluate, row_names
+from pydy._system.expressions import driven
+from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
+from pydy.analysis.linear import LinearModel, independent_places, tangents
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen.right_hand_side import RightHandSide
+
+__all__ = ["Numbers", "find_equilibrium", "linearize"]
+
+_GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
+
+
+@dataclass(frozen=True, eq=False)
+class Numbers:
+    """A System's equations and numbers at one moment.
+
+    Attributes
+    ----------
+    definition : Definition
+    implementation : RightHandSide
+        With its linear solve compiled in.
+    plan : SpecifiedsPlan
+    x, p : ndarray
+        Initial conditions and constants.
+    t : float
+    """
+
+    definition: Definition
+    implementation: RightHandSide
+    plan: SpecifiedsPlan
+    x: np.ndarray
+    p: np.ndarray
+    t: float
+
+
+# -- equilibria -----------------------------------------------------------------------------------
+
+
+class _Unknowns:
+    """Symbols of all three kinds, and where they lie."""
+
+    def __init__(self, definition: Definition, symbols: Sequence[Any]) -> None:
+        self.symbols: list[Any] = []
+        self.columns: dict[str, list[int]] = {kind: [] for kind in _GROUPS}
+        self.order: list[tuple[str, int]] = []
+        for symbol in symbols:
+            kind, place = located(definition, symbol, "unknowns")
+            if (kind, place) in self.order:
+                raise ValueError(f"`unknowns` has `{symbol}` more than once.")
+            self.order.append((kind, place))
+            self.symbols.append(definition.places[kind].symbols[place])
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return unique_names(self.symbols)
+
+    def of(self, kind: str) -> tuple[list[int], list[int]]:
+        """Return which of the unknowns are of a kind, and their places there."""
+        found = [(k, place) for k, (what, place) in enumerate(self.order) if what == kind]
+        return [k for k, _ in found], [place for _, place in found]
+
+
+def located(definition: Definition, symbol: Any, argument: str) -> tuple[str, int]:
+    """Return the kind of a symbol or name, and its place there.
+
+    Raises
+    ------
+    ValueError
+        It is no state, constant or specified.
+    """
+    for kind in _GROUPS:
+        place = definition.places[kind].get(symbol, argument)
+        if place is not None:
+            return kind, place
+    everything = [s for kind in _GROUPS for s in definition.places[kind].symbols]
+    places = Places(everything, "states, constants and specifieds of the system")
+    places.find(symbol, argument)  # raises, with names that are alike
+    raise AssertionError(symbol)
+
+
+def find_equilibrium(
+    numbers: Numbers,
+    unknowns: Iterable[Any] | None,
+    given: Mapping[Any, Any] | None,
+    moving: Iterable[Any],
+    bounds: Mapping[Any, Any] | None,
+) -> Equilibrium:
+    """Return what `System.find_equilibrium` describes."""
+    definition = numbers.definition
+    equations = definition.equations
+    states = definition.places["states"]
+    q, n = len(equations.coordinates), len(equations.coordinates) + len(equations.speeds)
+    steady = [states.find(s, "moving") for s in listed("moving", moving)]
+    if any(place >= q for place in steady):
+        names = [str(states.symbols[k]) for k in steady if k >= q]
+        raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
+    x, p = numbers.x.copy(), numbers.p.copy()
+    inputs: dict[Any, float] = {}
+    for key, entry in (given or {}).items():
+        kind, place = located(definition, key, "given")
+        amount = number(entry, f"`given[{key}]`", finite=True)
+        if kind == "specifieds":
+            inputs[definition.specifieds[place]] = amount
+        else:
+            (x if kind == "states" else p)[place] = amount
+    if unknowns is None:
+        held = {located(definition, key, "given") for key in given or ()}
+        unknowns = [
+            s
+            for k, s in enumerate((*equations.coordinates, *equations.speeds))
+            if k not in steady and ("states", k) not in held
+        ]
+    wanted = _Unknowns(definition, listed("unknowns", unknowns))
+    if not wanted.symbols:
+        raise ValueError("`unknowns` must name at least one state, constant or specified.")
+    rows = [k for k in range(n) if k not in steady]
+    by_specified, columns = wanted.of("specifieds")
+    own = [definition.specifieds[k] for k in columns]
+    plan = numbers.plan.updated(
+        SpecifiedsPlan(
+            {**inputs, **{s: _start(numbers, s) for s in own if s not in inputs}},
+            definition.places["specifieds"],
+            argument="given",
+        )
+    )
+    made = driven(numbers.implementation, definition, plan, perturbed=bool(own))
+    blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
+    instant, layout = np.array([numbers.t]), made.layout
+    r = plan.rows(x[None], instant).copy()
+    by_state, at_state = wanted.of("states")
+    by_constant, at_constant = wanted.of("constants")
+
+    def put(z: np.ndarray) -> None:
+        x[at_state], p[at_constant] = z[by_state], z[by_constant]
+        if plan.constant:
+            r[:, columns] = z[by_specified]
+        else:
+            r[:] = plan.rows(x[None], instant)
+            r[:, columns] = z[by_specified]
+
+    def value(kernel: Kernel) -> np.ndarray:
+        row: np.ndarray = evaluate(kernel, layout, instant, x[None], r, p)[0]
+        return row
+
+    def residual(z: np.ndarray) -> np.ndarray:
+        put(z)
+        parts = [value(made.compiled(block)) for block in blocks]
+        return np.concatenate([parts[0][rows], *parts[1:]])
+
+    def jacobian(z: np.ndarray) -> np.ndarray:
+        put(z)
+        parts = []
+        for block in blocks:
+            part = np.zeros((len(getattr(made.assembly, block)), len(z)))
+            for kind, group in _GROUPS.items():
+                places, found = wanted.of(kind)
+                if places:
+                    whole = value(made.compiled_jacobian(block, group))
+                    part[:, places] = whole.reshape(len(part), -1)[:, found]
+            parts.append(part)
+        return np.vstack([parts[0][rows], *parts[1:]])
+
+    start = np.concatenate([x[at_state], p[at_constant], r[0, columns]])
+    start = start[np.argsort([*by_state, *by_constant, *by_specified])]
+    names = row_names(definition, "rates")
+    titles = [names[k] for k in rows] + [t for b in blocks[1:] for t in row_names(definition, b)]
+    z, largest, free = solve_equilibrium(
+        residual, jacobian, start, _bounds(definition, wanted, bounds), wanted.names, titles
+    )
+    put(z)
+    values = dict(zip(wanted.symbols, z.tolist(), strict=True))
+    return Equilibrium(
+        values=values,
+        initial_conditions=dict(zip(definition.states, x.tolist(), strict=True)),
+        constants={wanted.symbols[k]: values[wanted.symbols[k]] for k in by_constant},
+        specifieds={wanted.symbols[k]: values[wanted.symbols[k]] for k in by_specified},
+        state=x.copy(),
+        residual=largest,
+        free=free,
+    )
+
+
+def _start(numbers: Numbers, symbol: Any) -> float:
+    """Return the value of a specified from which to search."""
+    place = numbers.definition.specifieds.index(symbol)
+    row = numbers.plan.rows(numbers.x[None], np.array([numbers.t]))[0]
+    return float(row[place])
+
+
+def _bounds(
+    definition: Definition, wanted: _Unknowns, bounds: Mapping[Any, Any] | None
+) -> tuple[np.ndarray, np.ndarray]:
+    low = np.full(len(wanted.symbols), -np.inf)
+    high = -low
+    for key, pair in (bounds or {}).items():
+        place = located(definition, key, "bounds")
+        if place not in wanted.order:
+            raise ValueError(f"`bounds` has the key `{key}`, which is not one of `unknowns`.")
+        limits = real_array(pair, f"`bounds[{key}]`")
+        if limits.shape != (2,) or not limits[0] < limits[1]:
+            raise ValueError(
+                f"`bounds[{key}]` must be a pair of the lowest and the highest value, got {pair}."
+            )
+        k = wanted.order.index(place)
+        low[k], high[k] = limits
+    return low, high
+
+
+# -- linear models --------------------------------------------------------------------------------
+
+
+def linearize(
+    numbers: Numbers,
+    x: np.ndarray,
+    t: np.ndarray,
+    inputs: Iterable[Any] | None,
+    outputs: Iterable[Any] | None,
+    single: bool,
+) -> LinearModel:
+    """Return what `System.linearize` describes; x (m, n) and t (m,)."""
+    definition = numbers.definition
+    equations, places = definition.equations, definition.places
+    names = unique_names(definition.states)
+    plan = numbers.plan
+    made = driven(numbers.implementation, definition, plan, perturbed=True)
+    rows = plan.rows(x, t)
+
+    def value(kernel: Kernel, width: int | None = None) -> np.ndarray:
+        out = evaluate(kernel, made.layout, t, x, rows, numbers.p)
+        return out if width is None else out.reshape(len(x), -1, width)
+
+    n, s = len(definition.states), len(definition.specifieds)
+    blocks = [b for b in ("holonomic", "velocity") if getattr(equations, b)]
+    gradients = [value(made.compiled_jacobian(b, "x"), n) for b in blocks]
+    gradient = np.concatenate(gradients, axis=1) if gradients else np.zeros((len(x), 0, n))
+    chosen = [
+        definition.states.index(state)
+        for state in (*equations.dependent_coordinates, *equations.dependent_speeds)
+    ]
+    free, bound = independent_places(gradient[0], chosen)
+    free = free[free < n - len(definition.auxiliaries)]  # integrals of outputs move nothing
+    T = tangents(gradient, free, bound)
+    A = (value(made.compiled_jacobian("rates", "x"), n) @ T)[:, free]
+    symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
+    columns = [places["specifieds"].find(symbol, "inputs") for symbol in symbols]
+    by_input = np.zeros((len(x), n, s))
+    if columns:
+        by_input = value(made.compiled_jacobian("rates", "r"), s)
+        for block in blocks:
+            moved = value(made.compiled_jacobian(block, "r"), s)[:, :, columns]
+            if moved.any():
+                raise ValueError(
+                    f"The {block} constraints depend on an input of the linear model: the states "
+                    "then do not follow from independent ones alone. Leave prescribed motions out "
+                    "of `inputs`."
+                )
+    B = by_input[:, free][:, :, columns]
+    C, D, titles = _outputs(numbers, outputs, value, made, T, columns, names)
+    rates = value(made.compiled("rates"))[:, free]
+    parts = [A, B, C, D, rates]
+    A, B, C, D, rates = (part[0] if single else part for part in parts)
+    return LinearModel(
+        A, B, C, D,
+        tuple(names[k] for k in free),
+        tuple(np.array(unique_names(definition.specifieds))[columns].tolist()),
+        titles, rates,
+    )  # fmt: skip
+
+
+def _outputs(
+    numbers: Numbers,
+    outputs: Iterable[Any] | None,
+    value: Any,
+    made: RightHandSide,
+    T: np.ndarray,
+    columns: list[int],
+    names: tuple[str, ...],
+) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
+    """Return C, D and the outputs' names: of states and of the System's outputs."""
+    definition = numbers.definition
+    m, n, s = len(T), len(definition.states), len(definition.specifieds)
+    symbols = definition.states if outputs is None else listed("outputs", outputs)
+    known = Places([*definition.states, *definition.outputs_symbols], "states and outputs")
+    places = [known.find(symbol, "outputs") for symbol in symbols]
+    by_state = np.broadcast_to(np.eye(n), (m, n, n))
+    by_input = np.zeros((m, n, s))
+    if any(place >= n for place in places):
+        width = len(definition.outputs_symbols)
+        by_state = np.concatenate(
+            [by_state, value(made.compiled_jacobian("outputs", "x"), n)], axis=1
+        )
+        inputs = value(made.compiled_jacobian("outputs", "r"), s) if s else np.zeros((m, width, 0))
+        by_input = np.concatenate([by_input, inputs], axis=1)
+    C = by_state[:, places] @ T
+    D = by_input[:, places][:, :, columns]
+    titles = unique_names([*definition.states, *definition.outputs_symbols])
+    return C, D, tuple(titles[place] for place in places)

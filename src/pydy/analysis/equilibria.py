@@ -1,0 +1,188 @@
+"""States in which a system stays, or moves on steadily: equilibria, relative equilibria, trims.
+
+The unknowns are found by least squares on the derivatives of the states and the residuals of the
+constraints, with exact Jacobians: `scipy.optimize.least_squares` finds the neighbourhood, within
+bounds, and Newton's method with the pseudo-inverse goes on until rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from scipy.optimize import least_squares
+
+from pydy._errors import EquilibriumError
+from pydy._names import unique_names
+
+__all__ = ["Equilibrium", "solve_equilibrium"]
+
+_EPS = float(np.finfo(float).eps)
+# Singular values below this share of the largest leave a direction in which the unknowns are free.
+_FREE = 1e-9
+# A residual up to so many rounding errors of the terms it is made of is zero.
+_ROUNDING = 1e5
+_POLISH = 20
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """Where a system stays.
+
+    Attributes
+    ----------
+    values : dict
+        The unknowns, by symbol.
+    initial_conditions, constants, specifieds : dict
+        All states; and the constants and specifieds among the unknowns. They fit the System's
+        attributes of the same names.
+    state : ndarray, shape (n,)
+        The states in order.
+    residual : float
+        The largest residual.
+    free : tuple of str
+        What the unknowns may change by without leaving the equilibrium, to first order; empty
+        where it is isolated.
+    """
+
+    values: dict[Any, float]
+    initial_conditions: dict[Any, float]
+    constants: dict[Any, float]
+    specifieds: dict[Any, float]
+    state: np.ndarray
+    residual: float
+    free: tuple[str, ...] = field(default=())
+
+    def __str__(self) -> str:
+        names = unique_names(list(self.values))
+        parts = zip(names, self.values.values(), strict=True)
+        shown = ", ".join(f"{name} = {value:.10g}" for name, value in parts)
+        text = f"Equilibrium at {shown}; largest residual {self.residual:.2g}"
+        return text + (f"; free: {'; '.join(self.free)}" if self.free else "")
+
+
+def solve_equilibrium(
+    residual: Callable[[np.ndarray], np.ndarray],
+    jacobian: Callable[[np.ndarray], np.ndarray],
+    start: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    unknowns: Sequence[str],
+    rows: Sequence[str],
+) -> tuple[np.ndarray, float, tuple[str, ...]]:
+    """Solve ``residual(z) = 0``.
+
+    Parameters
+    ----------
+    residual : callable
+        ``residual(z)``, shape (m,).
+    jacobian : callable
+        ``jacobian(z)``, shape (m, k).
+    start : ndarray, shape (k,)
+    bounds : (ndarray, ndarray), shapes (k,)
+        Lowest and highest values.
+    unknowns, rows : sequence of str
+        Names, for messages.
+
+    Returns
+    -------
+    z : ndarray, shape (k,)
+    largest : float
+        The largest residual.
+    free : tuple of str
+        Combinations of unknowns that the equations do not determine.
+
+    Raises
+    ------
+    EquilibriumError
+        None was found.
+    """
+    low, high = bounds
+    with np.errstate(all="ignore"):
+        try:
+            found = least_squares(
+                residual, np.clip(start, low, high), jacobian, bounds, x_scale="jac",
+                xtol=1e-14, ftol=1e-14, gtol=1e-14,
+            )  # fmt: skip
+            z, message = found.x, found.message
+        except ValueError as error:  # residuals that are not finite at the start
+            z, message = np.array(start), str(error)
+    z = _polished(residual, jacobian, z, low, high)
+    values, slopes = residual(z), jacobian(z)
+    if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
+        raise EquilibriumError(
+            "No equilibrium was found: the equations are not finite near "
+            f"{_named(unknowns, z)}. Give initial conditions nearer to one.",
+            z,
+            values,
+        )
+    scale = np.abs(slopes) @ np.maximum(np.abs(z), 1.0) + np.abs(values).max(initial=0.0) * _EPS
+    worst = np.abs(values) / np.maximum(_ROUNDING * _EPS * scale, 1e-300)
+    if (worst > 1.0).any():
+        order = [k for k in np.argsort(-np.abs(values)) if worst[k] > 1.0][:3]
+        left = ", ".join(f"{rows[k]} = {values[k]:.3g}" for k in order)
+        at_bounds = [
+            name
+            for name, value, a, b in zip(unknowns, z, low, high, strict=True)
+            if min(value - a, b - value) <= 1e-9 * max(1.0, abs(value))
+        ]
+        bound = f" At a bound: {', '.join(at_bounds)}." if at_bounds else ""
+        raise EquilibriumError(
+            f"No equilibrium was found. Nearest, at {_named(unknowns, z)}: {left}.{bound} "
+            "Start nearer to one, name more unknowns, or name the coordinates that keep moving in "
+            f"`moving`. ({' '.join(message.split())})",
+            z,
+            values,
+        )
+    return z, float(np.abs(values).max(initial=0.0)), _undetermined(slopes, unknowns)
+
+
+def _polished(
+    residual: Callable[[np.ndarray], np.ndarray],
+    jacobian: Callable[[np.ndarray], np.ndarray],
+    z: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+) -> np.ndarray:
+    """Go on by Newton's method as long as the residual falls."""
+    best = residual(z)
+    for _ in range(_POLISH):
+        slopes = jacobian(z)
+        if not (np.isfinite(slopes).all() and np.isfinite(best).all()) or not best.any():
+            break
+        step = np.linalg.lstsq(slopes, best, rcond=_FREE)[0]
+        after = np.clip(z - step, low, high)
+        values = residual(after)
+        if not np.abs(values).max() < np.abs(best).max():
+            break
+        z, best = after, values
+    return z
+
+
+def _named(names: Sequence[str], values: np.ndarray) -> str:
+    parts = [f"{name} = {value:.6g}" for name, value in zip(names, values, strict=True)][:6]
+    return ", ".join(parts + (["..."] if len(names) > 6 else []))
+
+
+def _undetermined(slopes: np.ndarray, unknowns: Sequence[str]) -> tuple[str, ...]:
+    """Return the directions in which no equation changes, as sums of unknowns."""
+    if not slopes.size:
+        return tuple(unknowns)
+    sizes = np.linalg.norm(slopes, axis=1, keepdims=True)
+    _, singular, right = np.linalg.svd(slopes / np.where(sizes > 0.0, sizes, 1.0))
+    rank = int((singular > _FREE * max(singular.max(initial=0.0), 1e-300)).sum())
+    texts = []
+    for direction in right[rank:]:
+        largest = np.abs(direction).max()
+        parts = [
+            name if abs(share - largest) < 1e-12 else f"{share / largest:.3g} {name}"
+            for name, share in zip(unknowns, np.sign(_leading(direction)) * direction, strict=True)
+            if abs(share) > 1e-6 * largest
+        ]
+        texts.append(" + ".join(parts))
+    return tuple(texts)
+
+
+def _leading(direction: np.ndarray) -> Any:
+    return direction[np.abs(direction).argmax()]

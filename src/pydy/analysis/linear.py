@@ -1,0 +1,160 @@
+"""Linear models of the motions that keep the constraints.
+
+Of the states that satisfy the constraints c(x) = 0 some can be chosen as independent. With the
+Jacobian J of c every small motion on the constraints is δx = T δz with J T = 0, where the rows of T
+that belong to the independent states z are those of the identity. From δx' = A δx + B δr these rows
+give δz' = (A T) δz + B δr, at an equilibrium and along any motion, since they are constant (D. L.
+Peterson, G. Gede and M. Hubbard, "Symbolic linearization of equations of motion of constrained
+multibody systems", Multibody System Dynamics 33 (2015) 143-161).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from scipy.linalg import qr
+
+from pydy._optional import require
+
+__all__ = ["LinearModel", "independent_places", "tangents"]
+
+# A row of the constraints' Jacobian this much shorter than the longest, after elimination, adds
+# nothing to its rank.
+_DEPENDENT = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class LinearModel:
+    """``z' = A z + B r`` and ``y = C z + D r`` for small deviations z, r and y.
+
+    Attributes
+    ----------
+    A, B, C, D : ndarray
+        Shapes (n, n), (n, s), (o, n) and (o, s); with a first axis for several states.
+    states, inputs, outputs : tuple of str
+        Names; the states are the independent ones.
+    rates : ndarray, shape (n,) or (m, n)
+        The derivatives of the independent states where the model was taken: zero, but for
+        coordinates that move steadily, at an equilibrium.
+
+    Examples
+    --------
+    >>> from pydy.models import multi_mass_spring_damper
+    >>> system = multi_mass_spring_damper(apply_external_forces=True)
+    >>> model = system.linearize()
+    >>> model.A, model.B, model.states, model.inputs
+    (array([[ 0.,  1.],
+           [-1., -1.]]), array([[0.],
+           [1.]]), ('x0', 'v0'), ('f0',))
+    >>> model.eigenvalues.round(3)
+    array([-0.5+0.866j, -0.5-0.866j])
+    """
+
+    A: np.ndarray
+    B: np.ndarray
+    C: np.ndarray
+    D: np.ndarray
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    rates: np.ndarray
+
+    @property
+    def eigenvalues(self) -> np.ndarray:
+        """Eigenvalues of A, shape (n,) or (m, n), in 1/s: the largest real part first."""
+        values = np.linalg.eigvals(self.A).astype(complex)
+        order = np.lexsort((-values.imag, -values.real), axis=-1)
+        return np.take_along_axis(values, order, axis=-1)
+
+    def to_state_space(self) -> Any:
+        """Return the model as a `scipy.signal.StateSpace`."""
+        from scipy.signal import StateSpace
+
+        return StateSpace(*self._one("to_state_space"))
+
+    def to_control(self) -> Any:
+        """Return the model as a ``control.StateSpace`` of python-control, with its names."""
+        control = require("control", "control", "to_control()")
+        names = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
+        return control.ss(
+            *self._one("to_control"), **{kind: list(given) for kind, given in names.items()}
+        )
+
+    def _one(self, what: str) -> tuple[np.ndarray, ...]:
+        if self.A.ndim != 2:
+            raise ValueError(
+                f"{what}() takes one linear model, but this one holds {len(self.A)}, one for each "
+                "state that `at` gave. Linearize at one of them."
+            )
+        return self.A, self.B, self.C, self.D
+
+
+def independent_places(
+    jacobian: np.ndarray, dependent: Sequence[int]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the places of independent and dependent states.
+
+    Parameters
+    ----------
+    jacobian : ndarray, shape (c, n)
+        Of the constraints' residuals; rows may depend on each other.
+    dependent : sequence of int
+        Those that the user called dependent. They are taken if the constraints can be solved for
+        them, and completed or replaced otherwise.
+    """
+    n = jacobian.shape[1]
+    sizes = np.linalg.norm(jacobian, axis=1, keepdims=True)
+    rows = jacobian / np.where(sizes > 0.0, sizes, 1.0)
+    rank = int(np.linalg.matrix_rank(rows, tol=_DEPENDENT)) if rows.size else 0
+    preferred = np.array(sorted(dependent), dtype=np.int64)
+    if rank == len(preferred) and rank:
+        rank_of_preferred = np.linalg.matrix_rank(rows[:, preferred], tol=_DEPENDENT)
+        if rank_of_preferred < rank:
+            preferred = preferred[:0]
+    elif len(preferred) != rank:
+        preferred = preferred[:0]
+    if len(preferred) < rank:
+        _, _, order = qr(rows, pivoting=True, mode="economic")
+        preferred = np.sort(order[:rank])
+    free = np.setdiff1d(np.arange(n), preferred)
+    return free, preferred
+
+
+def tangents(jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray) -> np.ndarray:
+    """Return T with J T = 0 and rows of the identity at the independent states.
+
+    Parameters
+    ----------
+    jacobian : ndarray, shape (m, c, n)
+    free, bound : ndarray of int
+        The places of independent and dependent states.
+
+    Returns
+    -------
+    ndarray, shape (m, n, n - rank)
+
+    Raises
+    ------
+    ValueError
+        The constraints cannot be solved for the dependent states.
+    """
+    m, _, n = jacobian.shape
+    result = np.zeros((m, n, len(free)))
+    result[:, free, np.arange(len(free))] = 1.0
+    if len(bound):
+        sizes = np.linalg.norm(jacobian, axis=2, keepdims=True)
+        rows = jacobian / np.where(sizes > 0.0, sizes, 1.0)
+        held, moved = rows[:, :, bound], rows[:, :, free]
+        smallest = np.linalg.svd(held, compute_uv=False)[:, -1]
+        if smallest.min() <= _DEPENDENT:
+            raise ValueError(
+                "The constraints cannot be solved for the dependent states at "
+                f"state {int(smallest.argmin())} of `at`: the configuration is singular there. "
+                "Linearize beside it."
+            )
+        solved = -np.linalg.pinv(held) @ moved
+        result[:, bound] = solved
+    return result

@@ -1,0 +1,137 @@
+"""Equilibria, relative equilibria and trims."""
+
+import pickle
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import zoo
+from cases import system_of
+from pydy.errors import EquilibriumError
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.system import System
+
+
+@pytest.fixture
+def pendulum():
+    return n_link_pendulum_on_cart(2)
+
+
+def bead_on_a_hoop():
+    """A bead on a hoop that turns about its vertical diameter at a prescribed rate."""
+    angle, speed, turn = me.dynamicsymbols("theta omega Omega")
+    m, r, g = sm.symbols("m r g")
+    ground, hoop, radius = (me.ReferenceFrame(name) for name in "NHR")
+    hoop.orient_axis(ground, ground.z, 0)
+    hoop.set_ang_vel(ground, turn * ground.z)
+    radius.orient_axis(hoop, hoop.x, angle)
+    radius.set_ang_vel(hoop, speed * hoop.x)
+    origin = me.Point("O")
+    origin.set_vel(ground, 0)
+    bead = origin.locatenew("P", -r * radius.z)
+    bead.v2pt_theory(origin, ground, radius)
+    kane = me.KanesMethod(ground, [angle], [speed], [angle.diff(zoo.T) - speed])
+    kane.kanes_equations([me.Particle("P", bead, m)], [(bead, -m * g * ground.z)])
+    return System(kane, constants={m: 0.3, r: 0.5, g: 9.81}), angle, turn
+
+
+def test_a_pendulum_hangs_and_its_cart_may_stand_anywhere(pendulum):
+    q0, q1, q2 = pendulum.coordinates
+    pendulum.initial_conditions = {q0: 0.7, q1: 3.0, q2: 3.3}
+    found = pendulum.find_equilibrium()
+    assert found.values[q0] == pytest.approx(0.7, abs=1e-9)
+    assert found.values[q1] == pytest.approx(np.pi, abs=1e-12)
+    assert found.values[q2] == pytest.approx(np.pi, abs=1e-12)
+    assert found.free == ("q0",)
+    assert found.residual < 1e-14
+
+
+def test_the_result_fits_the_systems_attributes(pendulum):
+    pendulum.initial_conditions = {pendulum.coordinates[1]: 3.0, pendulum.coordinates[2]: 3.1}
+    pendulum.initial_conditions = pendulum.find_equilibrium().initial_conditions
+    assert np.abs(pendulum.evaluate_ode()).max() < 1e-14
+
+
+def test_inputs_may_be_unknown(pendulum):
+    force = next(iter(pendulum.specifieds_symbols))
+    _, q1, q2 = pendulum.coordinates
+    with pytest.raises(EquilibriumError, match=r"Nearest, at q2 = .* the derivative of u"):
+        pendulum.find_equilibrium([q2], {q1: 0.2})
+    found = pendulum.find_equilibrium([force, q1, q2])
+    assert found.specifieds[force] == pytest.approx(0.0, abs=1e-14)
+
+
+def test_constants_may_be_unknown():
+    system = multi_mass_spring_damper(apply_gravity=True)
+    found = system.find_equilibrium(["k0"], {"x0": 0.25, "g": 9.81, "m0": 2.0})
+    assert found.constants[sm.Symbol("k0")] == pytest.approx(2.0 * 9.81 / 0.25, rel=1e-14)
+    assert list(found.constants) == [sm.Symbol("k0")]
+
+
+@pytest.mark.parametrize("rate", [5.0, 8.0])
+def test_a_bead_on_a_turning_hoop_rests_where_the_closed_form_says(rate):
+    system, angle, turn = bead_on_a_hoop()
+    found = system.find_equilibrium([angle], {turn: rate, angle: 1.0})
+    assert np.cos(found.values[angle]) == pytest.approx(9.81 / (0.5 * rate**2), rel=1e-13)
+
+
+def test_the_rate_that_holds_a_bead_is_found_within_bounds():
+    system, angle, turn = bead_on_a_hoop()
+    for low, high, sign in ((0.1, 20.0, 1), (-20.0, -0.1, -1)):
+        found = system.find_equilibrium(
+            [turn], {angle: 1.1, turn: sign * 3.0}, bounds={turn: (low, high)}
+        )
+        rate = np.sqrt(9.81 / (0.5 * np.cos(1.1)))
+        assert found.specifieds[turn] == pytest.approx(sign * rate, rel=1e-13)
+
+
+def test_a_closed_linkage_rests_on_its_constraints():
+    model = zoo.fourbar()
+    system = system_of(model)
+    found = system.find_equilibrium()
+    assert np.abs(system.evaluate_ode(found.state)).max() < 1e-10
+    assert np.abs(system.evaluate_constraints(found.state)).max() < 1e-12
+
+
+def test_a_coordinate_may_move_steadily():
+    system = system_of(zoo.sleigh())
+    x = system.coordinates[0]
+    forward = {system.speeds[0]: 2.0}
+    with pytest.raises(EquilibriumError, match="the derivative of x"):
+        system.find_equilibrium(given=forward)
+    found = system.find_equilibrium(given=forward, moving=[x])
+    assert found.initial_conditions[system.speeds[0]] == 2.0
+    assert np.delete(system.evaluate_ode(found.state), 0) == pytest.approx(0.0, abs=1e-14)
+
+
+def test_what_falls_freely_has_none_and_the_row_is_named():
+    position, speed = me.dynamicsymbols("x v")
+    ground, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(ground, speed * ground.x)
+    kane = me.KanesMethod(ground, [position], [speed], [position.diff(zoo.T) - speed])
+    kane.kanes_equations([me.Particle("P", point, 2)], [(point, 6 * ground.x)])
+    with pytest.raises(EquilibriumError, match=r"the derivative of v\(t\) = 3") as caught:
+        System(kane).find_equilibrium()
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert again.residuals.tolist() == caught.value.residuals.tolist()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"unknowns": ["nothing"]}, "`unknowns` has the key `nothing`"),
+        ({"unknowns": []}, "`unknowns` must name"),
+        ({"unknowns": 3}, "`unknowns` must be a sequence"),
+        ({"unknowns": ["q1", "q1"]}, "more than once"),
+        ({"given": {"q9": 1.0}}, "`given` has the key `q9`"),
+        ({"given": {"q1": "far"}}, r"`given\[q1\]`"),
+        ({"moving": ["u1"]}, "`moving` must hold coordinates"),
+        ({"bounds": {"g": (0, 1)}}, "`bounds` has the key `g`"),
+        ({"bounds": {"q1": (1, 0)}}, "lowest and the highest"),
+    ],
+)
+def test_bad_arguments_are_named(pendulum, arguments, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        pendulum.find_equilibrium(**arguments)

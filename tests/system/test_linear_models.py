@@ -1,0 +1,165 @@
+"""Linear models on the constraints, with names."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sm
+from scipy.optimize import brentq
+from scipy.signal import StateSpace
+
+import zoo
+from cases import close, system_of
+from pydy.examples import whipple_bicycle
+from pydy.linearize import constrained_eigenvalues
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.system import System
+
+
+@cache
+def bicycle():
+    made = whipple_bicycle.derive()
+    constants = whipple_bicycle.benchmark_parameters(made)
+    return made, System(made.kane, constants=constants)
+
+
+def upright(made, system, speeds):
+    """States of straight running, a row for each forward speed."""
+    rows = [whipple_bicycle.equilibrium(made, v) for v in speeds]
+    return np.array([[row.get(s, 0.0) for s in system.states] for row in rows])
+
+
+def test_the_bicycle_has_the_published_eigenvalues():
+    made, system = bicycle()
+    for speed, published in whipple_bicycle.PUBLISHED_EIGENVALUES.items():
+        model = system.linearize(upright(made, system, [speed])[0])
+        for value in published:
+            assert np.abs(model.eigenvalues - value).min() < 1e-9
+
+
+def test_the_bicycles_weave_and_capsize_speeds_are_the_published_ones():
+    made, system = bicycle()
+
+    def lateral(speed):
+        """Lean and steer, which move apart from the ignorable coordinates."""
+        model = system.linearize(upright(made, system, [speed])[0])
+        places = [model.states.index(name) for name in ("phi", "delta", "u_phi", "u_delta")]
+        return model.A[np.ix_(places, places)]
+
+    def weave(speed):
+        values = np.linalg.eigvals(lateral(speed))
+        return values[np.abs(values.imag) > 1e-3].real.max()
+
+    def capsize(speed):  # a real eigenvalue is zero
+        return np.linalg.det(lateral(speed))
+
+    assert brentq(weave, 4.0, 4.6, xtol=1e-12) == pytest.approx(4.292382536341, abs=1e-9)
+    assert brentq(capsize, 5.8, 6.2, xtol=1e-12) == pytest.approx(6.024262015388, abs=1e-9)
+
+
+def test_many_states_give_a_stack_of_models():
+    made, system = bicycle()
+    speeds = np.linspace(2.0, 8.0, 13)
+    x = upright(made, system, speeds)
+    many = system.linearize(x, np.zeros(len(x)))
+    assert many.A.shape == (13, len(many.states), len(many.states))
+    for k in (0, 7, 12):
+        one = system.linearize(x[k])
+        close(many.A[k], one.A)
+        np.testing.assert_allclose(many.eigenvalues[k], one.eigenvalues, atol=1e-6)
+    with pytest.raises(ValueError, match="takes one linear model"):
+        many.to_state_space()
+
+
+@pytest.mark.parametrize("name", ["fourbar", "disc", "gyro", "track"])
+def test_a_model_has_the_eigenvalues_of_the_motions_that_keep_the_constraints(name):
+    system = system_of(zoo.MODELS[name]())
+    if name != "gyro":
+        at_rest = system.find_equilibrium().initial_conditions if name == "fourbar" else {}
+        system.initial_conditions = at_rest
+    model = system.linearize()
+    n = len(system.coordinates) + len(system.speeds)
+    rank = n - len(model.states)
+    blocks = [
+        system.evaluate_jacobian(of=kind)
+        for kind, count in (
+            ("holonomic", system.num_holonomic_constraints),
+            ("velocity", system.num_velocity_constraints),
+        )
+        if count
+    ]
+    assert rank == np.linalg.matrix_rank(np.vstack(blocks)[:, :n], tol=1e-9)
+    if name == "fourbar":
+        A = system.evaluate_jacobian()[:n, :n]
+        expected = constrained_eigenvalues(A, np.vstack(blocks)[:, :n])
+        np.testing.assert_allclose(model.eigenvalues, expected, atol=1e-7)
+
+
+def test_a_model_predicts_small_motions_on_the_constraints():
+    system = system_of(zoo.fourbar())
+    found = system.find_equilibrium()
+    model = system.linearize(found.state)
+    x = found.state.copy()
+    names = [s.name for s in system.states]
+    small = 1e-6
+    place = names.index(model.states[0])
+    system.initial_conditions = {**found.initial_conditions, system.states[place]: x[place] + small}
+    system.set_dependent_initial_conditions(use_jac=True)
+    rates = system.evaluate_ode()[[names.index(s) for s in model.states]]
+    close(rates, small * model.A[:, 0], 1e-10)
+
+
+def test_inputs_and_outputs_have_names():
+    system = n_link_pendulum_on_cart(2, joint_torques=True)
+    q0, q1, _ = system.coordinates
+    system.outputs = {sm.Symbol("height"): sm.cos(q1), sm.Symbol("push"): 3 * q0}
+    model = system.linearize(inputs=["T1", "F"], outputs=["push", "q2", "height"])
+    assert model.inputs == ("T1", "F")
+    assert model.outputs == ("push", "q2", "height")
+    assert model.B.shape == (6, 2)
+    close(model.C[0], [3, 0, 0, 0, 0, 0])
+    close(model.C[1], [0, 0, 1, 0, 0, 0])
+    close(model.C[2], np.zeros(6))
+    by_input = system.evaluate_jacobian(wrt="specifieds")
+    close(model.B, by_input[:, [1, 0]])
+
+
+def test_an_output_may_depend_on_an_input_at_once():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    force = next(iter(system.specifieds_symbols))
+    v = system.speeds[0]
+    system.outputs = {sm.Symbol("a"): v.diff()}
+    model = system.linearize(outputs=["a"])
+    assert model.D.tolist() == [[1.0]]
+    assert model.C.tolist() == [[-1.0, -1.0]]
+    assert model.inputs == (force.name if hasattr(force, "name") else str(force),)
+
+
+def test_scipy_takes_the_model():
+    space = multi_mass_spring_damper().linearize(outputs=["x0"]).to_state_space()
+    assert isinstance(space, StateSpace)
+    close(space.C, [[1.0, 0.0]])
+
+
+def test_python_control_takes_the_model_with_its_names():
+    model = n_link_pendulum_on_cart().linearize(inputs=["F"], outputs=["q1"])
+    space = model.to_control()
+    assert space.state_labels == list(model.states)
+    assert space.input_labels == ["F"]
+    assert space.output_labels == ["q1"]
+    close(np.sort(space.poles().real), np.sort(model.eigenvalues.real), 1e-9)
+
+
+def test_prescribed_motions_of_constraints_are_no_inputs():
+    system = system_of(zoo.lifted())
+    with pytest.raises(ValueError, match="constraints depend on an input"):
+        system.linearize()
+    assert system.linearize(inputs=[]).B.shape[1] == 0
+
+
+def test_where_the_configuration_is_singular_it_says_so():
+    system = system_of(zoo.fourbar())
+    start = system.find_equilibrium().state
+    bad = np.array([start, np.zeros_like(start)])
+    with pytest.raises(ValueError, match="state 1 of `at`"):
+        system.linearize(bad, np.zeros(2))
