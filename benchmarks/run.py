@@ -11,8 +11,10 @@ from typing import Any
 
 from harness.driver import ROOT, Worker, WorkerError, in_turn
 from harness.report import pairwise, save, seconds, table
+from harness.ways import WAYS
 
 MODELS = ("1", "5", "10", "20", "bicycle")
+WAYS_OF = ("1", "10", "bicycle")  # the models of which every way of calling is measured
 
 
 def main() -> None:
@@ -23,6 +25,7 @@ def main() -> None:
     parser.add_argument("--models", nargs="+", default=MODELS, choices=MODELS)
     parser.add_argument("--budget", type=float, default=30.0, help="seconds for each line")
     parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
+    parser.add_argument("--ways", action="store_true", help="only the ways of calling")
     parser.add_argument("--core", type=int, help="bind both to this processor")
     options = parser.parse_args()
     rounds = {"least": 1, "most": 1} if options.quick else {"least": 3, "budget": options.budget}
@@ -33,7 +36,10 @@ def main() -> None:
             Worker("ours", options.python, "pydy_worker.py", core=options.core) as ours,
             Worker("released", options.reference, "pydy_worker.py", core=options.core) as theirs,
         ):
-            lines += _measure(model, ours, theirs, rounds)
+            if not options.ways:
+                lines += _measure(model, ours, theirs, rounds)
+            if model in WAYS_OF:
+                lines += _ways(model, ours, theirs, rounds)
     lines.sort(key=lambda line: line["measure"])
     _report(lines)
     save("run", lines)
@@ -94,10 +100,37 @@ def _measure(
     return lines
 
 
-def _check(ours: list[float], theirs: list[float]) -> None:
-    scale = max(map(abs, theirs))
+def _ways(model: str, ours: Worker, theirs: Worker, rounds: dict[str, Any]) -> list[dict[str, Any]]:
+    """Measure every documented way of calling, the released package with its Cython generator."""
+    ours.ask("load", name=model)
+    note = theirs.ask("load", name=model)
+    lines: list[dict[str, Any]] = []
+    for way in WAYS:
+        if way.startswith("evaluate_constraints") and model != "bicycle":
+            continue
+        line = {"measure": way, "model": model, "note": note}
+        try:
+            values = (
+                ours.ask("prepare_way", way=way, generator="llvm"),
+                theirs.ask("prepare_way", way=way, generator="cython"),
+            )
+            _check(*values, 1e-6 if way.startswith("integrate") else 1e-9)
+            taken = in_turn(
+                {w.name: lambda w=w: w.ask("call_way") for w in (ours, theirs)},
+                **{**rounds, "most": 15, "budget": 5.0},
+            )
+        except WorkerError as error:
+            line["note"] = str(error)
+        else:
+            line |= {name: [pair[name] for pair in taken] for name in ("ours", "released")}
+        lines.append(line)
+    return lines
+
+
+def _check(ours: list[float], theirs: list[float], tolerance: float = 1e-9) -> None:
+    scale = max(map(abs, theirs)) or 1.0
     worst = max(abs(a - b) for a, b in zip(ours, theirs, strict=True)) / scale
-    if not worst < 1e-9:
+    if not worst < tolerance:
         raise WorkerError(f"the derivatives differ by {worst:.1e} relative")
 
 

@@ -15,6 +15,9 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 from harness import frozen
 from harness.program import assembly_of
 
+from pydy import _programs
+from pydy._graph.passes import Passes
+
 # Operations at every call in M and F, and with the solve for the accelerations; the last column
 # is what sympy.cse leaves of M and F.
 LIMITS = {
@@ -53,3 +56,25 @@ def test_a_chain_of_masses_costs_the_same_for_each_mass():
         system.generate_ode_function()
         costs[n] = operations(system._current().compiled("rates").program)
     assert (costs[40] - costs[20]) / 20 == pytest.approx((costs[20] - costs[10]) / 10, rel=0.05)
+
+
+@pytest.mark.parametrize("name", ["rods-3", "springs-100-stretch"])
+def test_the_change_of_unknowns_can_be_switched_off(name, monkeypatch):
+    model = frozen.read(name)
+    assert assembly_of(model).mass_matrix not in solved_matrices(assembly_of(model))
+
+    def never(*_):
+        raise AssertionError("the unknowns were changed")
+
+    monkeypatch.setattr(_programs, "body_basis", never)
+    monkeypatch.setattr(_programs, "difference_basis", never)
+    for passes in (Passes(rebase=False), Passes.none()):
+        assembly = assembly_of(model, passes=passes)
+        assert assembly.mass_matrix in solved_matrices(assembly)
+
+
+def solved_matrices(assembly):
+    """The entries of all matrices that are factored, each as a list."""
+    graph = assembly.graph
+    nodes = graph.reachable(assembly.rates)
+    return [list(graph.args[n][2]) for n in nodes if graph.ops[n] == "factor"]

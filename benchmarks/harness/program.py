@@ -11,6 +11,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from harness.frozen import Model
 from pydy._eom.equations import Equations
+from pydy._graph.passes import Passes
 from pydy._programs import Assembly, assemble_system
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.ode_function_generators import make_system_function
@@ -34,10 +35,12 @@ def equations_of(model: Model) -> Equations:
     )
 
 
-def assembly_of(model: Model, equations: Equations | None = None) -> Assembly:
+def assembly_of(
+    model: Model, equations: Equations | None = None, passes: Passes | None = None
+) -> Assembly:
     """Read a model into a graph, as System does."""
     equations = equations or equations_of(model)
-    return assemble_system(equations, (), (), model.specifieds, model.constants)
+    return assemble_system(equations, (), (), model.specifieds, model.constants, passes=passes)
 
 
 def right_hand_side_of(model: Model) -> RightHandSide:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import os
-import re
 import tempfile
+import time
 import warnings
 from typing import Any
 
 import numpy as np
 from harness.problems import Problem, drop_auxiliary_speeds, problem
 from harness.serve import Repeated, in_child, serve, time_of
+from harness.ways import order_of_constants, way_of
 
 import pydy
 from pydy.system import System
@@ -106,7 +107,7 @@ class Session:
         if not RELEASED:  # what is measured is the best code, not the first
             assert system._current().kernel.addresses
         values = {s.name: v for s, v in system.constants.items()}
-        p = np.array([values[name] for name in _order_of_constants(rhs)])
+        p = np.array([values[name] for name in order_of_constants(rhs)])
         r = np.zeros(len(system.specifieds_symbols))
         x = np.array([0.1 + 0.02 * k for k in range(len(system.states))])
         self.rhs = Repeated(lambda: rhs(x, 0.0, r, p))
@@ -117,12 +118,19 @@ class Session:
         """Return the seconds of one call of the right-hand side."""
         return self.rhs()
 
+    def prepare_way(self, way: str, generator: str) -> list[float]:
+        """Prepare one of `harness.ways.WAYS`; returns numbers to compare."""
+        system = self.system()
+        measured, compared = way_of(way, self.problem, system, generator)
+        values = compared()
+        if not RELEASED:
+            time.sleep(1.0)  # what is measured is the best code, which is made in a quiet moment
+        self.way = Repeated(measured)
+        return list(np.ravel(values[0] if isinstance(values, tuple) else values))
 
-def _order_of_constants(rhs: Any) -> list[str]:
-    """Return the constants' names as the generated function's docstring lists them."""
-    _, _, after = rhs.__doc__.partition("array with the constants in the following order:")
-    listed, _, _ = after.partition("Returns")
-    return re.findall(r"- (\w+)", listed)
+    def call_way(self) -> float:
+        """Return the seconds of one call as it was prepared."""
+        return self.way()
 
 
 def _warm_up(cache: str | None = None) -> None:
@@ -139,6 +147,6 @@ if __name__ == "__main__":
     session = Session()
     names = (
         *("load", "integrate", "generate", "prepare", "call"),
-        *("prepare_integration", "integrate_again"),
+        *("prepare_integration", "integrate_again", "prepare_way", "call_way"),
     )
     serve({name: getattr(session, name) for name in names})

@@ -333,6 +333,16 @@ class Places:
             )
         return result
 
+    def fits(self, values: Mapping[Any, Any]) -> bool:
+        """Return whether a dictionary surely gives all symbols finite floats; makes no array."""
+        if [*values] != self._known[0]:
+            return False
+        try:
+            total = sum(values.values())
+        except (TypeError, ValueError, OverflowError):
+            return False
+        return type(total) is float and isfinite(total)
+
     def plain(self, values: Mapping[Any, Any], *, finite: bool = False) -> np.ndarray | None:
         """Return the numbers of a dictionary that gives all symbols plain ones, else None."""
         keys, numbers = [*values], [*values.values()]

@@ -294,7 +294,7 @@ def assemble_system(
     constants: Sequence[Any],
     *,
     external: bool = False,
-    simplified: bool = True,
+    passes: Passes | None = None,
 ) -> Assembly:
     """Assemble a mechanical system with its outputs.
 
@@ -310,7 +310,8 @@ def assemble_system(
     external : bool
         Whether the accelerations are solved for by a user's solver: they then are inputs, at the
         end of r.
-    simplified : bool
+    passes : Passes, optional
+        All by default.
 
     Raises
     ------
@@ -318,6 +319,7 @@ def assemble_system(
         Accelerations occur nonlinearly in the equations of motion, a group is nonlinear in its own
         names, or outputs refer to each other in a circle.
     """
+    passes = passes or Passes()
     graph = Graph()
     q, u, t = equations.coordinates, equations.speeds, equations.time
     atoms = _inputs(graph, t, [*q, *u, *auxiliaries], specifieds, constants)
@@ -346,7 +348,7 @@ def assemble_system(
     else:
         kind = "ldl" if equations.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        solved = solve_accelerations(graph, rows, forcing, kind)
+        solved = solve_accelerations(graph, rows, forcing, kind, rebase=passes.rebase)
     read.what = "the outputs"
     values = _evaluate_groups(graph, read, groups, dict(zip(accelerations, solved, strict=True)))
     integrated = auxiliary_groups(equations, groups)
@@ -364,7 +366,7 @@ def assemble_system(
         nonholonomic,
         matrix,
         forcing,
-        Passes() if simplified else Passes.none(),
+        passes,
         known,
         [atoms[s] for s in u],
         equations.mechanism,
@@ -389,10 +391,10 @@ def _other_symbols(equations: Equations) -> tuple[list[Any], list[Any]]:
 
 
 def solve_accelerations(
-    graph: Graph, rows: list[list[int]], forcing: list[int], kind: str
+    graph: Graph, rows: list[list[int]], forcing: list[int], kind: str, *, rebase: bool = True
 ) -> list[int]:
-    """Return the solution of the equations of motion."""
-    if kind == "ldl":
+    """Return the solution of the equations of motion; see `Passes` for `rebase`."""
+    if kind == "ldl" and rebase:
         if (chain := difference_basis(graph, rows, forcing)) is not None:
             y = graph.solve(chain[0], [chain[1]], kind)[0]
             return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
@@ -521,7 +523,7 @@ def assemble_form(
     time: Any,
     *,
     external: bool = False,
-    simplified: bool = True,
+    passes: Passes | None = None,
 ) -> Assembly:
     """Assemble equations in one of the forms [1] x' = F, [2] M x' = F, [3] M u' = F with q' = G."""
     graph = Graph()
@@ -557,5 +559,5 @@ def assemble_form(
     values = read.all(outputs)
     return Assembly(
         graph, sizes, rates, values, values, mass_matrix=matrix, forcing=forcing,
-        passes=Passes() if simplified else Passes.none(),
+        passes=passes or Passes(),
     )  # fmt: skip

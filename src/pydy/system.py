@@ -19,6 +19,7 @@ from scipy.integrate import odeint
 from pydy._checks import describe, flag, vector
 from pydy._eom.extract import extract
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
+from pydy._graph.passes import Passes
 from pydy._kernel import Kernel
 from pydy._names import nearest
 from pydy._programs import check_accelerations
@@ -183,7 +184,7 @@ class System:
 
         def __setattr__(self, name: str, value: Any) -> None:
             # A misspelt attribute would be set, and never read.
-            if type(self) is System and not name.startswith("_") and not hasattr(System, name):
+            if name[0] != "_" and type(self) is System and not hasattr(System, name):
                 settable = [n for n, p in vars(System).items() if getattr(p, "fset", None)]
                 raise AttributeError(
                     f"System has no attribute `{name}`, so it cannot be set. "
@@ -400,8 +401,9 @@ class System:
     @constants.setter
     def constants(self, constants: Mapping[Any, Any] | None) -> None:
         values = check_mapping("constants", constants)
-        self._numbers("constants", values, 1.0)
-        self._constants = values
+        if not self._definition.places["constants"].fits(values):
+            self._numbers("constants", values, 1.0)
+        self.__dict__["_constants"] = values  # by itself, as a short call
 
     @property
     def specifieds(self) -> dict[Any, Any]:
@@ -608,10 +610,8 @@ class System:
             solver = None
         if options.get("generator") == "cython" and "force_c_contiguous" not in options:
             options["force_c_contiguous"] = self._ode_solver is not odeint
-        simplified = bool(options.get("cse", True))
-        assembly = definition.assemble(
-            equations, external=solver is not None, simplified=simplified
-        )
+        passes = Passes() if flag(options.get("cse", True), "`cse`") else Passes.none()
+        assembly = definition.assemble(equations, external=solver is not None, passes=passes)
         function, implementation = make_system_function(
             assembly, definition.layout, options, solver
         )
@@ -641,7 +641,7 @@ class System:
         current = self._current()
         if self._exact is None:
             definition = self._definition
-            assembly = definition.assemble(definition.equations, external=False, simplified=True)
+            assembly = definition.assemble(definition.equations, external=False, passes=Passes())
             self._exact = make_system_function(assembly, definition.layout, {}, None)[1]
         return self._exact if self._exact is not None else current
 

@@ -131,6 +131,26 @@ def test_the_error_of_a_specified_function_shows(simple):
             simple[0](np.zeros(2), 0.0, r, [1.0, 2.0])
 
 
+@pytest.mark.parametrize("function", [lambda t: 0.0, lambda: 0.0, lambda x, t, p: 0.0])
+@pytest.mark.parametrize("whole", [True, False])
+def test_a_specified_function_of_the_wrong_arity_hears_what_it_must_take(simple, function, whole):
+    r = function if whole else {simple[1]: function}
+    with pytest.raises(TypeError, match=r"f\(t\) must take .* g\(x, t\), got a function of \("):
+        simple[0](np.zeros(2), 0.0, r, [1.0, 2.0])
+
+
+def test_a_type_error_inside_a_specified_function_stays_its_own(simple):
+    with pytest.raises(TypeError, match="unsupported operand"):
+        simple[0](np.zeros(2), 0.0, lambda x, t: t + "a", [1.0, 2.0])
+
+
+def test_a_function_of_time_first_hears_of_that_order():
+    force = me.dynamicsymbols("f")
+    rhs = generate_ode_function([V, force], [X], [V], specifieds=[force], time_first=True)
+    with pytest.raises(TypeError, match=r"g\(t, x\)"):
+        rhs(0.0, np.zeros(2), lambda t: 0.0, [])
+
+
 @pytest.mark.parametrize("count", [0, 1, 2, 3, 5])
 def test_a_wrong_number_of_arguments_is_a_type_error(simple, count):
     arguments = (np.zeros(2), 0.0, [1.0], [1.0, 2.0], 1.0)[:count]

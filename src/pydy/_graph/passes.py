@@ -26,6 +26,9 @@ class Passes:
     separate : bool
         Solve in O(n) where the rows and columns of a mass matrix separate
         (`pydy._graph.semiseparable`).
+    rebase : bool
+        Solve for other unknowns where that takes less: differences of neighbouring rows
+        (`pydy._graph.structure`), bodies' own angular velocities (`pydy._graph.body_basis`).
     """
 
     merge: bool = True
@@ -34,6 +37,7 @@ class Passes:
     share_products: bool = True
     share_sums: bool = True
     separate: bool = True
+    rebase: bool = True
 
     @classmethod
     def none(cls) -> Passes:

@@ -14,6 +14,7 @@ from pydy._eom.equations import Equations
 from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
+from pydy._graph.passes import Passes
 from pydy._names import name_of
 from pydy._programs import Assembly, Group, assemble_system, auxiliary_groups
 from pydy._system.inputs import check_forces, output_groups, sort_out
@@ -135,7 +136,7 @@ class Definition:
             for what in ("states", "specifieds", "constants")
         }
 
-    def assemble(self, equations: Equations, *, external: bool, simplified: bool) -> Assembly:
+    def assemble(self, equations: Equations, *, external: bool, passes: Passes) -> Assembly:
         """Return the graph of everything; `equations` may be these, solved beforehand."""
         return assemble_system(
             equations,
@@ -144,7 +145,7 @@ class Definition:
             self.specifieds,
             self.constants,
             external=external,
-            simplified=simplified,
+            passes=passes,
         )
 
 

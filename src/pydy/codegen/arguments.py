@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -392,6 +393,8 @@ def evaluate_function(
     try:
         value = function(t, x) if time_first else function(x, t)
     except Exception as error:
+        if isinstance(error, TypeError):
+            _check_arity(function, symbols, "t, x" if time_first else "x, t")
         error.add_note(
             f"This came from the function given for the specifieds {describe(symbols)}, "
             f"called at t = {t!r}."
@@ -408,6 +411,21 @@ def evaluate_function(
         return np.ascontiguousarray(array.reshape(size))
     shapes = "a float or the shape (1,)" if size == 1 else f"the shape ({size},)"
     raise ValueError(f"{what} must return {shapes}, got the shape {array.shape}.")
+
+
+def _check_arity(function: Callable[..., Any], symbols: Sequence[Any], arguments: str) -> None:
+    """Raise a TypeError where a user's function does not take two arguments."""
+    try:
+        taken = signature(function)
+    except (TypeError, ValueError):  # what is not written in Python may have none
+        return
+    try:
+        taken.bind(0.0, 0.0)
+    except TypeError:
+        raise TypeError(
+            f"The function given for the specifieds {describe(symbols)} must take the state and "
+            f"the time, g({arguments}), got a function of {taken}."
+        ) from None
 
 
 def _check_type(argument: str, value: str | None, allowed: tuple[str, ...]) -> None:

@@ -18,6 +18,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from pydy._backends.registry import resolve
 from pydy._checks import describe, flag, listed, number, resolved, shown
 from pydy._eom.symbols import find_symbols
+from pydy._graph.passes import Passes
 from pydy._programs import Assembly, assemble_form
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.right_hand_side import Layout, RightHandSide
@@ -157,10 +158,10 @@ def generate_ode_function(
             **generator_options,
         ).generate()
         return made
-    simplified = flag(generator_options.get("cse", True), "`cse`")
+    passes = Passes() if flag(generator_options.get("cse", True), "`cse`") else Passes.none()
     external = callable(solver)
     assembly = assemble_form(
-        force, q, u, p, r, matrix, first, values, time, external=external, simplified=simplified
+        force, q, u, p, r, matrix, first, values, time, external=external, passes=passes
     )
     return make_function(
         RightHandSide(
