@@ -370,6 +370,16 @@ def test_constraints_that_can_no_longer_be_met_stop_the_integration():
     assert np.isfinite(caught.value.states).all()
 
 
+def test_a_reset_to_where_the_constraints_have_no_rates_is_an_integration_error():
+    x = me.dynamicsymbols("x")
+    root = sm.sqrt(1 - x)
+    kane = pair(lambda x, y, z: [y - root], lambda vx, vy, vz: [vy + vx / (2 * root)])
+    system = sliding(kane, initial_conditions={x: 0.0, kane.q[-1]: 1.0})
+    jump = Event(zoo.T - 0.3, reset={x: 2.0})
+    with pytest.raises(IntegrationError, match=r"at t = 0\.3"):
+        system.integrate(constraints="project", events=[jump])
+
+
 WRONG = [
     ({"constraints": "hold"}, r"`constraints` must be None, 'project' or 'baumgarte', got 'hold'"),
     ({"constraints": "project", "gain": 1.0}, "`gain` and `constraints='baumgarte'` belong tog"),

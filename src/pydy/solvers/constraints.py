@@ -95,7 +95,7 @@ class CompiledConstraints:
         -------
         nearness : float
             The least singular value of the rows in units of `longest`, but for those that are zero
-            elsewhere too.
+            elsewhere too; 1 where the rows are not finite.
         names : list of str
             Of the constraints whose combination then vanishes.
         """
@@ -105,6 +105,8 @@ class CompiledConstraints:
             hessian = part["kinetic_hessian"].reshape(self.speeds, self.speeds)
             with suppress(np.linalg.LinAlgError):
                 rows = np.linalg.solve(np.linalg.cholesky(hessian), rows.T).T
+        if not np.isfinite(rows).all():
+            return 1.0, []
         left, sizes, _ = np.linalg.svd(rows / np.where(longest > 0.0, longest, 1.0)[:, None])
         parts = np.abs(left[:, rank - 1])
         names = self.names[self.holonomic :]
