@@ -47,12 +47,17 @@ def describe(symbols: Sequence[Any]) -> str:
     return ", ".join(names[:12] + more) or "none"
 
 
-def listed(argument: str, value: Any, what: str = "symbols") -> list[Any]:
-    """Return what must be a sequence of symbols as a list."""
+def listed(
+    argument: str, value: Any, what: str = "symbols", *, hashable: bool = False
+) -> list[Any]:
+    """Return what must be a sequence of symbols as a list; entries may have to be hashable."""
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes, Mapping)):
         try:
-            return list(value)
-        except TypeError:  # an array without dimensions
+            entries = list(value)
+            if hashable:
+                set(entries)
+            return entries
+        except TypeError:  # an array without dimensions, or a list in it
             pass
     raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
 

@@ -68,7 +68,8 @@ def nearest(name: str, names: Sequence[str]) -> str:
 def written_out(symbol: Any) -> str:
     """Return a symbol with its assumptions: ``m (positive)``, ``q(t) (real)``."""
     notes = _assumptions(symbol.expr if hasattr(symbol, "expr") else symbol)
-    for argument in getattr(symbol, "args", ()):
+    arguments = getattr(symbol, "args", ())
+    for argument in arguments if isinstance(arguments, tuple) else ():
         if getattr(argument, "is_Symbol", False):
             notes += [f"{argument} {note}" for note in _assumptions(argument)]
     return f"{symbol} ({', '.join(notes)})" if notes else str(symbol)

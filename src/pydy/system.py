@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sm
 from scipy.integrate import odeint
 
-from pydy._checks import describe, flag, vector
+from pydy._checks import choice, describe, flag, real_array, shown, vector
 from pydy._eom.extract import extract
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._graph.passes import Passes
@@ -521,7 +521,7 @@ class System:
 
     @ode_solver.setter
     def ode_solver(self, ode_solver: Callable[..., Any] | str | None) -> None:
-        if ode_solver is None or ode_solver == "odeint":
+        if ode_solver is None or (isinstance(ode_solver, str) and ode_solver == "odeint"):
             ode_solver = odeint
         if isinstance(ode_solver, str):
             if ode_solver not in SOLVERS:
@@ -533,7 +533,7 @@ class System:
         if not callable(ode_solver):
             raise ValueError(
                 "`ode_solver` must be a function with the signature of scipy.integrate.odeint, "
-                f"got {ode_solver!r}."
+                f"got {shown(ode_solver)}."
             )
         self._ode_solver = ode_solver
 
@@ -608,7 +608,8 @@ class System:
                 positive_definite=True,
             )
             solver = None
-        if options.get("generator") == "cython" and "force_c_contiguous" not in options:
+        in_c = isinstance(options.get("generator"), str) and options["generator"] == "cython"
+        if in_c and "force_c_contiguous" not in options:
             options["force_c_contiguous"] = self._ode_solver is not odeint
         passes = Passes() if flag(options.get("cse", True), "`cse`") else Passes.none()
         assembly = definition.assemble(equations, external=solver is not None, passes=passes)
@@ -694,7 +695,7 @@ class System:
         if p is None:
             return self._p()
         places = self._definition.places["constants"]
-        if hasattr(p, "items"):
+        if isinstance(p, Mapping):
             return places.read("p", p, self._p())
         return vector(p, len(places), "`p`")
 
@@ -737,7 +738,7 @@ class System:
         """Evaluate a Kernel at one state or several, with the defaults of the evaluations."""
         layout = implementation.layout
         states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
-        if r is None or callable(r) or hasattr(r, "items"):
+        if r is None or callable(r) or isinstance(r, Mapping):
             plan = self._plan_with(r)
             plan.check_times(instants, "times" if t is None else "t")
             rows = plan.rows(states, instants)
@@ -971,11 +972,9 @@ class System:
         blocks = {
             "ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"
         }  # fmt: skip
-        for name, value, table in (("wrt", wrt, groups), ("of", of, blocks)):
-            if value not in table:
-                options = ", ".join(map(repr, table))
-                raise ValueError(f"`{name}` must be one of {options}, got {value!r}.")
-        return self._evaluate(blocks[of], x, t, r, p, groups[wrt])
+        block = blocks[choice(of, blocks, "`of`")]
+        group = groups[choice(wrt, groups, "`wrt`")]
+        return self._evaluate(block, x, t, r, p, group)
 
     def find_equilibrium(
         self,
@@ -1127,7 +1126,7 @@ class System:
             plan,
             self._p(),
             places,
-            use_jac,
+            flag(use_jac, "`use_jac`"),
             root_kwargs,
         )
         # A new dictionary: the old one may be the caller's own. Its keys may be names.
@@ -1220,6 +1219,13 @@ class System:
             if not checked or self._ode_solver is not odeint:
                 return self._ode_solver(f, x0, times, args=args, **solver_kwargs)
             result = call_odeint(f, x0, times, args, definition.states, solver_kwargs)
+        except TypeError as error:
+            if not isinstance(self._ode_solver, Solver):
+                error.add_note(
+                    "This came from the `ode_solver`, called as ode_solver(f, x0, t, args=(r, p), "
+                    "**options)."
+                )
+            raise
         except (IntegrationError, SingularMatrixError) as error:
             r = plan(error.state, error.time)
             explain(error, definition, integrated.assembly, r, p)
@@ -1271,8 +1277,14 @@ class System:
             times, states = times[:reached], states[:reached]
         events = statistics.pop("events", ())
         dense = statistics.pop("dense_output", None)
-        times, states = np.array(times, dtype=float), np.array(states, dtype=float)
-        if len(states) == len(times):  # what is NaN to the end comes after a terminal event
+        times = np.array(times, dtype=float)
+        states = np.array(real_array(states, "What the `ode_solver` returns"))
+        if states.shape != (len(times), self.num_states):
+            raise ValueError(
+                f"The `ode_solver` must return the shape {(len(times), self.num_states)}, one row "
+                f"for each of the `times`, got {states.shape}."
+            )
+        if len(times):  # what is NaN to the end comes after a terminal event
             reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
             times, states = times[:reached], states[:reached]
         model = self._model_now()

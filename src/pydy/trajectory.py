@@ -137,7 +137,8 @@ class Trajectory:
         m = len(self.times)
         kinds = check_mapping("symbols", symbols)
         self._symbols = {
-            kind: tuple(listed(f"symbols[{kind!r}]", kinds.get(kind, ()))) for kind in KINDS
+            kind: tuple(listed(f"symbols[{kind!r}]", kinds.get(kind, ()), hashable=True))
+            for kind in KINDS
         }
         self.states = _table("states", states, m, len(self.state_symbols))
         self.outputs = _table("outputs", outputs, m, len(self.outputs_symbols))

@@ -71,7 +71,7 @@ def test_in_a_notebook_it_is_an_iframe_with_the_same_page():
 
 def test_the_theme_can_be_fixed():
     assert 'data-theme="dark"' in scene(Visual(Sphere(1), P)).html(theme="dark")
-    with pytest.raises(ValueError, match="`theme` must be 'auto', 'light' or 'dark'"):
+    with pytest.raises(ValueError, match="`theme` must be one of 'auto', 'light', 'dark'"):
         scene(Visual(Sphere(1), P)).html(theme="pink")
 
 

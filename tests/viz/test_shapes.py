@@ -73,7 +73,7 @@ def test_a_name_must_be_a_string():
 
 @pytest.mark.parametrize("kind", [Cylinder, Cone, Capsule, Torus, Plane])
 def test_an_axis_is_one_of_three(kind):
-    with pytest.raises(ValueError, match=f"`axis` of {kind.__name__} must be 'x', 'y' or 'z'"):
+    with pytest.raises(ValueError, match=f"`axis` of {kind.__name__} must be one of 'x', 'y', 'z'"):
         kind(1, 1, axis="w")
 
 

@@ -56,7 +56,9 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
     """Return what a dictionary of specifieds, in either format, says about symbols."""
     ordered = "symbols" in specifieds and "values" in specifieds
     if ordered:
-        symbols = listed("specifieds['symbols']", specifieds["symbols"], "specifieds")
+        symbols = listed(
+            "specifieds['symbols']", specifieds["symbols"], "specifieds", hashable=True
+        )
         specifieds = {tuple(symbols): specifieds["values"]}
     keys: list[Any] = []
     expressions: dict[Any, Any] = {}

@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 
 import sympy as sm
 
+from pydy._checks import shown
 from pydy._eom.equations import Equations
 from pydy._eom.potential import find_potential
 from pydy._eom.symbols import find_symbols
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
-from pydy.codegen.arguments import describe
+from pydy.codegen.arguments import checked_expression, describe
 from pydy.codegen.right_hand_side import RightHandSide
 
 __all__ = ["Energy", "EnergyModel", "check_potential"]
@@ -94,12 +95,9 @@ def check_potential(
     """
     if value is None:
         return None
-    try:
-        expression = sm.sympify(value)
-    except (sm.SympifyError, TypeError):
-        expression = None
+    expression = checked_expression(value, "`potential_energy`")
     if not isinstance(expression, sm.Expr):
-        raise ValueError(f"`potential_energy` must be a SymPy expression, got {value!r}.")
+        raise ValueError(f"`potential_energy` must be a SymPy expression, got {shown(value)}.")
     known = {*coordinates, *others}
     strange = [s for s in find_symbols([expression]) if s not in known]
     if strange:

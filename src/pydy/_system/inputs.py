@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._checks import Places, check_mapping, listed, resolved
+from pydy._checks import Places, check_mapping, listed, resolved, shown
 from pydy._eom.equations import Equations
 from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
 from pydy._names import told_apart
 from pydy._programs import Group
-from pydy.codegen.arguments import describe, real_array
+from pydy.codegen.arguments import checked_expression, describe, real_array
 
 __all__ = [
     "SymbolSet",
@@ -51,11 +52,12 @@ def check_times(times: Any) -> np.ndarray:
     """Return times as a float array, shape (n,)."""
     if times is None:
         return np.empty(0)
-    if not hasattr(times, "__len__") or np.ndim(times) == 0:
+    array = np.array(real_array(times, "`times`")) if hasattr(times, "__len__") else np.empty(())
+    if array.ndim == 0:
         raise TypeError(
-            f"`times` must be a sequence of time values, got the {type(times).__name__} {times!r}."
+            f"`times` must be a sequence of time values, got the {type(times).__name__} "
+            f"{shown(times)}."
         )
-    array = np.array(real_array(times, "`times`"))
     if array.ndim != 1:
         raise ValueError(f"`times` must be one-dimensional, got the shape {array.shape}.")
     if not np.isfinite(array).all():
@@ -193,7 +195,10 @@ def output_groups(outputs: Mapping[Any, Any]) -> list[Group]:
         several = isinstance(key, (tuple, list))
         names = tuple(key) if several else (key,)
         for name in names:
-            if not isinstance(name, (sm.Symbol, AppliedUndef)):
+            named = isinstance(name, sm.Symbol) or (
+                isinstance(name, AppliedUndef) and name.args == (dynamicsymbols._t,)
+            )
+            if not named:
                 raise ValueError(
                     f"`outputs` has the key `{key!r}`, but keys must be a symbol or a function of "
                     "time, or a tuple of them."
@@ -215,15 +220,7 @@ def output_groups(outputs: Mapping[Any, Any]) -> list[Group]:
 
 
 def _expression(names: Sequence[Any], value: Any) -> Any:
-    try:
-        expression = sm.sympify(value)
-    except (sm.SympifyError, TypeError):
-        expression = None
-    if not isinstance(expression, sm.Basic):
-        raise ValueError(
-            f"`outputs` for {describe(names)} must be SymPy expressions, got {value!r}."
-        )
-    return expression
+    return checked_expression(value, f"`outputs` for {describe(names)}")
 
 
 def named_forces(equations: Equations, forces: Any) -> list[Any] | None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from inspect import signature
+from numbers import Number
 from typing import Any
 
 import numpy as np
 import sympy as sm
+from sympy.logic.boolalg import Boolean
 
-from pydy._checks import Places, choice, describe, listed, number, real_array, vector
+from pydy._checks import Places, choice, describe, listed, number, real_array, shown, vector
 from pydy._eom.symbols import find_symbols
 from pydy.inputs import SampledInput
 
@@ -18,6 +20,7 @@ __all__ = [
     "ConstantsArgument",
     "SpecifiedsArgument",
     "SpecifiedsPlan",
+    "checked_expression",
     "describe",
     "number",
     "one_format",
@@ -137,8 +140,18 @@ def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, A
             f"`{argument}` must have just the keys 'symbols' and 'values' in this format, got "
             f"{', '.join(map(repr, values))}."
         )
-    symbols = listed(f"{argument}['symbols']", values["symbols"], "specifieds")
+    symbols = listed(f"{argument}['symbols']", values["symbols"], "specifieds", hashable=True)
     return {tuple(symbols): values["values"]}, True
+
+
+def checked_expression(value: Any, what: str) -> Any:
+    """Return a number or an expression as SymPy's; text is none, which SymPy would read."""
+    if isinstance(value, (sm.Expr, Boolean)) and not getattr(value, "is_Matrix", False):
+        return value
+    if isinstance(value, (Number, np.generic)):
+        number(value, what, finite=True)
+        return sm.sympify(value)
+    raise ValueError(f"{what} must be SymPy expressions or numbers, got {shown(value)}.")
 
 
 def symbolic_entries(value: Any) -> list[Any] | None:
@@ -242,6 +255,8 @@ class SpecifiedsPlan:
         values, together = one_format(values, argument)
         for key, value in values.items():
             several = isinstance(key, (tuple, list))
+            if several and not key:
+                raise ValueError(f"`{argument}` has an empty tuple for a key.")
             places_of_key = [places.find(k, argument) for k in (key if several else (key,))]
             names = tuple(self.symbols[k] for k in places_of_key)
             for k, name in enumerate(names):
@@ -260,6 +275,11 @@ class SpecifiedsPlan:
                 label = f"`{argument}['values']`" if together else f"`{argument}` for "
                 label += "" if together else describe(names)
                 self._take(value, names, columns, label, several)
+        if argument == "specifieds" and not np.isfinite(self.values).all():
+            k = int(np.flatnonzero(~np.isfinite(self.values))[0])
+            raise ValueError(
+                f"`specifieds` for {self.symbols[k]} must be finite, got {self.values[k]}."
+            )
         if (complete or together) and len(seen) < len(self.symbols):
             missing = [s for s in self.symbols if s not in seen]
             raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
@@ -280,8 +300,9 @@ class SpecifiedsPlan:
         entries = symbolic_entries(value)
         if entries is None:
             # One number for several symbols holds for each.
-            one = not several or np.ndim(value) == 0
-            self.values[columns] = number(value, label) if one else vector(value, len(names), label)
+            given = real_array(value, label) if several else number(value, label)
+            one = not several or np.ndim(given) == 0
+            self.values[columns] = given if one else vector(given, len(names), label)
             return
         if len(entries) != len(names):
             raise ValueError(
@@ -397,7 +418,7 @@ def evaluate_function(
             _check_arity(function, symbols, "t, x" if time_first else "x, t")
         error.add_note(
             f"This came from the function given for the specifieds {describe(symbols)}, "
-            f"called at t = {t!r}."
+            f"called as {'g(t, x)' if time_first else 'g(x, t)'} at t = {t!r}."
         )
         raise
     size = len(symbols)

@@ -5,21 +5,20 @@ from __future__ import annotations
 import itertools
 import weakref
 from collections.abc import Callable, Sequence
-from numbers import Number
 from types import FunctionType
 from typing import Any
 
 import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
-from sympy.logic.boolalg import Boolean
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends.registry import resolve
-from pydy._checks import describe, flag, listed, number, resolved, shown
+from pydy._checks import describe, flag, listed, resolved, shown
 from pydy._eom.symbols import find_symbols
 from pydy._graph.passes import Passes
 from pydy._programs import Assembly, assemble_form
+from pydy.codegen.arguments import checked_expression
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.right_hand_side import Layout, RightHandSide
 
@@ -205,20 +204,12 @@ def _column(argument: str, value: Any) -> list[Any]:
         if 1 not in value.shape and 0 not in value.shape:
             raise ValueError(f"`{argument}` must be a column, got the shape {value.shape}.")
         return list(value)
+    if isinstance(value, (set, frozenset)):
+        raise TypeError(f"`{argument}` must be in order, got the {type(value).__name__} {value}.")
     entries = listed(argument, value, "expressions, or a column matrix")
-    return [_expression(argument, e) for e in entries]
-
-
-def _expression(argument: str, value: Any) -> Any:
-    """Return an entry as a SymPy expression; text is none, which SymPy would read."""
-    if isinstance(value, np.ndarray) and value.shape == (1,):
-        value = value[0]  # a row of a column
-    if isinstance(value, (sm.Expr, Boolean)) and not getattr(value, "is_Matrix", False):
-        return value
-    if isinstance(value, (Number, np.generic)):
-        number(value, f"`{argument}`", finite=True)
-        return sm.sympify(value)
-    raise ValueError(f"`{argument}` must hold expressions, got {shown(value)}.")
+    # Rows of a column are taken too.
+    rows = [e[0] if isinstance(e, np.ndarray) and e.shape == (1,) else e for e in entries]
+    return [checked_expression(e, f"`{argument}`") for e in rows]
 
 
 def _check_form(
@@ -256,7 +247,7 @@ def _matrix(value: Any) -> Any:
     rows = [listed("mass_matrix", row, "rows") for row in listed("mass_matrix", value, "rows")]
     if len({len(row) for row in rows}) > 1:
         raise ValueError("`mass_matrix` must have rows of one length.")
-    return sm.Matrix([[_expression("mass_matrix", e) for e in row] for row in rows])
+    return sm.Matrix([[checked_expression(e, "`mass_matrix`") for e in row] for row in rows])
 
 
 def _check_length(argument: str, value: list[Any], size: int, what: str) -> None:

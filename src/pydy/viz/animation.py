@@ -136,7 +136,10 @@ class Animation:
         part = (t - times[k]) / (times[k + 1] - times[k])
 
         def turned(r: np.ndarray) -> np.ndarray:
-            return np.asarray(Slerp([0, 1], Rotation.from_matrix(r[k : k + 2]))([part]).as_matrix())
+            ends = Rotation.from_matrix(
+                np.array(r[k : k + 2])
+            )  # old SciPy refuses what is read-only
+            return np.asarray(Slerp([0, 1], ends)([part]).as_matrix())
 
         return self._only(lambda a: ((1 - part) * a[k] + part * a[k + 1])[None], turned, t)
 

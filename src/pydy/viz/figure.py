@@ -42,7 +42,7 @@ def save(
     speed: float,
     path: Path,
     fps: float,
-    dpi: int,
+    dpi: float,
     size: tuple[float, float],
     progress: bool,
 ) -> None:
@@ -53,8 +53,6 @@ def save(
             f"`path` is '{path}', but its suffix must be one of {', '.join(_FILMS + _PICTURES)}. "
             "For a page in the browser call `to_html`."
         )
-    if not fps > 0:
-        raise ValueError(f"`fps` must be positive, got {fps!r}.")
     require("matplotlib", "plot", "A picture or film of a scene")
     from matplotlib.figure import Figure
 

@@ -165,7 +165,7 @@ def motion_of_arrays(
             "`symbols` must say what the columns of `states` are, such as symbols=[q1, q2, u1, "
             "u2]; only a scene made by `system.scene()` knows."
         )
-    symbols = tuple(listed("symbols", symbols, "functions of time"))
+    symbols = tuple(listed("symbols", symbols, "functions of time", hashable=True))
     t, x = _samples(times, states, len(symbols))
     columns = []
     given = check_mapping("specifieds", specifieds)

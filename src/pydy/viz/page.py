@@ -121,7 +121,8 @@ class _Tracks:
                 return k, offset[0].tolist()
         rotations = self._frames[frame]
         self._bases.append((frame, rotations, positions))
-        quaternions = Rotation.from_matrix(rotations).as_quat()
+        # A copy: old versions of SciPy refuse what is read-only.
+        quaternions = Rotation.from_matrix(np.array(rotations)).as_quat()
         # Neighbours on the same side of the sphere, so that interpolation takes the short way.
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]

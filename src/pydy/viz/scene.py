@@ -14,7 +14,17 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import check_mapping, choice, flag, number, path_of, real_array, shown, text
+from pydy._checks import (
+    check_mapping,
+    choice,
+    flag,
+    number,
+    path_of,
+    real_array,
+    shown,
+    text,
+    vector,
+)
 from pydy.viz.animation import Animation, animate
 from pydy.viz.defaults import unit_vector
 from pydy.viz.motion import Model, motion_of_arrays, motion_of_trajectory, sampled
@@ -349,8 +359,17 @@ class Scene:
         from pydy.viz.figure import save
 
         target = path_of(path, "`path`")
-        bar = flag(progress, "`progress`")
-        save(self._moving(), self._look, self._speed, target, fps, dpi, size, bar)
+        width, height = vector(size, 2, "`size`").tolist()
+        save(
+            self._moving(),
+            self._look,
+            self._speed,
+            target,
+            _within(fps, "`fps`", 1e3),
+            _within(dpi, "`dpi`", 1e4),
+            (_within(width, "`size`", 1e3), _within(height, "`size`", 1e3)),
+            flag(progress, "`progress`"),
+        )
         return target
 
 
@@ -384,6 +403,14 @@ def _entry(value: Any) -> Any:
         "`series` must hold expressions, or names of what is in the trajectory, got "
         f"{shown(value)}."
     )
+
+
+def _within(value: Any, what: str, most: float) -> float:
+    """Return a number of a picture that can be drawn."""
+    checked = number(value, what)
+    if not 0.0 < checked <= most:
+        raise ValueError(f"{what} must be positive and at most {most:g}, got {checked}.")
+    return checked
 
 
 def _ground(value: Any) -> bool | float | None:

@@ -68,6 +68,7 @@ class Shape:
         opacity = _number(self.opacity)
         if opacity is None or not 0 <= opacity <= 1:
             raise ValueError(f"`opacity` of {kind} must be from 0 to 1, got {shown(self.opacity)}.")
+        self._set("opacity", opacity)
         if self.name is not None and not isinstance(self.name, str):
             raise TypeError(f"`name` of {kind} must be a string, got {self.name!r}.")
 
@@ -285,6 +286,7 @@ class Arrow(Shape):
         scale = _number(self.scale)
         if scale is None or not np.isfinite(scale):
             raise ValueError(f"`scale` of Arrow must be a number, got {shown(self.scale)}.")
+        self._set("scale", scale)
 
 
 @dataclass(frozen=True)
