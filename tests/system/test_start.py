@@ -107,3 +107,17 @@ def test_a_residual_that_is_no_number_is_told_of():
     system.constants[sm.Symbol("lb")] = -1e300
     with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"), np.errstate():
         system.integrate(full_output=True)
+
+
+def test_a_sample_of_an_ensemble_that_is_off_is_named():
+    pytest.importorskip("xarray")
+    system = off()
+    q2 = system.coordinates[1]
+    start = system.initial_conditions[q2]
+    angles = {q2: [start, start + 1e-9, start + 0.1, start + 0.2]}
+    with pytest.warns(PyDyUserWarning, match="initial conditions of sample 2 do not satisfy"):
+        system.integrate_ensemble(initial_conditions=angles)
+    angles = {q2: [start, start + 1e-9]}
+    system.integrate_ensemble(initial_conditions=angles)
+    with pytest.warns(PyDyUserWarning, match="initial conditions of sample 1 do not satisfy"):
+        system.integrate_ensemble(constants={sm.Symbol("la"): [0.8, 0.9, 0.8]})

@@ -12,6 +12,7 @@ from pydy._names import latex_of, name_of, unique_names
 from pydy._system.definition import Definition
 from pydy._system.expressions import driven
 from pydy._system.solving import HANDLED, prepare
+from pydy._system.start import check_samples
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.codegen.right_hand_side import RightHandSide
@@ -217,6 +218,11 @@ def make_ensemble(
     samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
 
     driving = driven(exact, definition, plan)
+    constrained = definition.equations.holonomic or definition.equations.velocity
+    if constrained and options.get("constraints") is None:
+        start, shape = float(times[0]), tuple(axes.dims.values())
+        columns = (aligned[0], aligned[1], aligned[2])
+        check_samples(definition, driving, start, plan, columns, shape)
     implementation, rest = exact, dict(options)
     if HANDLED & rest.keys():
         implementation, rest = prepare(solver, definition, exact, driving, rest)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
@@ -11,8 +11,9 @@ from pydy._system.definition import Definition
 from pydy._system.solving import constraint_names
 from pydy.codegen.right_hand_side import RightHandSide
 
-__all__ = ["check_start"]
+__all__ = ["check_samples", "check_start"]
 
+_TRIED = 64  # samples of an ensemble
 _DIGITS = 1e-5  # six digits of each state, rounded
 
 
@@ -24,7 +25,8 @@ def check_start(
     x: np.ndarray,
     r: np.ndarray,
     p: np.ndarray,
-) -> None:
+    whose: str = "",
+) -> bool:
     """Warn where a state is farther from the constraints than states of six digits are.
 
     A residual is compared with the sum of the products of its derivatives by the states and the
@@ -38,6 +40,13 @@ def check_start(
     exact : callable
         Gives one whose Jacobians can be compiled.
     t, x, r, p
+    whose : str
+        Says in the warning which initial conditions are meant.
+
+    Returns
+    -------
+    bool
+        Whether it warned.
     """
     equations = definition.equations
     counts = {"holonomic": len(equations.holonomic), "velocity": len(equations.velocity)}
@@ -48,7 +57,7 @@ def check_start(
     }
     residuals = np.concatenate(list(found.values()))
     if np.abs(residuals).max(initial=0.0) < 1e-12:  # NaN is not
-        return
+        return False
     n = len(equations.coordinates)
     size = np.abs(x)
     for part in (slice(n), slice(n, None)):
@@ -63,13 +72,47 @@ def check_start(
     allowed = _DIGITS * (np.abs(slopes) @ size)
     far = np.flatnonzero(~(np.abs(residuals) <= allowed))
     if not far.size:
-        return
+        return False
     names = constraint_names(equations)
     worst = far[np.argsort(-np.abs(residuals[far]))][:3]
     told = "; ".join(f"{residuals[k]:.3g} in the {names[k]}" for k in worst)
     more = f"; and {far.size - 3} more" if far.size > 3 else ""
     warn_user(
-        f"The initial conditions do not satisfy the constraints, and nothing will bring the motion "
-        f"back onto them. The residuals at t = {t!r} are {told}{more}. Call "
+        f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring the "
+        f"motion back onto them. The residuals at t = {t!r} are {told}{more}. Call "
         "`system.set_dependent_initial_conditions()` first."
     )
+    return True
+
+
+def check_samples(
+    definition: Definition,
+    exact: RightHandSide,
+    t: float,
+    specified: Callable[[np.ndarray, float], np.ndarray],
+    columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
+    shape: tuple[int, ...],
+) -> None:
+    """Warn of the first sample of an ensemble that is off the constraints, of 64 that are tried.
+
+    Parameters
+    ----------
+    definition : Definition
+    exact : RightHandSide
+    t : float
+    specified : callable
+        Gives r at a state and time, where no sample has its own.
+    columns : (x, r, p)
+        For each symbol an array that can be broadcast to `shape`.
+    shape : tuple of int
+        Of the samples.
+    """
+    total = int(np.prod(shape))
+    for number in np.unique(np.linspace(0, total - 1, min(total, _TRIED)).astype(int)):
+        at = np.unravel_index(number, shape)
+        x, own, p = (np.array([np.broadcast_to(a, shape)[at] for a in part]) for part in columns)
+        varied = [np.size(a) > 1 for a in columns[1]]
+        r = np.where(varied, own, specified(x, t)) if len(own) else own
+        whose = f" of sample {', '.join(map(str, at))}" if shape else ""
+        if check_start(definition, exact, lambda: exact, t, x, r, p, whose):
+            return
