@@ -320,20 +320,28 @@ def assemble_system(
         names, or outputs refer to each other in a circle.
     """
     passes = passes or Passes()
-    graph = Graph()
+    formed = equations.formed
+    graph = Graph() if formed is None else formed.placed(constants, specifieds)
     q, u, t = equations.coordinates, equations.speeds, equations.time
     atoms = _inputs(graph, t, [*q, *u, *auxiliaries], specifieds, constants)
     accelerations = [graph.input("a", k) for k in range(len(u))]
     atoms.update((z, graph.zero) for z in equations.zeros)
     read = SymPyReader(graph, atoms, "the equations of motion")
-    kinematics = read.all(equations.coordinate_derivatives)
+    if formed is None:
+        kinematics = read.all(equations.coordinate_derivatives)
+    else:
+        kinematics = formed.rates
     for rate, node in zip(equations.coordinate_rates, kinematics, strict=True):
         read.define(rate, node)
     known = dict(read.atoms)
     for rate, node in zip(equations.speed_rates, accelerations, strict=True):
         read.define(rate, node)
-    matrix = read.all(equations.mass_matrix)
-    forcing = read.all(equations.forcing)
+    if formed is None:
+        matrix = read.all(equations.mass_matrix)
+        forcing = read.all(equations.forcing)
+    else:
+        matrix = [node for row in formed.matrix for node in row]
+        forcing = formed.forcing
     matrix, forcing, moved = _collect_accelerations(
         graph, equations, matrix, forcing, accelerations
     )
@@ -345,6 +353,8 @@ def assemble_system(
     sizes = (len(q) + n + len(auxiliaries), len(specifieds), len(constants))
     if external:
         solved = [graph.input("r", len(specifieds) + k) for k in range(n)]
+    elif formed is not None and formed.accelerations is not None:
+        solved = formed.accelerations
     else:
         kind = "ldl" if equations.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
@@ -435,7 +445,9 @@ def _collect_accelerations(
 def _nonlinear_term(equations: Equations) -> Any:
     """Return the first additive term that is not linear in the derivatives of the speeds."""
     rates = equations.speed_rates
-    for expression in (*equations.forcing, *equations.mass_matrix):
+    loads = equations.mechanism.loads if equations.formed and equations.mechanism else ()
+    parts = [e for _, vector in loads for column, _ in vector.args for e in column]
+    for expression in (*equations.forcing, *equations.mass_matrix, *parts):
         for term in expression.expand().as_ordered_terms():
             if any(term.diff(a).has(*rates) for a in rates):
                 return term

@@ -83,7 +83,8 @@ class System:
     Parameters
     ----------
     eom_method : sympy.physics.mechanics.KanesMethod
-        Its ``kanes_equations()`` must have been called.
+        Either ``kanes_equations()`` has been called, or it has bodies and loads, from which the
+        equations of motion are then formed, in a fraction of the time.
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional
@@ -105,6 +106,9 @@ class System:
         Skips the search for constants in the equations.
     specifieds_symbols : iterable of functions of time, optional
         Skips the search for specifieds in the equations.
+    equations : {'graph', 'method'}, optional
+        Where the equations of motion come from: formed from the bodies and loads, or those that
+        ``kanes_equations()`` derived. By default the latter where that has been called.
 
     Raises
     ------
@@ -136,8 +140,11 @@ class System:
         noncontributing_forces: Iterable[Any] | None = None,
         constants_symbols: Iterable[Any] | None = None,
         specifieds_symbols: Iterable[Any] | None = None,
+        equations: Literal["graph", "method"] | None = None,
     ) -> None:
-        self._equations = extract(eom_method)
+        if equations not in (None, "graph", "method"):
+            raise ValueError(f"`equations` must be 'graph' or 'method', got {equations!r}.")
+        self._equations = extract(eom_method, equations)
         self._eom_method = eom_method
         self._energies = EnergyModel(self._equations)
         self._base = self._base_symbols(constants_symbols, specifieds_symbols)
@@ -600,6 +607,12 @@ class System:
         solver = resolve_solver(options.pop("linear_sys_solver", None))
         equations = definition.equations
         if isinstance(solver, str):
+            if equations.formed is not None:
+                raise NotImplementedError(
+                    "`linear_sys_solver='sympy'` needs a mass matrix in SymPy, but the equations "
+                    "of motion were formed from the bodies. Call `kanes_equations()` of the "
+                    "KanesMethod and pass `equations='method'` to System."
+                )
             solved = solve_symbolically(equations.mass_matrix, equations.forcing, solver)
             equations = replace(
                 equations,

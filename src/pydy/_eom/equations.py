@@ -10,6 +10,7 @@ import sympy as sm
 from pydy._eom.mechanism import Mechanism
 from pydy._eom.symbols import find_symbols, replace_symbols
 from pydy._forks import cached_property
+from pydy._mechanics.form import Formed
 
 __all__ = ["Equations"]
 
@@ -27,6 +28,7 @@ class Equations:
     coordinate_derivatives : tuple of expressions
         q' in terms of q, u and t.
     mass_matrix : sympy.Matrix, shape (o, o)
+        Empty, like the forcing, where the equations are `formed`.
     forcing : tuple of expressions
     positive_definite : bool
         Whether the mass matrix is symmetric positive definite by construction.
@@ -42,6 +44,8 @@ class Equations:
     auxiliary_equations : tuple of expressions
     mechanism : Mechanism or None
         The bodies and loads behind the equations, where the method knows them.
+    formed : Formed or None
+        The equations of motion as nodes of a graph, formed from the bodies and loads.
     """
 
     time: sm.Symbol
@@ -62,15 +66,19 @@ class Equations:
     auxiliary_equations: tuple[Any, ...] = ()
     zeros: tuple[Any, ...] = field(default=(), repr=False)
     mechanism: Mechanism | None = field(default=None, repr=False)
+    formed: Formed | None = field(default=None, repr=False)
 
     @cached_property
     def symbols(self) -> dict[Any, None]:
-        """The symbols, functions of time and derivatives that occur in `expressions`."""
-        return find_symbols(self.expressions)
+        """The symbols, functions of time and derivatives that occur in the equations of motion."""
+        found = find_symbols(self.expressions)
+        if self.formed is not None:
+            found.update(dict.fromkeys(self.formed.symbols(self.speed_rates)))
+        return found
 
     @property
     def expressions(self) -> tuple[Any, ...]:
-        """Everything in which the symbols of the equations of motion occur."""
+        """What the equations of motion are made of, as far as it is written as expressions."""
         return (
             *self.coordinate_derivatives,
             *self.mass_matrix,

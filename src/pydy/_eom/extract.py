@@ -14,8 +14,14 @@ __all__ = ["extract"]
 
 
 @singledispatch
-def extract(eom_method: Any) -> Equations:
-    """Return the equations that a method object holds.
+def extract(eom_method: Any, source: str | None = None) -> Equations:
+    """Return the equations that a method object holds, or that its bodies and loads give.
+
+    Parameters
+    ----------
+    eom_method : object
+    source : {'graph', 'method'}, optional
+        See `pydy.system.System`.
 
     Raises
     ------

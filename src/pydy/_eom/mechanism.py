@@ -23,16 +23,21 @@ class Mechanism:
         The inertial frame.
     bodies : tuple of Particle and RigidBody
     loads : tuple of (Point, force Vector) and (ReferenceFrame, torque Vector)
+    known_energy : expression or None
+        The kinetic energy, where it was formed already.
     """
 
     frame: Any
     bodies: tuple[Any, ...]
     loads: tuple[tuple[Any, Any], ...] = ()
+    known_energy: Any = None
     _rotations: dict[Any, Any] = field(default_factory=dict, repr=False)
 
     @cached_property
     def kinetic_energy(self) -> Any:
         """The kinetic energy with the velocities as they were written, q' and all."""
+        if self.known_energy is not None:
+            return self.known_energy
         terms = []
         for body in self.bodies:
             velocity = body.masscenter.vel(self.frame)

@@ -20,8 +20,9 @@ from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.node import Graph
 from pydy._graph.operations import named_in_sympy
+from pydy._graph.rewrite import transplanted
 
-__all__ = ["SymPyReader"]
+__all__ = ["NodeExpression", "SymPyReader"]
 
 Handler = Callable[[Graph, Any, list[int]], int]
 
@@ -124,7 +125,51 @@ def _log(graph: Graph, expr: Any, args: list[int]) -> int:
 
 
 # What is not a row of the table of operations under its own name.
+class Formula(sm.Atom):  # type: ignore[misc]
+    """A node of a graph, as a function of some of its inputs."""
+
+    __slots__ = ("graph", "inputs", "node")
+
+    graph: Graph
+    node: int
+    inputs: tuple[int, ...]
+
+    def __new__(cls, graph: Graph, node: int, inputs: tuple[int, ...]) -> Formula:
+        """Make a formula; two are equal if they are of the same node of the same graph."""
+        self: Formula = super().__new__(cls)
+        self.graph, self.node, self.inputs = graph, node, inputs
+        return self
+
+    def __reduce_ex__(self, protocol: Any) -> Any:
+        return type(self), (self.graph, self.node, self.inputs)
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        return (id(self.graph), self.node)
+
+    def _sympystr(self, printer: Any) -> str:
+        return f"formula {self.node}"
+
+
+class NodeExpression(sm.Expr):  # type: ignore[misc]
+    """A SymPy expression that is kept as a node of a graph: a formula, applied to symbols."""
+
+    @classmethod
+    def of(cls, graph: Graph, node: int, symbols: Mapping[int, Any]) -> NodeExpression:
+        """Return the expression of a node; `symbols` says what each input stands for."""
+        inputs = tuple(n for n in graph.reachable([node]) if graph.ops[n] == "input")
+        made: NodeExpression = cls(Formula(graph, node, inputs), *(symbols[n] for n in inputs))
+        return made
+
+
+def _node_expression(graph: Graph, expr: Any, args: list[int]) -> int:
+    formula = expr.args[0]
+    inputs = dict(zip(formula.inputs, args[1:], strict=True))
+    return transplanted(formula.graph, [formula.node], graph, inputs)[0]
+
+
 HANDLERS: dict[Any, Handler] = {
+    NodeExpression: _node_expression,
+    Formula: lambda graph, expr, args: graph.zero,  # read by what applies it
     sm.Add: lambda graph, expr, args: graph.add(*args),
     sm.Mul: lambda graph, expr, args: graph.mul(*args),
     sm.Pow: _power,
@@ -242,7 +287,9 @@ class SymPyReader:
         return [self(e) for e in expressions]
 
     def _leaf(self, expr: Any) -> int | None:
-        if expr.args and not isinstance(expr, (AppliedUndef, sm.Derivative)):
+        if isinstance(expr, Formula) or (
+            expr.args and not isinstance(expr, (AppliedUndef, sm.Derivative))
+        ):
             return None
         node: int | None = self.atoms.get(expr)
         if node is not None:

@@ -17,7 +17,7 @@ A ``prod`` never holds a number: numbers go to the coefficients of sums, so that
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -66,6 +66,19 @@ class Graph:
         other.ops, other.args = self.ops.copy(), self.args.copy()
         other.constant, other._known = self.constant.copy(), self._known.copy()
         other.zero, other.one = self.zero, self.one
+        return other
+
+    def renamed(self, names: Mapping[tuple[str, int], tuple[str, int]]) -> Graph:
+        """Return a copy in which inputs have other groups and indices, all at once."""
+        other = self.copy()
+        nodes = {}
+        for old, new in names.items():
+            node = other._known.pop(("input", old), None)
+            if node is not None:
+                nodes[node] = new
+        for node, new in nodes.items():
+            other.args[node] = new
+            other._known["input", new] = node
         return other
 
     def make(self, op: str, args: tuple[Any, ...]) -> int:

@@ -8,7 +8,7 @@ from typing import Any
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, with_operands
 
-__all__ = ["again", "rebuild", "substitute"]
+__all__ = ["again", "rebuild", "substitute", "transplanted"]
 
 
 def rebuild(
@@ -56,3 +56,17 @@ def again(graph: Graph, op: str, args: tuple[Any, ...]) -> int:
     if op == "prod":
         return graph.product(args)
     return graph.call(op, *args) if op in OPERATIONS else graph.make(op, args)
+
+
+def transplanted(
+    source: Graph, roots: Sequence[int], graph: Graph, inputs: Mapping[int, int]
+) -> list[int]:
+    """Return nodes of one graph made again in another, with nodes of that for its inputs."""
+    new: dict[int, int] = {}
+    for node in source.reachable(roots):
+        new[node] = (
+            inputs[node]
+            if node in inputs
+            else again(graph, source.ops[node], replaced(source, node, new))
+        )
+    return [new[r] for r in roots]

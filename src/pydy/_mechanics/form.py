@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._mechanics.dynamics import loads_and_inertias, points_of
+from pydy._mechanics.dynamics import Inertia, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.reader import Multibody
 
-__all__ = ["Formed", "form"]
+__all__ = ["Formed", "auxiliary_equations", "form"]
 
 
-@dataclass
+@dataclass(eq=False)
 class Formed:
     """Equations of motion ``M u' = F`` and kinematics ``q' = G`` as nodes.
 
@@ -34,6 +35,10 @@ class Formed:
     forcing : list of nodes
     accelerations : list of nodes or None
         u', where it is formed without the mass matrix of all speeds.
+    kinetic : node
+        The kinetic energy.
+    honoured : tuple of points
+        Those with a velocity of the user's that is not the rate of their place.
     """
 
     graph: Graph
@@ -42,8 +47,60 @@ class Formed:
     rates: list[int]
     matrix: list[list[int]]
     forcing: list[int]
-    accelerations: list[int] | None = None
-    honoured: tuple[Any, ...] = field(default=(), repr=False)
+    accelerations: list[int] | None
+    kinetic: int
+    honoured: tuple[Any, ...] = ()
+
+    def inputs(self) -> set[tuple[str, int]]:
+        """Return the inputs that q', M and F depend on."""
+        graph = self.graph
+        roots = [*self.rates, *(n for row in self.matrix for n in row), *self.forcing]
+        return {graph.args[n] for n in graph.reachable(roots) if graph.ops[n] == "input"}
+
+    def symbols(self, speed_rates: Sequence[Any]) -> list[Any]:
+        """Return the constants, specifieds and derivatives of speeds that occur."""
+        groups = {"p": self.constants, "r": self.specifieds, "a": speed_rates}
+        return [groups[g][k] for g, k in sorted(self.inputs()) if g in groups]
+
+    def energy(self, time: Any, coordinates: Sequence[Any], speeds: Sequence[Any]) -> Any:
+        """Return the kinetic energy as an expression."""
+        g = self.graph
+        symbols = {g.input("t", 0): time}
+        for group, names in (
+            ("x", (*coordinates, *speeds)),
+            ("p", self.constants),
+            ("r", self.specifieds),
+        ):
+            symbols |= {g.input(group, k): s for k, s in enumerate(names)}
+        return NodeExpression.of(g, self.kinetic, symbols)
+
+    def placed(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> Graph:
+        """Return the graph with its inputs in the order of arrays p and r.
+
+        Raises
+        ------
+        ValueError
+            A symbol of the equations is in neither.
+        """
+        needed = self.inputs()
+        names: dict[tuple[str, int], tuple[str, int]] = {}
+        for group, own, order in (
+            ("p", self.constants, constants),
+            ("r", self.specifieds, specifieds),
+        ):
+            places = {symbol: k for k, symbol in enumerate(order)}
+            for k, symbol in enumerate(own):
+                if symbol in places:
+                    names[group, k] = group, places[symbol]
+                elif (group, k) in needed:
+                    raise ValueError(
+                        f"`{symbol}` occurs in the bodies, loads or kinematics, but no argument "
+                        "provides it: it is none of the coordinates, speeds, constants or "
+                        "specifieds. Add it to one of them."
+                    )
+                else:
+                    names[group, k] = f"idle {group}", k
+        return self.graph.renamed(names)
 
 
 def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
@@ -63,14 +120,15 @@ def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
     g, speeds = kinematics.graph, kinematics.speeds
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
     matrix, forcing = composite(*parts)
+    moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
     accelerations = None
     if body.velocity:
-        matrix, forcing, accelerations = _reduced(kinematics, matrix, forcing)
+        matrix, forcing, accelerations = _reduced(kinematics, matrix, forcing, moved)
         if body.auxiliary:
             idle = dict.fromkeys(_idle(kinematics, forcing), g.zero)
             forcing = substitute(g, forcing, idle)
             accelerations = accelerations and substitute(g, accelerations, idle)
-    elif articulated:
+    elif articulated and not moved:
         solution = eliminated(*parts)
         accelerations = g.guard(matrix, forcing, solution.sound, solution.accelerations)
     read = kinematics.read
@@ -82,15 +140,55 @@ def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
         matrix,
         forcing,
         accelerations,
+        _kinetic(kinematics, inertias),
         tuple(kinematics.honoured),
     )
 
 
-def _moving(body: Multibody, in_bodies: bool) -> Kinematics:
+def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
+    """Return what is zero for each auxiliary speed: its active less its inertia force."""
+    kinematics = _moving(body, in_bodies=True, auxiliary=True)
+    inertias, loads = loads_and_inertias(kinematics)
+    g, n = kinematics.graph, len(kinematics.speeds)
+    every = [*kinematics.speeds, *kinematics.auxiliary]
+    matrix, forcing = composite(g, kinematics.rows, kinematics.groups, every, inertias, loads)
+    rest = [
+        g.sum(
+            [(forcing[i], 1.0)]
+            + [(g.mul(matrix[i][j], kinematics.accelerations[j]), -1.0) for j in range(n)]
+        )
+        for i in range(len(every))
+    ]
+    found = rest[n:]
+    if d := len(body.velocity):
+        nodes = kinematics.read.all(body.velocity)
+        held = [row[n - d :] for row in _slopes(g, nodes, kinematics.speeds)]
+        moved = _slopes(g, nodes, kinematics.auxiliary)
+        columns = [[g.neg(row[k]) for row in moved] for k in range(len(found))]
+        shares = g.solve(held, columns, "lu")
+        for k, share in enumerate(shares):
+            terms = [(g.mul(a, f), 1.0) for a, f in zip(share, rest[n - d : n], strict=True)]
+            found[k] = g.sum([(found[k], 1.0), *terms])
+    found = substitute(g, found, dict.fromkeys(kinematics.auxiliary, g.zero))
+    return [NodeExpression.of(g, node, kinematics.symbols()) for node in found]
+
+
+def _kinetic(kinematics: Kinematics, inertias: Sequence[Inertia]) -> int:
+    g = kinematics.graph
+    terms = [
+        (g.mul(part.matrix[i][j], part.velocity[i], part.velocity[j]), 0.5)
+        for part in inertias
+        for i in range(3)
+        for j in range(3)
+    ]
+    return g.sum(terms)
+
+
+def _moving(body: Multibody, in_bodies: bool, *, auxiliary: bool = False) -> Kinematics:
     """Return the kinematics with all points placed and velocities of the user's honoured."""
     honoured: set[Any] = set()
     while True:
-        kinematics = Kinematics(body, in_bodies=in_bodies, honoured=honoured)
+        kinematics = Kinematics(body, in_bodies=in_bodies, auxiliary=auxiliary, honoured=honoured)
         points = points_of(kinematics)
         kinematics.place(points)
         for point in points:
@@ -102,7 +200,7 @@ def _moving(body: Multibody, in_bodies: bool) -> Kinematics:
 
 
 def _reduced(
-    kinematics: Kinematics, matrix: list[list[int]], forcing: list[int]
+    kinematics: Kinematics, matrix: list[list[int]], forcing: list[int], moved: bool
 ) -> tuple[list[list[int]], list[int], list[int] | None]:
     """Return M, F and u' with the dependent speeds' equations by the acceleration constraints.
 
@@ -127,7 +225,7 @@ def _reduced(
     given = _given_accelerations(kinematics, rows, drift)
     below, pull = given or (rows, drift)
     whole = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
-    if given or set(kinematics.accelerations) & set(g.reachable(forcing)):
+    if given or moved:
         return *whole, None
     both = [
         [

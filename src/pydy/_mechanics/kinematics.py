@@ -112,6 +112,19 @@ class Kinematics:
         zero = self.graph.zero
         return [self._dots(n).get(0, zero) for n in nodes]
 
+    def symbols(self) -> dict[int, Any]:
+        """Return what each input node stands for, auxiliary speeds left out."""
+        body, read, g = self.body, self.read, self.graph
+        own = {g.input("t", 0): body.time}
+        for group, symbols in (
+            ("x", (*body.coordinates, *body.speeds)),
+            ("a", [s.diff(body.time) for s in body.speeds]),
+            ("p", read.constants),
+            ("r", read.specifieds),
+        ):
+            own |= {g.input(group, k): s for k, s in enumerate(symbols)}
+        return own
+
     # -- vectors ----------------------------------------------------------------------------------
 
     def turned(self, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> Vec:

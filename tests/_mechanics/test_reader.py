@@ -1,0 +1,78 @@
+"""What bad input gets: an error that names the object and the remedy."""
+
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy._eom.kane import multibody_of_kane
+from pydy._mechanics.form import form
+from pydy._mechanics.reader import check_bodies, read_loads
+
+T = me.dynamicsymbols._t
+
+
+def formed(bodies, loads=None, frame=None):
+    q, u = me.dynamicsymbols("q u")
+    frame = me.ReferenceFrame("N") if frame is None else frame
+    kane = me.KanesMethod(frame, [q], [u], kd_eqs=[q.diff(T) - u], bodies=bodies, forcelist=loads)
+    return form(multibody_of_kane(kane), in_bodies=True, articulated=True)
+
+
+def test_a_body_whose_mass_centre_moves_nobody_knows_how_is_named():
+    body = me.Particle("p", me.Point("P"), sm.Symbol("m"))
+    with pytest.raises(ValueError, match=r"The point P has no velocity .* N.*set_vel\(N"):
+        formed([body])
+
+
+def test_a_load_at_a_point_that_nothing_positions_is_named():
+    frame, point, other = me.ReferenceFrame("N"), me.Point("P"), me.Point("Q")
+    point.set_vel(frame, me.dynamicsymbols("u") * frame.x)
+    with pytest.raises(ValueError, match=r"The point Q has no velocity"):
+        formed([me.Particle("p", point, 1)], [(other, frame.x)], frame)
+
+
+def test_a_frame_without_orientation_to_the_inertial_one_is_named():
+    frame, own, point = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("P")
+    point.set_vel(frame, 0)
+    body = me.RigidBody("b", point, own, 1, (me.inertia(own, 1, 2, 3), point))
+    with pytest.raises(ValueError, match=r"The frame B has no orientation in .* N.*orient_axis"):
+        formed([body], frame=frame)
+
+
+def test_a_place_in_a_frame_without_orientation_is_named():
+    frame, own, origin = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", me.dynamicsymbols("q") * own.x)
+    with pytest.raises(ValueError, match=r"The frame B has no orientation"):
+        formed([me.Particle("p", point, 1)], frame=frame)
+
+
+def test_a_load_that_is_none_is_refused():
+    with pytest.raises(TypeError, match=r"load 3 is none of the loads .* `to_loads\(\)`"):
+        read_loads([3])
+
+
+def test_a_load_on_something_else_than_a_point_or_a_frame_is_refused():
+    frame = me.ReferenceFrame("N")
+    with pytest.raises(ValueError, match=r"must begin with the Point .* got a Symbol"):
+        read_loads([(sm.Symbol("P"), frame.x)])
+
+
+def test_loads_come_out_of_actuators():
+    frame, first, second = me.ReferenceFrame("N"), me.Point("P"), me.Point("Q")
+    second.set_pos(first, me.dynamicsymbols("q") * frame.x)
+    spring = me.LinearSpring(sm.Symbol("k"), me.LinearPathway(first, second))
+    assert [where for where, _ in read_loads([spring])] == [first, second]
+
+
+def test_a_body_that_is_none_is_refused():
+    with pytest.raises(TypeError, match="must hold Particle and RigidBody objects, got 3 of type"):
+        check_bodies([3])
+
+
+def test_a_second_derivative_in_a_load_is_refused():
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, me.dynamicsymbols("u") * frame.x)
+    load = me.dynamicsymbols("q").diff(T, 2) * frame.x
+    with pytest.raises(ValueError, match=r"only the first derivatives .* terms of the speeds"):
+        formed([me.Particle("p", point, 1)], [(point, load)], frame)

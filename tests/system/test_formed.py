@@ -1,0 +1,250 @@
+"""Systems whose equations of motion are formed from bodies and loads."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import mechanisms
+import zoo
+from cases import close, system_of, wide
+from mechanisms import MECHANISMS, derived, state
+from oracle import Oracle, oracle
+from pydy.system import System
+from zoo import T
+
+
+def numbered(system, model):
+    for name in ("constants", "specifieds"):
+        own = getattr(system, f"{name}_symbols")
+        setattr(system, name, {k: v for k, v in getattr(model, name).items() if k in own})
+    return system
+
+
+def graph_system(model, **options):
+    """A System of the model's bodies, with its numbers for what occurs in the equations."""
+    system = System(model.kane, equations="graph", noncontributing_forces=model.forces or None)
+    numbered(system, model)
+    system.initial_conditions = dict(model.start)
+    for name, value in options.items():
+        setattr(system, name, value)
+    return system
+
+
+def undone(name):
+    """A mechanism on which `kanes_equations()` was not called."""
+    return MECHANISMS[name].__wrapped__()
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_a_method_without_equations_is_formed_from_its_bodies(name):
+    model = undone(name)
+    system = numbered(System(model.kane), model)
+    x, t = state(model, 5)
+    found = system.evaluate_ode(x, t)
+    assert model.kane._fr is None
+    close(found, Oracle(derived(model)).xdot(x, t), 1e-12)
+
+
+@pytest.mark.parametrize("name", ["pendulum", "disc_contact", "skate", "shaken", "added_mass"])
+@pytest.mark.parametrize("generator", ["llvm", "lambdify"])
+def test_every_generator_gives_the_numbers_of_sympys_equations(name, generator):
+    model = zoo.MODELS[name]()
+    system = graph_system(model)
+    system.generate_ode_function(generator=generator)
+    x, t = model.sample(4)
+    found = system.evaluate_ode(wide(system, x), t)
+    close(found[: len(x)], oracle(model).xdot(x, t), 1e-12)
+    if model.forces:
+        close(found[len(x) :], oracle(model).forces(x, t), 1e-12)
+
+
+def test_the_cython_generator_gives_them_too():
+    model = zoo.free_pendulum()
+    system = graph_system(model)
+    system.generate_ode_function(generator="cython")
+    x, t = model.sample(4)
+    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t), 1e-12)
+
+
+@pytest.mark.parametrize("name", zoo.MODELS)
+def test_the_symbols_are_those_of_sympys_equations(name):
+    model = zoo.MODELS[name]()
+    formed, method = System(model.kane, equations="graph"), System(model.kane)
+    assert formed.constants_symbols == method.constants_symbols
+    assert formed.specifieds_symbols == method.specifieds_symbols
+
+
+@pytest.mark.parametrize("name", ["free_pendulum", "disc", "shaken", "added_mass"])
+@pytest.mark.parametrize("wrt", ["states", "constants"])
+def test_jacobians_are_those_of_sympys_equations(name, wrt):
+    model = zoo.MODELS[name]()
+    x, t = model.sample(6)
+    found, expected = (
+        s.evaluate_jacobian(x, t, wrt) for s in (graph_system(model), system_of(model))
+    )
+    close(found, expected, 1e-10)
+
+
+@pytest.mark.parametrize("name", ["undamped_chain", "free_pendulum", "free_body", "sleigh"])
+def test_energies_are_those_of_the_bodies(name):
+    model = zoo.MODELS[name]()
+    x, t = model.sample(6)
+    found, expected = (s.evaluate_energy(x, t) for s in (graph_system(model), system_of(model)))
+    close(found.kinetic, expected.kinetic, 1e-12)
+    close(found.total, expected.total, 1e-12)
+
+
+@pytest.mark.parametrize(
+    "how", [{"constraints": "project"}, {"constraints": "baumgarte", "gain": 20.0}]
+)
+@pytest.mark.parametrize("name", ["disc", "fourbar"])
+def test_constraints_are_held(name, how):
+    model = zoo.MODELS[name]()
+    results = []
+    for system in (graph_system(model), system_of(model)):
+        system.ode_solver = "dop853"
+        system.times = np.linspace(0.0, 0.5, 6)
+        results.append(system.integrate(**how))
+    close(results[0], results[1], 1e-7)
+
+
+@pytest.mark.parametrize("name", ["pendulum", "disc", "skate"])
+def test_a_solver_of_the_users_gets_the_mass_matrix(name):
+    model = zoo.MODELS[name]()
+    seen = []
+
+    def solver(a, b):
+        seen.append(np.array(a))
+        return np.linalg.solve(a, b)
+
+    system = graph_system(model)
+    system.generate_ode_function(linear_sys_solver=solver)
+    x, t = model.sample(2)
+    found = system.evaluate_ode(wide(system, x), t)[: len(x)]
+    close(found, oracle(model).xdot(x, t), 1e-12)
+    n = len(model.kane.u)
+    expected = oracle(model).evaluate(model.kane.mass_matrix, x, t)
+    close(seen[0], expected.reshape(n, n), 1e-12)
+
+
+def test_outputs_linear_in_the_accelerations_are_solved_with_them():
+    model = zoo.free_pendulum()
+    u, a, b = model.kane.u, sm.Symbol("a"), sm.Symbol("b")
+    outputs = {a: a - 2 * u[0].diff(T), b: u[1].diff(T) + sm.sin(model.kane.q[0])}
+    system = graph_system(model, outputs=outputs)
+    x, t = model.sample(1)
+    rates = oracle(model).xdot(x, t)
+    n = len(model.kane.q)
+    close(system.evaluate_ode([*x, 0.3], t), [*rates, 2 * rates[n]], 1e-12)
+    close(system.evaluate_outputs([*x, 0.3], t), [2 * rates[n], rates[n + 1] + np.sin(x[0])], 1e-12)
+
+
+@pytest.mark.parametrize("way", [copy.deepcopy, lambda s: pickle.loads(pickle.dumps(s))])
+@pytest.mark.parametrize("name", ["pendulum", "disc_contact"])
+def test_a_formed_system_survives_a_copy(name, way):
+    model = zoo.MODELS[name]()
+    system = graph_system(model, times=[0.0, 0.1])
+    x, t = model.sample()
+    expected = system.evaluate_ode(wide(system, x), t)
+    twin = way(system)
+    close(twin.evaluate_ode(wide(twin, x), t), expected, 1e-14)
+    close(twin.integrate(), system.integrate(), 1e-14)
+
+
+def test_an_ensemble_of_a_formed_system_is_that_of_the_method():
+    model = zoo.free_pendulum()
+    times = np.linspace(0.0, 0.5, 3)
+    mass = sm.Symbol("m0")
+    found, expected = (
+        s.integrate_ensemble(constants={mass: np.linspace(0.5, 1.5, 9)})
+        for s in (graph_system(model, times=times), system_of(model, times=times))
+    )
+    assert set(found.data_vars) == set(expected.data_vars)
+    for name in found.data_vars:
+        np.testing.assert_allclose(found[name], expected[name], rtol=1e-6, atol=1e-8)
+
+
+def test_an_indefinite_mass_matrix_is_solved_by_pivoting():
+    model = zoo.free_pendulum()
+    numbers = {**model.constants, sm.Symbol("m1"): -0.2, sm.Symbol("m3"): -0.1}
+    system = graph_system(model, constants=numbers)
+    x, t = model.sample(3)
+    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t, numbers), 1e-10)
+
+
+def test_coinciding_hinges_are_singular():
+    q, u = list(me.dynamicsymbols("q1:4")), list(me.dynamicsymbols("u1:4"))
+    frame, point = me.ReferenceFrame("N"), me.Point("O")
+    point.set_vel(frame, 0)
+    inner, turned, outer = (me.ReferenceFrame(name) for name in "ABC")
+    for f, base, axis, k in (
+        (inner, frame, "z", 0),
+        (turned, inner, "x", 1),
+        (outer, turned, "z", 2),
+    ):
+        f.orient_axis(base, getattr(base, axis), q[k])
+        f.set_ang_vel(base, u[k] * getattr(base, axis))
+    body = me.RigidBody("b", point, outer, 1, (me.inertia(outer, *sm.symbols("I1:7")), point))
+    kd = [a.diff(T) - b for a, b in zip(q, u, strict=True)]
+    kane = me.KanesMethod(frame, q, u, kd_eqs=kd, bodies=[body])
+    system = System(kane)
+    numbers = [2.1, 1.9, 2.5, 0.2, -0.3, 0.1]
+    system.constants = dict(zip(sm.symbols("I1:7"), numbers, strict=True))
+    assert np.isfinite(system.evaluate_ode([0.3, 0.4, 0.5, 1.0, 2.0, 3.0])).all()
+    # Gimbal lock: the first and the last axis coincide.
+    with pytest.raises(np.linalg.LinAlgError, match="singular"):
+        system.evaluate_ode([0.3, 0.0, 0.5, 1.0, 2.0, 3.0])
+
+
+def test_the_method_is_taken_only_where_it_has_equations():
+    model = undone("gimbals")
+    with pytest.raises(ValueError, match=r"equations='method'.*kanes_equations\(bodies, loads\)"):
+        System(model.kane, equations="method")
+
+
+def test_a_method_with_neither_equations_nor_bodies_names_both_remedies():
+    q, u = me.dynamicsymbols("q u")
+    kane = me.KanesMethod(me.ReferenceFrame("N"), [q], [u], kd_eqs=[q.diff(T) - u])
+    for way in (None, "graph"):
+        with pytest.raises(ValueError, match=r"`bodies=` and `forcelist=`.*kanes_equations"):
+            System(kane, equations=way)
+
+
+def test_another_source_of_equations_is_refused():
+    with pytest.raises(ValueError, match="`equations` must be 'graph' or 'method', got 'lagrange'"):
+        System(zoo.bare().kane, equations="lagrange")
+
+
+def test_a_symbolic_solver_names_the_remedy():
+    system = graph_system(zoo.timed())
+    with pytest.raises(NotImplementedError, match=r"equations='method'"):
+        system.generate_ode_function(linear_sys_solver="sympy")
+
+
+def test_a_symbol_left_out_by_the_user_is_named():
+    model = zoo.timed()
+    system = System(
+        model.kane, equations="graph", constants_symbols=[sm.Symbol("m")], specifieds_symbols=[]
+    )
+    with pytest.raises(ValueError, match="no argument provides it"):
+        system.evaluate_ode([0.1, 0.2], 0.0)
+
+
+def test_accelerations_may_not_occur_squared_in_loads():
+    with pytest.raises(
+        ValueError, match=r"nonlinear .* in the term .*Derivative\(v\(t\), t\)\*\*2"
+    ):
+        System(zoo.squared_acceleration().kane, equations="graph")
+
+
+def test_a_scene_is_drawn_from_the_same_bodies(tmp_path):
+    model = mechanisms.gimbals.__wrapped__()
+    system = System(model.kane, times=np.linspace(0.0, 0.2, 5))
+    scene = system.scene()
+    scene.animate(system.times, np.full((5, 6), 0.2))
+    scene.to_html(tmp_path / "page.html")
+    assert (tmp_path / "page.html").stat().st_size > 1000
