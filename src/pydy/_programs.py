@@ -197,13 +197,23 @@ class Assembly:
         nodes: list[int] = getattr(own, name)
         return own.lowered([(name, (len(nodes),), nodes)], own.graph, bounded=name)
 
-    def jacobian_program(self, name: str, group: str) -> Program:
-        """Return the Program of a block's Jacobian with respect to the inputs 'x', 'r' or 'p'."""
-        width = dict(zip("xrp", self.sizes, strict=True))[group]
+    def jacobian_program(self, name: str, by: str | Sequence[tuple[str, int]]) -> Program:
+        """Return the Program of a block's Jacobian.
+
+        Parameters
+        ----------
+        name : str
+            Of the block.
+        by : {'x', 'r', 'p'} or sequence of (group, index)
+            All inputs of a group, or some of any.
+        """
+        if isinstance(by, str):
+            by = [(by, k) for k in range(dict(zip("xrp", self.sizes, strict=True))[by])]
+        width = len(by)
         with collector_paused():
             graph = self.graph.copy()
             nodes = simplify(graph, getattr(self, name), self.passes)
-            rows = jacobian(graph, nodes, [graph.input(group, k) for k in range(width)])
+            rows = jacobian(graph, nodes, [graph.input(*place) for place in by])
             cells = [row.get(k, graph.zero) for row in rows for k in range(width)]
             # Derivatives of what is simplified need no more than common factors taken out.
             cells = factor_sums(graph, cells) if self.passes.factor else cells

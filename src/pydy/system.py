@@ -23,7 +23,7 @@ from pydy._graph.passes import Passes
 from pydy._kernel import Kernel
 from pydy._names import nearest
 from pydy._programs import check_accelerations
-from pydy._system.analysis import Numbers, find_equilibrium, linearize
+from pydy._system.analysis import Numbers, find_equilibrium, linearize, variables
 from pydy._system.causes import cause_of, explain
 from pydy._system.definition import Definition, define, given_in
 from pydy._system.dependents import check_dependents, solve_dependents
@@ -726,16 +726,15 @@ class System:
         self._warn_of_unfollowed(plan)
         return plan
 
-    def _evaluate(
-        self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: str | None = None
-    ) -> np.ndarray:
+    def _evaluate(self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: Any = None) -> np.ndarray:
         def kernel(implementation: RightHandSide) -> Kernel:
             if wrt:
                 return implementation.compiled_jacobian(block, wrt)
             return implementation.compiled(block)
 
         implementation = self._differentiable() if wrt else self._current()
-        return self._sweep(implementation, kernel, block, x, t, r, p, perturbed=wrt == "r")
+        perturbed = wrt == "r" or (isinstance(wrt, tuple) and any(g == "r" for g, _ in wrt))
+        return self._sweep(implementation, kernel, block, x, t, r, p, perturbed=perturbed)
 
     def _sweep(
         self,
@@ -750,6 +749,8 @@ class System:
     ) -> np.ndarray:
         """Evaluate a Kernel at one state or several, with the defaults of the evaluations."""
         layout = implementation.layout
+        if isinstance(x, Mapping):
+            x = self._definition.places["states"].read("x", x, self._x0())
         states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
         if r is None or callable(r) or isinstance(r, Mapping):
             plan = self._plan_with(r)
@@ -789,8 +790,9 @@ class System:
 
         Parameters
         ----------
-        x : array_like, shape (n,) or (m, n), optional
-            States, in the order of `states`; the initial conditions by default.
+        x : array_like, shape (n,) or (m, n), or dict, optional
+            States, in the order of `states`; the initial conditions by default. A dictionary gives
+            some of them instead, by symbol or name.
         t : float or array_like, shape (m,), optional
             Time; by default the first of `times`, or all of them for m states, or zero.
         r : dict, array_like, shape (s,) or (m, s), or callable, optional
@@ -943,7 +945,7 @@ class System:
         self,
         x: Any = None,
         t: Any = None,
-        wrt: str = "states",
+        wrt: Any = "states",
         *,
         of: str = "ode",
         r: Any = None,
@@ -959,19 +961,20 @@ class System:
         ----------
         x, t, r, p
             As in `evaluate_ode`.
-        wrt : {'states', 'specifieds', 'constants'}, optional
-            With respect to what.
+        wrt : {'states', 'specifieds', 'constants'}, symbol or name, or a list, optional
+            With respect to what; a list may hold states, specifieds and constants together.
         of : {'ode', 'outputs', 'holonomic', 'velocity'}, optional
             Of the state derivatives, the outputs, or the residuals of constraints.
 
         Returns
         -------
         ndarray, shape (o, k) or (m, o, k)
+            A column for each variable, also for a single one.
 
         Raises
         ------
         ValueError
-            An option that is none of the above.
+            An option that is none of the above, or a name that is none of the system's.
 
         Examples
         --------
@@ -980,14 +983,15 @@ class System:
         >>> sys.evaluate_jacobian()
         array([[ 0.,  1.],
                [-1., -1.]])
+        >>> sys.evaluate_jacobian({'x0': 2.0}, wrt=['k0', 'v0'])
+        array([[ 0.,  1.],
+               [-2., -1.]])
         """
-        groups = {"states": "x", "specifieds": "r", "constants": "p"}
         blocks = {
             "ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"
         }  # fmt: skip
         block = blocks[choice(of, blocks, "`of`")]
-        group = groups[choice(wrt, groups, "`wrt`")]
-        return self._evaluate(block, x, t, r, p, group)
+        return self._evaluate(block, x, t, r, p, variables(self._definition, wrt))
 
     def find_equilibrium(
         self,

@@ -163,3 +163,53 @@ def test_where_the_configuration_is_singular_it_says_so():
     bad = np.array([start, np.zeros_like(start)])
     with pytest.raises(ValueError, match="state 1 of `at`"):
         system.linearize(bad, np.zeros(2))
+
+
+# -- Jacobians by names ---------------------------------------------------------------------------
+
+
+def test_a_jacobian_takes_states_constants_and_specifieds_together():
+    system = n_link_pendulum_on_cart(2, joint_torques=True)
+    x = [0.1, 0.4, -0.3, 0.2, 0.5, 0.7]
+    mixed = system.evaluate_jacobian(x, wrt=["u2", sm.Symbol("g"), "T1", system.states[1]])
+    kinds = ("states", "constants", "specifieds")
+    whole = np.hstack([system.evaluate_jacobian(x, wrt=kind) for kind in kinds])
+    names = [s.name for s in system.states]
+    names += [s.name for s in system.constants_symbols]
+    names += [str(s.func) for s in system.specifieds_symbols]
+    close(mixed, whole[:, [names.index(name) for name in ("u2", "g", "T1", "q1")]])
+    close(system.evaluate_jacobian(x, wrt="g"), mixed[:, [1]])
+    close(system.evaluate_jacobian([x, x], np.zeros(2), wrt=["g"])[1], mixed[:, [1]])
+
+
+def test_a_jacobian_goes_through_an_expression_by_states_and_beside_it_by_the_input():
+    system = n_link_pendulum_on_cart()
+    force = next(iter(system.specifieds_symbols))
+    gain = sm.Symbol("gain")
+    system.specifieds = {force: -gain * system.speeds[0]}
+    both = system.evaluate_jacobian({"q1": 0.3, "u0": 2.0}, wrt=["u0", "gain", force])
+    by_input = both[:, 2]
+    close(both[:, 1], -2.0 * by_input)
+    assert by_input[2] > 0.0
+
+
+def test_a_dictionary_gives_some_of_the_states_of_an_evaluation():
+    system = n_link_pendulum_on_cart()
+    system.initial_conditions = {"q1": 0.5, "u0": 1.0}
+    close(system.evaluate_ode({"u0": 3.0}), system.evaluate_ode([0.0, 0.5, 3.0, 0.0]))
+    with pytest.raises(ValueError, match="`x` has the key `z`"):
+        system.evaluate_ode({"z": 1.0})
+
+
+@pytest.mark.parametrize(
+    ("wrt", "message"),
+    [
+        ("everything", "`wrt` must be one of 'states', 'specifieds', 'constants', or"),
+        (["q1", "nothing"], "`wrt` has the key `nothing`"),
+        ([], "at least one"),
+        (3, "`wrt` must be a sequence"),
+    ],
+)
+def test_what_is_no_variable_is_named(wrt, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        n_link_pendulum_on_cart().evaluate_jacobian(wrt=wrt)

@@ -19,7 +19,7 @@ from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import RightHandSide
 
-__all__ = ["Numbers", "find_equilibrium", "linearize"]
+__all__ = ["Numbers", "find_equilibrium", "linearize", "variables"]
 
 _GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 
@@ -45,6 +45,30 @@ class Numbers:
     x: np.ndarray
     p: np.ndarray
     t: float
+
+
+def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], ...]:
+    """Return the inputs to differentiate by: a group, or some of any.
+
+    Parameters
+    ----------
+    definition : Definition
+    wrt : {'states', 'specifieds', 'constants'}, symbol, name, or a list
+    """
+    if isinstance(wrt, str) and wrt in _GROUPS:
+        return _GROUPS[wrt]
+    if isinstance(wrt, str):
+        kinds = ", ".join(map(repr, _GROUPS))
+        if all(definition.places[kind].get(wrt, "wrt") is None for kind in _GROUPS):
+            raise ValueError(
+                f"`wrt` must be one of {kinds}, or states, constants and specifieds of the system, "
+                f"got {wrt!r}."
+            )
+    symbols = [wrt] if isinstance(wrt, str) or hasattr(wrt, "free_symbols") else listed("wrt", wrt)
+    if not symbols:
+        raise ValueError("`wrt` must name at least one state, constant or specified.")
+    found = (located(definition, symbol, "wrt") for symbol in symbols)
+    return tuple((_GROUPS[kind], place) for kind, place in found)
 
 
 # -- equilibria -----------------------------------------------------------------------------------

@@ -162,13 +162,13 @@ class RightHandSide:
             return assembly.program(*blocks)  # made from the bodies, which have no fingerprint
         return stored_program(assembly, ", ".join(blocks), lambda: assembly.program(*blocks))
 
-    def compiled_jacobian(self, block: str, group: str) -> Kernel:
+    def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
         assembly = self.assembly
         return self.compiled_by(
-            (block, "by", group),
+            (block, "by", by),
             lambda: stored_program(
-                assembly, f"{block} by {group}", lambda: assembly.jacobian_program(block, group)
+                assembly, f"{block} by {by}", lambda: assembly.jacobian_program(block, by)
             ),
         )
 
