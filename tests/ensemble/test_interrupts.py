@@ -25,6 +25,7 @@ SCRIPT = """
     import signal
     import sys
 
+    import dask
     import sympy as sm
 
     import zoo
@@ -48,7 +49,9 @@ SCRIPT = """
             "function": {"specifieds": {force: lambda x, t: 0.0}},
             "events": {"events": [Event(x - 1e9)]},
             "radau": {"ode_solver": "radau"},
+            "dask": {"specifieds": {force: lambda x, t: 0.0}},
         }[kind]
+    dask.config.set(scheduler="threads" if kind == "dask" else None, num_workers=4)
     write = store.write
 
     def tell(*arguments):
@@ -72,7 +75,7 @@ SCRIPT = """
 """
 
 
-@pytest.mark.parametrize("kind", ["function", "events", "radau", "projection"])
+@pytest.mark.parametrize("kind", ["function", "events", "radau", "projection", "dask"])
 def test_ctrl_c_ends_an_ensemble_and_keeps_the_finished_blocks(tmp_path, kind):
     script, path = tmp_path / "script.py", tmp_path / "s.zarr"
     script.write_text(textwrap.dedent(SCRIPT), "utf-8")

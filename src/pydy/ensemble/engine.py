@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from math import prod
 from threading import Event, Lock
 from typing import Any
+from uuid import uuid4
 
 import numpy as np
 
@@ -24,6 +25,7 @@ from pydy.solvers.outcome import NOT_COMPUTED
 __all__ = ["Ensemble"]
 
 _LEAST = 64  # samples in a block: fewer leave lanes idle at its end for too long
+_ENDED: set[str] = set()  # runs of Dask in this process that have ended, or were interrupted
 _ONE_BY_ONE = 8  # samples in a block: an interrupt keeps the finished ones
 
 
@@ -237,7 +239,11 @@ class Ensemble:
             dask = require("dask", "ensemble", "`store`")
             work = dask.delayed(self.work, traverse=False)
             write = dask.delayed(_compute_and_write, pure=False)
-            dask.compute([write(work, self.samples.of(b), path, b) for b in left])
+            run = uuid4().hex
+            try:
+                dask.compute([write(work, self.samples.of(b), path, b, run) for b in left])
+            finally:
+                _ENDED.add(run)
         return xarray.open_zarr(path, consolidated=False, chunks={} if scheduler else None)
 
     def _token(self, resume: bool | str) -> str:
@@ -278,9 +284,13 @@ def _compute(work: Work, samples: Samples, forms: dict[str, Form]) -> dict[str, 
     return {name: v.values for name, v in found.items()}
 
 
-def _compute_and_write(work: Work, samples: Samples, path: str, block: Block) -> None:
-    """Do one block and write it: the task of a store."""
-    stores.write(path, block, work(samples))
+def _compute_and_write(work: Work, samples: Samples, path: str, block: Block, run: str) -> None:
+    """Do one block and write it: the task of a store.
+
+    Threads of Dask go on after a Ctrl-C, and the process waits for them: those of this process see
+    that their run has ended.
+    """
+    stores.write(path, block, work(samples, lambda: run in _ENDED))
 
 
 def _check(future: Future[None], block: Block, samples: Samples) -> None:
