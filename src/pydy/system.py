@@ -765,7 +765,8 @@ class System:
             out = evaluate(made, layout, instants, states, rows, constants)
         except SingularMatrixError as error:
             k = int((states == error.state).all(axis=1).argmax()) % len(rows)
-            explain(error, self._definition, implementation.assembly, rows[k], constants)
+            row, assembly = rows[k], implementation.assembly
+            explain(error, self._definition, assembly, lambda x, t: row, constants)
             raise
         out = out.reshape(len(out), *made.program.blocks[0].shape)
         if not np.isfinite(out).all():
@@ -1244,8 +1245,7 @@ class System:
                 )
             raise
         except (IntegrationError, SingularMatrixError) as error:
-            r = plan(error.state, error.time)
-            explain(error, definition, integrated.assembly, r, p)
+            explain(error, definition, integrated.assembly, plan, p)
             raise
         return result if solver_kwargs.get("full_output") else result[0]
 

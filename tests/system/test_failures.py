@@ -226,3 +226,11 @@ def test_loads_are_blamed_where_nothing_else_is_to_blame():
     kane.kanes_equations([me.Particle("B", point, M)], [(point, frame.x / X)])
     with pytest.warns(PyDyUserWarning, match="Look for a division by zero, or a function outside"):
         System(kane).evaluate_ode()
+
+
+def test_an_error_of_the_users_own_solver_comes_out_as_it_is():
+    def solver(f, x0, t, args=()):
+        raise IntegrationError("my own", t[:0], None, 0.0, None, {})
+
+    with pytest.raises(IntegrationError, match=r"^my own$"):
+        on_a_circle(ode_solver=solver).integrate()

@@ -6,7 +6,7 @@ SymPy's that is zero, or kinematic equations in gimbal lock divide by zero in so
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -30,13 +30,17 @@ def explain(
     error: IntegrationError | SingularMatrixError,
     definition: Definition,
     assembly: Assembly,
-    r: np.ndarray,
+    specified: Callable[[np.ndarray, float], np.ndarray],
     p: np.ndarray,
 ) -> None:
-    """Put the cause into the message of an error, in place of general advice."""
+    """Put the cause into the message of an error, in place of general advice.
+
+    `specified` gives r at a state and time.
+    """
     code = error.info.get("code") if isinstance(error, IntegrationError) else SINGULAR
     if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW):
-        cause = cause_of(definition, assembly, error.time, np.array(error.state), r, p)
+        t, x = error.time, np.array(error.state)
+        cause = cause_of(definition, assembly, t, x, specified(x, t), p)
         if cause:
             error.args = (str(error).removesuffix(OUTCOMES[code].remedy) + cause,)
 
