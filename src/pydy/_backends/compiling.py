@@ -153,10 +153,10 @@ class Helper:
         HelperError
         """
         try:
-            if self._process is None:
-                self._process = _started()
-                _wait_until_ready(self._process.stdout)
-            process = self._process
+            process = self._process  # `close` may be called meanwhile, when the program ends
+            if process is None:
+                process = self._process = _started()
+                _wait_until_ready(process.stdout)
             rest = memoryview(pickle.dumps(source))
             while rest:
                 rest = rest[process.stdin.write(rest) :]
