@@ -169,7 +169,7 @@ def test_a_solver_that_stops_early_gives_its_times():
 
 def test_a_solver_that_stops_early_without_its_times_is_refused():
     system = system_of(zoo.bare(), times=TIMES, ode_solver=lambda f, x, t, args: [x, x])
-    with pytest.raises(ValueError, match=r"`states` must have the shape \(11, 2\)"):
+    with pytest.raises(ValueError, match=r"`ode_solver` must return the shape \(11, 2\)"):
         system.simulate()
 
 
