@@ -363,8 +363,8 @@ def test_a_potential_energy_that_is_set_is_taken(name):
     [
         (sm.Symbol("nothing"), "got one with nothing"),
         (me.dynamicsymbols("u") ** 2, r"got one with u\(t\)"),
-        ("a +", "must be a SymPy expression"),
-        ([1], "must be a SymPy expression"),
+        ("a +", "must be SymPy expressions or numbers"),
+        ([1], "must be SymPy expressions or numbers"),
     ],
 )
 def test_a_potential_energy_of_other_symbols_is_refused(value, message):
