@@ -229,6 +229,7 @@ class Places:
         self._known: tuple[list[Any], Callable[[list[Any]], Any] | None] = ([*self.symbols], None)
 
         self._some: tuple[list[Any], np.ndarray] = ([], np.empty(0, dtype=np.int64))
+        self._groups: tuple[list[Any], list[tuple[Any, ...]]] = ([], [])
 
     def __len__(self) -> int:
         return len(self.symbols)
@@ -290,13 +291,37 @@ class Places:
     def columns(self, keys: Iterable[Any], argument: str) -> np.ndarray:
         """Return the places of some symbols or names, none of which may occur twice."""
         columns = np.array([self.find(key, argument) for key in keys], dtype=np.int64)
-        if len(set(columns.tolist())) < len(columns):
-            twice = next(k for k in columns.tolist() if (columns == k).sum() > 1)
+        self._refuse_twice(columns.tolist(), argument)
+        return columns
+
+    def groups(self, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
+        """Return (symbols, places, whether it is a tuple) for each key of a dictionary.
+
+        Keys are symbols, names, or tuples of these; none may occur twice.
+        """
+        keys = [*values]
+        known, groups = self._groups
+        if keys != known:
+            groups = []
+            for key in keys:
+                several = isinstance(key, (tuple, list))
+                if several and not key:
+                    raise ValueError(f"`{argument}` has an empty tuple for a key.")
+                places = np.array(
+                    [self.find(k, argument) for k in (key if several else (key,))], dtype=np.int64
+                )
+                groups.append((tuple(self.symbols[k] for k in places), places, several))
+            self._refuse_twice([k for _, places, _ in groups for k in places.tolist()], argument)
+            self._groups = (keys, groups)
+        return groups
+
+    def _refuse_twice(self, places: list[int], argument: str) -> None:
+        if len(set(places)) < len(places):
+            twice = next(k for k in places if places.count(k) > 1)
             raise ValueError(
                 f"`{argument}` gives `{self.symbols[twice]}` more than once, by the symbol or by "
                 "its name. Keep one of them."
             )
-        return columns
 
     def read(
         self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None

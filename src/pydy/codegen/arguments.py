@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from inspect import signature
 from numbers import Number
+from types import FunctionType
 from typing import Any
 
 import numpy as np
@@ -30,6 +31,7 @@ __all__ = [
 
 ARGUMENT_TYPES = ("array", "dictionary", "function")
 _SPECIFIEDS = "specifieds of the system"
+_USUAL = frozenset((float, FunctionType))
 
 
 class ConstantsArgument:
@@ -111,6 +113,10 @@ class SpecifiedsArgument:
             raise ValueError(
                 f"`r` must be a dictionary, as `specifieds_arg_type` says, got {type(r).__name__}."
             )
+        if {*map(type, r.values())} <= _USUAL:
+            groups = self.places.groups(r, "r")
+            if sum(len(names) for names, *_ in groups) == len(symbols):
+                return self._called(groups, r.values(), x, t)
         plan = SpecifiedsPlan(r, self.places, time_first=self.time_first, complete=True)
         if plan.expressions:
             raise ValueError(
@@ -119,6 +125,17 @@ class SpecifiedsArgument:
                 "`system.specifieds` to have an expression compiled in, or give a function."
             )
         return plan(x, t)
+
+    def _called(
+        self, groups: Iterable[Any], values: Iterable[Any], x: np.ndarray, t: float
+    ) -> np.ndarray:
+        """Return r from floats and functions alone, as a plan would, without making one."""
+        result = np.empty(len(self.places))
+        for (names, columns, _), value in zip(groups, values, strict=True):
+            if type(value) is not float:
+                value = evaluate_function(value, names, x, t, self.time_first)
+            result[columns] = value
+        return result
 
 
 def _plain(places: Places, values: dict[Any, Any], arg_type: str | None) -> Any:
@@ -251,19 +268,9 @@ class SpecifiedsPlan:
         self.expressions: dict[Any, Any] = {}
         sampled: list[tuple[np.ndarray, SampledInput]] = []
         functions: list[tuple[np.ndarray, _Checked]] = []
-        seen: set[Any] = set()
         values, together = one_format(values, argument)
-        for key, value in values.items():
-            several = isinstance(key, (tuple, list))
-            if several and not key:
-                raise ValueError(f"`{argument}` has an empty tuple for a key.")
-            places_of_key = [places.find(k, argument) for k in (key if several else (key,))]
-            names = tuple(self.symbols[k] for k in places_of_key)
-            for k, name in enumerate(names):
-                if name in seen or name in names[:k]:
-                    raise ValueError(f"`{argument}` gives `{name}` more than once.")
-            seen.update(names)
-            columns = np.array(places_of_key, dtype=np.int64)
+        groups = places.groups(values, argument)
+        for (names, columns, several), value in zip(groups, values.values(), strict=True):
             if type(value) is float:
                 self.values[columns] = value  # the usual case, without the cost of a label
             elif isinstance(value, SampledInput) and value.size == len(names):
@@ -280,10 +287,10 @@ class SpecifiedsPlan:
             raise ValueError(
                 f"`specifieds` for {self.symbols[k]} must be finite, got {self.values[k]}."
             )
-        if (complete or together) and len(seen) < len(self.symbols):
-            missing = [s for s in self.symbols if s not in seen]
+        self.given = frozenset(name for names, _, _ in groups for name in names)
+        if (complete or together) and len(self.given) < len(self.symbols):
+            missing = [s for s in self.symbols if s not in self.given]
             raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
-        self.given = frozenset(seen)
         self.sampled = tuple(sampled)
         self._functions = tuple(functions)
 
