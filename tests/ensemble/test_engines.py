@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 from pathlib import Path
 
 import numpy as np
@@ -143,16 +144,23 @@ def test_a_function_that_raises_names_its_samples_and_leaves_the_finished(refere
 def test_an_interrupt_ends_the_work_within_a_moment_and_keeps_finished_blocks(tmp_path):
     system = pendulum(2)
     values = random_values(system, 4000)
-    options = {"store": tmp_path / "s.zarr", "chunks": 100, "times": np.linspace(0.0, 20.0, num=5)}
-    timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+    store = tmp_path / "s.zarr"
+    options = {"store": store, "chunks": 100, "times": np.linspace(0.0, 20.0, num=5)}
+
+    def interrupt_after_a_block():
+        while not any((store / "status").glob("c/*")):
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    waiting = threading.Thread(target=interrupt_after_a_block)
     system.integrate_ensemble(
         initial_conditions={s: v[:2] for s, v in values["initial_conditions"].items()}
     )  # whatever has to be compiled
-    timer.start()
+    waiting.start()
     with pytest.raises(KeyboardInterrupt):
         system.integrate_ensemble(**values, **options, rtol=1e-11, atol=1e-11)
-    timer.join()
-    status = xr.open_zarr(tmp_path / "s.zarr", consolidated=False).status.values
+    waiting.join()
+    status = xr.open_zarr(store, consolidated=False).status.values
     blocks = status.reshape(-1, 100)
     assert ((blocks == 0).all(axis=1) | (blocks == -1).all(axis=1)).all()
     assert (blocks == -1).any()
