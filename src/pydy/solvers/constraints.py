@@ -1,4 +1,4 @@
-"""Constraints to be held during an integration, as a Kernel."""
+"""What projection onto the constraints needs of a system, as a Kernel."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class CompiledConstraints:
     names: tuple[str, ...]
 
     def dependent(self, values: np.ndarray) -> list[str]:
-        """Return the names of the constraints that follow from those before them.
+        """Return the names of redundant constraints: combinations of those before them.
 
         Parameters
         ----------

@@ -37,7 +37,7 @@ from pydy.solvers.rates import set_inputs
 __all__ = ["project"]
 
 _EPS = 2.0**-52
-_DEPENDENT = 1e-10  # a row this much shorter after orthogonalisation adds nothing
+_DEPENDENT = 1e-10  # a row this much shorter after orthogonalisation is redundant
 _ITERATIONS = 10
 
 
@@ -91,7 +91,7 @@ def _minimum_norm(rows, right):
 
     Rows are scaled to unit length and orthogonalised, the longest first; both arrays are
     overwritten. Also returned are the lengths of the rows as they came, and what orthogonalisation
-    left of them: 0 of those that follow from others.
+    left of them: 0 for redundant ones.
     """
     m, n = rows.shape
     y = np.zeros(n)
@@ -160,7 +160,7 @@ def _negative(values, start, m):
 
 @inlined(pasted=True)
 def _watch(seen, t, x, lengths, kept):
-    """Note where a row was nearest to following from others, or first was very near to it.
+    """Note where the rows were nearest to losing rank, or first came very near to it.
 
     Rows are measured by the longest they have been: one that vanishes has lost its part too.
     """
@@ -248,7 +248,7 @@ def project(table, t, place):
         rest = 0.0
         for i in range(h):
             rest = max(rest, abs(right[i]))
-        if rest > 0.0:  # rows that no speed reaches, or that others imply
+        if rest > 0.0:  # rows that no speed reaches, and redundant ones
             step, _, _ = _minimum_norm(gradient, right)
             for j in range(q):
                 x[j] += step[j]
