@@ -137,6 +137,12 @@ def test_a_solver_may_step_past_the_end():
     close(recorder.f(x, 9.0, *recorder.args), expected)
 
 
+def heights(samples):
+    """A sampled height with the constant derivatives that belong to it."""
+    s = me.dynamicsymbols("s")
+    return {s: samples, s.diff(zoo.T): lambda x, t: 2.0, s.diff(zoo.T, 2): lambda x, t: 0.0}
+
+
 def test_outputs_constraints_and_jacobians_see_the_samples():
     system = system_of(zoo.pendulum(), specifieds=both(), outputs={sm.Symbol("o"): 2 * F})
     x, t = zoo.pendulum().sample(1, 5)
@@ -144,9 +150,7 @@ def test_outputs_constraints_and_jacobians_see_the_samples():
     fixed = system_of(zoo.pendulum(), specifieds=numbers_at(t[2]))
     for wrt in ("states", "specifieds", "constants"):
         close(system.evaluate_jacobian(x, t, wrt)[2], fixed.evaluate_jacobian(x[2], t[2], wrt))
-    lifted = system_of(
-        zoo.lifted(), specifieds={me.dynamicsymbols("s"): SampledInput([0, 1], [2, 4])}
-    )
+    lifted = system_of(zoo.lifted(), specifieds=heights(SampledInput([0, 1], [2, 4])))
     fixed = system_of(zoo.lifted(), specifieds={me.dynamicsymbols("s"): 3.0})
     x, _ = zoo.lifted().sample(1)
     close(lifted.evaluate_constraints(x, 0.5), fixed.evaluate_constraints(x, 0.5))
@@ -197,8 +201,8 @@ def test_evaluating_past_the_samples_is_refused():
 
 
 def test_dependent_initial_conditions_past_the_samples_are_refused():
-    s = me.dynamicsymbols("s")
-    system = system_of(zoo.lifted(), specifieds={s: SampledInput([0, 1], [2, 4])}, times=[2.0, 3.0])
+    samples = SampledInput([0, 1], [2, 4])
+    system = system_of(zoo.lifted(), specifieds=heights(samples), times=[2.0, 3.0])
     with pytest.raises(ValueError, match=r"`times`.*s\(t\), 0\.0 to 1\.0, got 2\.0"):
         system.set_dependent_initial_conditions()
 
