@@ -112,14 +112,14 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _count(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"must be a positive whole number, got {text!r}")
+    if not text.isdecimal() or not 1 <= int(text[:9]) <= 1000:
+        raise argparse.ArgumentTypeError(f"must be a whole number from 1 to 1000, got {text!r}")
     return int(text)
 
 
 def _points(text: str) -> int:
-    if not text.isdecimal() or int(text) < 2:
-        raise argparse.ArgumentTypeError(f"must be a whole number from 2 on, got {text!r}")
+    if not text.isdecimal() or not 2 <= int(text[:9]) <= 10**6:
+        raise argparse.ArgumentTypeError(f"must be a whole number from 2 to 1000000, got {text!r}")
     return int(text)
 
 

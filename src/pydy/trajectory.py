@@ -233,8 +233,9 @@ class Trajectory:
         k = self._place.get(key) if isinstance(key, Hashable) else None
         if k is None:
             k = self._place_of_name.get(name_of(key))
-            own = key if k is None else self._columns[k]
-            if own != key and str not in (type(own), type(key)) and str(own) == str(key):
+            own = None if k is None else self._columns[k]
+            symbols = own is not None and str not in (type(own), type(key))
+            if symbols and own != key and str(own) == str(key):
                 raise KeyError(
                     f"`{written_out(key)}` is none of the trajectory's quantities: "
                     f"`{written_out(own)}` is another symbol, because its assumptions differ. "

@@ -76,7 +76,7 @@ def check_times(times: Any) -> np.ndarray:
 
 def check_symbols(argument: str, symbols: Any, kind: str, equations: Equations) -> list[Any]:
     """Return a user's own list of constants or specifieds, sorted."""
-    given = listed(argument, symbols)
+    given = listed(argument, symbols, hashable=True)
     unique = dict.fromkeys(
         resolved(argument, given, equations.symbols, "symbols of the equations")
         if any(isinstance(s, str) for s in given)
@@ -171,6 +171,8 @@ def named_outputs(outputs: Mapping[Any, Any]) -> dict[Any, Any]:
         several = isinstance(key, (tuple, list))
         names = key if several else (key,)
         if any(isinstance(name, str) for name in names):
+            if "" in names:
+                raise ValueError("`outputs` has an empty name.")
             entries = value if isinstance(value, (tuple, list, sm.MatrixBase)) else (value,)
             own = Places(
                 list(find_symbols([e for e in entries if isinstance(e, sm.Basic)])), "symbols"

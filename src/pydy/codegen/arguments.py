@@ -163,9 +163,12 @@ def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, A
 
 def checked_expression(value: Any, what: str) -> Any:
     """Return a number or an expression as SymPy's; text is none, which SymPy would read."""
-    if isinstance(value, (sm.Expr, Boolean)) and not getattr(value, "is_Matrix", False):
+    infinite = value is sm.oo or value is -sm.oo
+    if isinstance(value, (sm.Expr, Boolean)) and not (
+        infinite or getattr(value, "is_Matrix", False)
+    ):
         return value
-    if isinstance(value, (Number, np.generic)):
+    if infinite or isinstance(value, (Number, np.generic)):
         number(value, what, finite=True)
         return sm.sympify(value)
     raise ValueError(f"{what} must be SymPy expressions or numbers, got {shown(value)}.")

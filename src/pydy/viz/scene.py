@@ -365,9 +365,9 @@ class Scene:
             self._look,
             self._speed,
             target,
-            _within(fps, "`fps`", 1e3),
-            _within(dpi, "`dpi`", 1e4),
-            (_within(width, "`size`", 1e3), _within(height, "`size`", 1e3)),
+            _within(fps, "`fps`", 1e-3, 1e3),
+            _within(dpi, "`dpi`", 10.0, 1e4),
+            (_within(width, "`size`", 0.5, 1e3), _within(height, "`size`", 0.5, 1e3)),
             flag(progress, "`progress`"),
         )
         return target
@@ -405,17 +405,17 @@ def _entry(value: Any) -> Any:
     )
 
 
-def _within(value: Any, what: str, most: float) -> float:
+def _within(value: Any, what: str, least: float, most: float) -> float:
     """Return a number of a picture that can be drawn."""
     checked = number(value, what)
-    if not 0.0 < checked <= most:
-        raise ValueError(f"{what} must be positive and at most {most:g}, got {checked}.")
+    if not least <= checked <= most:
+        raise ValueError(f"{what} must be from {least:g} to {most:g}, got {checked}.")
     return checked
 
 
 def _ground(value: Any) -> bool | float | None:
-    if value is None or isinstance(value, bool):
-        return value
+    if value is None or isinstance(value, (bool, np.bool_)):
+        return None if value is None else bool(value)
     try:
         return number(value, "", finite=True)
     except ValueError:
