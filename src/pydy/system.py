@@ -1203,7 +1203,10 @@ class System:
             The initial conditions are farther from the constraints than numbers of six digits, and
             `constraints` does not say what to do about it.
         """
-        return self._solve(solver_kwargs, checked=not solver_kwargs.get("full_output"))
+        wanted = solver_kwargs.get("full_output", False)
+        if self._ode_solver is odeint or isinstance(self._ode_solver, Solver):
+            wanted = flag(wanted, "`full_output`")
+        return self._solve(solver_kwargs, checked=not wanted)
 
     def _solve(self, solver_kwargs: dict[str, Any], *, checked: bool) -> Any:
         """Call the solver; `checked` tells whether odeint's giving up is an error."""
@@ -1427,8 +1430,10 @@ class System:
         >>> (results.status == 0).all().item()
         True
         """
+        product, progress = flag(product, "`product`"), flag(progress, "`progress`")
+        resume = resume if isinstance(resume, str) else flag(resume, "`resume`")
         symbols = self._definition.specifieds
-        varied, common = split_specifieds(specifieds or {})
+        varied, common = split_specifieds(specifieds)
         plan = self._plan(self._specifieds)
         plan = plan.updated(SpecifiedsPlan(common, symbols, argument="specifieds"))
         plan = plan.updated(

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import Places, check_mapping, number, real_array
+from pydy._checks import Places, check_mapping, number, real_array, text, whole
 from pydy._names import latex_of, name_of, unique_names
 from pydy._system.definition import Definition
 from pydy._system.expressions import driven
@@ -112,7 +112,9 @@ class _Axes:
             self.coordinates[name] = coordinate
 
 
-def split_specifieds(given: Mapping[Any, Any]) -> tuple[dict[Any, Any], dict[Any, Any]]:
+def split_specifieds(
+    given: Mapping[Any, Any] | None,
+) -> tuple[dict[Any, Any], dict[Any, Any]]:
     """Return the specifieds that vary from sample to sample, and those of all samples."""
     varied: dict[Any, Any] = {}
     common: dict[Any, Any] = {}
@@ -120,8 +122,10 @@ def split_specifieds(given: Mapping[Any, Any]) -> tuple[dict[Any, Any], dict[Any
         together = isinstance(key, (tuple, list)) or key in ("symbols", "values")
         plain = not together and not callable(value)
         symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
-        several = hasattr(value, "dims") or (plain and not symbolic and np.ndim(value) > 0)
-        (varied if plain and several else common)[key] = value
+        several = plain and not symbolic and not hasattr(value, "dims")
+        if several:
+            several = real_array(value, f"`specifieds[{key}]`").ndim > 0
+        (varied if several or (plain and hasattr(value, "dims")) else common)[key] = value
     return varied, common
 
 
@@ -140,7 +144,7 @@ def _columns(
     for place, value in zip(found, given.values(), strict=True):
         symbol = places.symbols[place]
         what = f"`{argument}[{symbol}]`"
-        if not hasattr(value, "dims") and np.ndim(value) == 0:
+        if not hasattr(value, "dims") and real_array(value, what).ndim == 0:
             columns[place] = ((), np.asarray(number(value, what, finite=True)))
         else:
             attrs = {"role": role, "latex": latex_of(symbol)}
@@ -196,8 +200,7 @@ def make_ensemble(
         As in `System.integrate_ensemble`.
     """
     solver = _native(ode_solver)
-    if workers is not None and (isinstance(workers, bool) or not workers >= 1):
-        raise ValueError(f"`workers` must be at least 1, got {workers!r}.")
+    workers = None if workers is None else whole(workers, "`workers`")
     variables = (*definition.states, *definition.outputs_symbols)
     names = dict(zip(variables, unique_names(variables), strict=True))
     axes = _Axes(product, names.values())
@@ -228,7 +231,9 @@ def make_ensemble(
         implementation, rest = prepare(solver, definition, exact, driving, rest)
     own = {k: v for k, v in rest.items() if k not in ("events", "constraints")}
     read = read_options(solver.name, solver.adaptive, own)
-    read = Options(**{**vars(read), **rest, "full_output": True})
+    read = Options(
+        **{**vars(read), **{k: v for k, v in rest.items() if k not in own}, "full_output": True}
+    )
     _check_tolerances(read, len(definition.states))
     assembly = driven(implementation, definition, plan).assembly
     model = Model(
@@ -305,5 +310,5 @@ def _attributes(
                 f"`units` has the key `{key}`, which is neither a state nor an output: "
                 f"{', '.join(result)}."
             )
-        result[name]["units"] = str(unit)
+        result[name]["units"] = text(unit, f"`units[{key}]`")
     return result

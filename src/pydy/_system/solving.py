@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, Literal
 
-from pydy._checks import number
+from pydy._checks import choice, number
 from pydy._eom.equations import Equations
 from pydy._graph.derivative import jacobian
 from pydy._graph.program import Program
@@ -65,10 +65,7 @@ def prepare(
     native = isinstance(solver, Solver)
     constraints, events = options.pop("constraints", None), options.pop("events", None)
     gain = options.pop("gain", None)
-    if constraints not in (None, "project", "baumgarte"):
-        raise ValueError(
-            f"`constraints` must be None, 'project' or 'baumgarte', got {constraints!r}."
-        )
+    constraints = choice(constraints, (None, "project", "baumgarte"), "`constraints`")
     equations = definition.equations
     if constraints == "project" and not (equations.holonomic or equations.velocity):
         raise ValueError("`constraints='project'` holds constraints, but the system has none.")
@@ -114,7 +111,7 @@ def check_events(events: Any, states: Sequence[Any]) -> tuple[Event, ...]:
     """
     if isinstance(events, Event):
         events = (events,)
-    if not isinstance(events, Iterable):
+    if not isinstance(events, Iterable) or isinstance(events, (str, bytes)):
         raise TypeError(f"`events` must be a list of Event, got {type(events).__name__}.")
     checked: tuple[Event, ...] = tuple(events)
     for event in checked:

@@ -13,6 +13,7 @@ from uuid import uuid4
 
 import numpy as np
 
+from pydy._checks import path_of
 from pydy._errors import EnsembleInterrupted, warn_user
 from pydy._optional import require
 from pydy.ensemble import store as stores
@@ -218,7 +219,7 @@ class Ensemble:
         """
         xarray = require("xarray", "ensemble", "System.integrate_ensemble")
         require("zarr", "ensemble", "`store`")
-        path = os.fspath(path)
+        path = str(path_of(path, "`store`"))
         token, times = self._token(resume), self.work.model.times
         if stores.check(path, token, bool(resume)):
             stores.write_coordinates(path, self.samples, times)

@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import shown
+
 __all__ = ["Block", "Coordinate", "Samples", "block_sizes"]
 
 Block = tuple[slice, ...]
@@ -123,7 +125,7 @@ def block_sizes(dims: Mapping[str, int], chunks: Any, default: int) -> tuple[int
         for d, size in sizes.items():
             _check_size(size, f"`chunks[{d!r}]`")
         return tuple(max(1, min(sizes[d], whole)) for d, whole in dims.items())
-    if chunks is None or chunks == "auto":
+    if chunks is None or (isinstance(chunks, str) and chunks == "auto"):
         chunks = default
     _check_size(chunks, "`chunks`")
     left, result = int(chunks), []
@@ -135,8 +137,9 @@ def block_sizes(dims: Mapping[str, int], chunks: Any, default: int) -> tuple[int
 
 
 def _check_size(size: Any, what: str) -> None:
-    if isinstance(size, bool) or not isinstance(size, int | np.integer) or size < 1:
+    whole = isinstance(size, int | np.integer) and not isinstance(size, bool | np.timedelta64)
+    if not whole or not 1 <= size < 2**62:
         raise ValueError(
-            f"{what} must be a positive whole number of samples, got {size!r}. Or pass "
+            f"{what} must be a positive whole number of samples, got {shown(size)}. Or pass "
             "chunks='auto', or sizes by dimension such as {'sample': 1000}."
         )

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import shown
 from pydy.ensemble.labels import Variable, to_dataset
 from pydy.ensemble.model import Model, Results, evaluate_outputs, run
 from pydy.ensemble.samples import Samples
@@ -42,6 +43,13 @@ Reduction = Extreme | _Final | _EventTimes | Callable[[Any], Any]
 _Outputs = Callable[[np.ndarray, np.ndarray], np.ndarray]  # of times and states
 
 
+def _refusal(entry: Any) -> str:
+    return (
+        "`reduce` must be 'final', ('max', name), ('min', name), 'events', ('events', number), a "
+        f"function of a Dataset, or a list of these, got {shown(entry)}."
+    )
+
+
 def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tuple[Reduction, ...]:
     """Check the argument `reduce`.
 
@@ -61,6 +69,8 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
         kind, *rest = entry if isinstance(entry, tuple) and entry else (entry,)
         if callable(kind) and not rest:
             result.append(kind)
+        elif not isinstance(kind, str):
+            raise ValueError(_refusal(entry))
         elif kind == "final" and not rest:
             result.append(_Final())
         elif kind in ("max", "min") and len(rest) == 1:
@@ -78,10 +88,7 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
                 raise ValueError(f"`reduce` must have how many events to keep, got {number!r}.")
             result.append(_EventTimes(number))
         else:
-            raise ValueError(
-                "`reduce` must be 'final', ('max', name), ('min', name), 'events', ('events', "
-                f"number), a function of a Dataset, or a list of these, got {entry!r}."
-            )
+            raise ValueError(_refusal(entry))
     functions = [entry for entry in result if callable(entry)]
     if functions and len(result) > 1:
         raise ValueError(
@@ -209,7 +216,11 @@ class Work:
         assert self.function is not None
         dataset = to_dataset(variables, samples.coordinates, self.model.times)
         labels = {name: dataset.variables[name] for name in dataset.coords}
-        result = self.function(dataset)
+        try:
+            result = self.function(dataset)
+        except Exception as error:
+            error.add_note("This came from the function given as `reduce`, called with a Dataset.")
+            raise
         if hasattr(result, "to_dataset") and not hasattr(result, "data_vars"):
             result = result.to_dataset(name=result.name or "result")
         if not hasattr(result, "data_vars"):

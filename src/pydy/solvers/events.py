@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import shown
 from pydy._kernel import Kernel
 from pydy.trajectory import EventRecord
 
@@ -75,7 +76,8 @@ class Event:
                 f"`{upper - lower}`; with direction=1 it counts where it becomes positive."
             )
         _check_expression(expression, "`expression`")
-        if not isinstance(self.direction, Real) or self.direction not in (-1, 0, 1):
+        number = isinstance(self.direction, Real) and not isinstance(self.direction, bool)
+        if not number or self.direction not in (-1, 0, 1):
             raise ValueError(f"`direction` must be −1, 0 or 1, got {self.direction!r}.")
         if not isinstance(self.terminal, bool | np.bool_ | int) or self.terminal not in (0, 1):
             raise TypeError(f"`terminal` must be True or False, got {self.terminal!r}.")
@@ -87,15 +89,15 @@ class Event:
             )
         for state, value in self.reset.items():
             _check_expression(value, f"`reset[{state}]`")
-        if not isinstance(self.name or "", str):
-            raise TypeError(f"`name` must be a string, got {self.name!r}.")
+        if not isinstance(self.name, str):
+            raise TypeError(f"`name` must be a string, got {shown(self.name)}.")
         if not self.name:
             object.__setattr__(self, "name", str(expression))
 
 
 def _check_expression(value: Any, what: str) -> None:
     """Refuse what is no scalar expression, told by its attributes: solvers never import SymPy."""
-    number = isinstance(value, Real) and not isinstance(value, bool | np.bool_)
+    number = isinstance(value, Real) and not isinstance(value, bool | np.bool_ | np.timedelta64)
     symbolic = isinstance(getattr(value, "free_symbols", None), set)
     scalar = symbolic and getattr(value, "is_commutative", False)
     others = ("is_Relational", "is_Boolean", "is_Matrix")

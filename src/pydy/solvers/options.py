@@ -99,25 +99,24 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
     _check_kinds(given)
     if given.get("max_step", np.inf) is None:
         given = {**given, "max_step": np.inf}
+    for name in given.keys() & {"first_step", "max_step", "step"}:
+        if given[name] is not None:
+            given = {**given, name: number(given[name], f"`{name}`")}
+            if not given[name] > 0.0:
+                raise ValueError(f"`{name}` must be positive, got {given[name]!r}.")
+    for name in given.keys() & {"rtol", "atol"}:
+        value = real_array(given[name], f"`{name}`")
+        if not (np.isfinite(value).all() and (value >= 0.0).all()):
+            raise ValueError(f"`{name}` must be finite and not negative, got {value}.")
+        given = {**given, name: value if value.ndim else float(value)}
     if "max_steps" in given:
         most = number(given["max_steps"], "`max_steps`")
         if not most >= 1.0:
             raise ValueError(f"`max_steps` must be at least 1, got {given['max_steps']!r}.")
         given = {**given, "max_steps": int(min(most, _MOST))}
     options = Options(**given)
-    for name in given.keys() & {"first_step", "max_step", "step"}:
-        value = given[name]
-        if value is not None and not number(value, f"`{name}`") > 0.0:
-            raise ValueError(f"`{name}` must be positive, got {value!r}.")
     if not adaptive and options.step is None:
         raise ValueError(f"`{method}` takes steps of fixed size: pass `step`, their largest size.")
-    for name in given.keys() & {"rtol", "atol"}:
-        value = given[name]
-        if type(value) is float and 0.0 <= value < np.inf:
-            continue
-        value = real_array(value, f"`{name}`")
-        if not (np.isfinite(value).all() and (value >= 0.0).all()):
-            raise ValueError(f"`{name}` must be finite and not negative, got {value}.")
     return options
 
 

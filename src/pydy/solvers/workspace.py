@@ -121,7 +121,15 @@ class Workspace:
                 )
             return kernel_problem(call, n)
         what = "What `f(x, t)` returns, one derivative for each state of `x0`,"
-        callback = self._callback(lambda x, t: f(x, t, *args), n, what)
+
+        def called(x: np.ndarray, t: float) -> Any:
+            try:
+                return f(x, t, *args)
+            except TypeError as error:
+                error.add_note("This came from `f`, called as f(x, t, *args).")
+                raise
+
+        callback = self._callback(called, n, what)
         return callback_problem(callback, n, call)
 
     def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
