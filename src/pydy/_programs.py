@@ -11,13 +11,12 @@ import hashlib
 import marshal
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import astuple, dataclass, field, replace
-from itertools import pairwise
 from typing import Any
 
 from pydy._eom.equations import Equations
 from pydy._eom.mechanism import Mechanism
 from pydy._eom.symbols import find_symbols
-from pydy._graph.body_basis import body_basis
+from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.factor import factor_sums
@@ -29,7 +28,6 @@ from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
-from pydy._graph.structure import difference_basis
 
 __all__ = [
     "Assembly",
@@ -408,19 +406,6 @@ def _other_symbols(equations: Equations) -> tuple[list[Any], list[Any]]:
     known = {*states, *rates, *equations.zeros, t}
     rest = [s for s in equations.symbols if s not in known]
     return [s for s in rest if s.is_Symbol], [s for s in rest if not s.is_Symbol]
-
-
-def solve_accelerations(
-    graph: Graph, rows: list[list[int]], forcing: list[int], kind: str, *, rebase: bool = True
-) -> list[int]:
-    """Return the solution of the equations of motion; see `Passes` for `rebase`."""
-    if kind == "ldl" and rebase:
-        if (chain := difference_basis(graph, rows, forcing)) is not None:
-            y = graph.solve(chain[0], [chain[1]], kind)[0]
-            return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
-        if (basis := body_basis(graph, rows, forcing)) is not None:
-            return basis.given_unknowns(graph.solve(basis.matrix, [basis.column], kind)[0])
-    return graph.solve(rows, [forcing], kind)[0]
 
 
 def _collect_accelerations(

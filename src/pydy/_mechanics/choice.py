@@ -7,39 +7,64 @@ everywhere, and what simplification saves is not seen before: forms are counted.
 
 from __future__ import annotations
 
+from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.collector import collector_paused
 from pydy._graph.identities import merge_equal
-from pydy._graph.simplify import operations
-from pydy._mechanics.form import Formed, form
+from pydy._graph.lower import lower
+from pydy._graph.simplify import operations, simplify
+from pydy._graph.structure import difference_basis
+from pydy._mechanics.form import Formed, forms
 from pydy._mechanics.reader import Multibody
 
 __all__ = ["chosen"]
 
 
+# Estimates for the two kinds of forms that differ by less are too near to decide.
+_NEAR = 1.15
+
+
 @collector_paused()
 def chosen(body: Multibody) -> Formed:
     """Return the equations of motion in the form that takes fewest operations."""
-    ways = [False] if body.velocity else [True, False]
-    forms = [
-        form(body, in_bodies=in_bodies, articulated=articulated)
-        for articulated in ways
-        for in_bodies in (True, False)
-    ]
-    return min(forms, key=_cost)
+    in_bodies, in_ground = forms(body, in_bodies=True), forms(body, in_bodies=False)
+    best: list[Formed] = []
+    costs: list[int] = []
+    for pair in zip(in_bodies, in_ground, strict=True):  # of each kind
+        own = [_estimated(formed) for formed in pair]
+        costs.append(min(own))
+        best.append(pair[own.index(costs[-1])])
+    if len(best) == 2 and max(costs) < _NEAR * min(costs):
+        costs = [_counted(formed) for formed in best]
+    return best[costs.index(min(costs))]
 
 
-def _cost(formed: Formed) -> int:
-    """Estimate the operations of u' after equal nodes have become one."""
+def _estimated(formed: Formed) -> int:
+    """Estimate the operations of q' and u': those of a graph in which equal nodes are one."""
     graph, n = formed.graph, len(formed.forcing)
     if formed.accelerations is not None:
         roots, solving = list(formed.accelerations), 0
-        guards = [n for n in graph.reachable(roots) if graph.ops[n] == "guard"]
+        guards = [k for k in graph.reachable(roots) if graph.ops[k] == "guard"]
         if guards:
             roots = list(graph.args[guards[0]][4])
     else:
-        roots = [formed.matrix[i][j] for i in range(n) for j in range(i + 1)] + formed.forcing
-        filled = sum(formed.matrix[i][j] != graph.zero for i in range(n) for j in range(i + 1))
-        # Half of what LDLᵀ takes of a matrix with so many entries: much of its structure is used.
-        solving = filled * (n + 9) // 6
-    nodes = merge_equal(graph, [*formed.rates, *roots])
-    return operations(graph, nodes) + solving
+        matrix, column = formed.matrix, formed.forcing
+        if (chain := difference_basis(graph, matrix, column)) is not None:
+            matrix, column = chain
+        lower = [matrix[i][j] for i in range(n) for j in range(i + 1)]
+        filled = sum(node != graph.zero for node in lower) - n
+        # What LDLᵀ takes of a matrix with so many entries, less what its structure saves: half.
+        solving = filled * (filled // n + 9) // 3
+        roots = [*lower, *column]
+    return operations(graph, merge_equal(graph, [*formed.rates, *roots])) + solving
+
+
+def _counted(formed: Formed) -> int:
+    """Count the operations of q' and u' as they are compiled."""
+    graph = formed.graph.copy()
+    solved = formed.accelerations
+    if solved is None:
+        solved = solve_accelerations(graph, formed.matrix, formed.forcing, "ldl")
+    nodes = simplify(graph, [*formed.rates, *solved])
+    sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
+    program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])
+    return sum(program.operation_count["run"].values())

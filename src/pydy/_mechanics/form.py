@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from pydy._graph.derivative import jacobian
@@ -15,7 +15,7 @@ from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.reader import Multibody
 
-__all__ = ["Formed", "auxiliary_equations", "form"]
+__all__ = ["Formed", "auxiliary_equations", "form", "forms"]
 
 
 @dataclass(eq=False)
@@ -104,7 +104,17 @@ class Formed:
 
 
 def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
-    """Return the equations of motion.
+    """Return the equations of motion in one form; see `forms`."""
+    found = forms(body, in_bodies=in_bodies)
+    return found[-1] if articulated else found[0]
+
+
+def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
+    """Return the equations of motion, composite bodies first, then articulated ones.
+
+    In the first form u' is left to a solve; in the second, the speeds are eliminated one by one,
+    from the outer bodies to the inner ones. With dependent speeds, or with loads that depend on
+    accelerations, there is only the first.
 
     Parameters
     ----------
@@ -112,12 +122,10 @@ def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
     in_bodies : bool
         Whether velocities of points are written in the frames of the bodies; else in the inertial
         frame.
-    articulated : bool
-        Whether the speeds are eliminated one by one, from the outer bodies to the inner ones.
     """
     kinematics = _moving(body, in_bodies)
     inertias, loads = loads_and_inertias(kinematics)
-    g, speeds = kinematics.graph, kinematics.speeds
+    g, speeds, read = kinematics.graph, kinematics.speeds, kinematics.read
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
     matrix, forcing = composite(*parts)
     moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
@@ -128,21 +136,24 @@ def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
             idle = dict.fromkeys(_idle(kinematics, forcing), g.zero)
             forcing = substitute(g, forcing, idle)
             accelerations = accelerations and substitute(g, accelerations, idle)
-    elif articulated and not moved:
+    found = [
+        Formed(
+            g,
+            read.constants,
+            read.specifieds,
+            kinematics.rates,
+            matrix,
+            forcing,
+            accelerations,
+            _kinetic(kinematics, inertias),
+            tuple(kinematics.honoured),
+        )
+    ]
+    if not body.velocity and not moved:
         solution = eliminated(*parts)
-        accelerations = g.guard(matrix, forcing, solution.sound, solution.accelerations)
-    read = kinematics.read
-    return Formed(
-        g,
-        read.constants,
-        read.specifieds,
-        kinematics.rates,
-        matrix,
-        forcing,
-        accelerations,
-        _kinetic(kinematics, inertias),
-        tuple(kinematics.honoured),
-    )
+        solved = g.guard(matrix, forcing, solution.sound, solution.accelerations)
+        found.append(replace(found[0], accelerations=solved))
+    return found
 
 
 def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
