@@ -15,12 +15,16 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser docs bench bench-peers bench-solvers three clean
+.PHONY: help demo test test-browser test-fuzz test-lowest test-newest test-pyright docs bench bench-peers bench-solvers three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
 	@echo "make test-browser  open the animation pages in Chromium and check them"
+	@echo "make test-fuzz  every public argument with every bad value; make test tries a part of them"
+	@echo "make test-lowest  a selection of tests on the oldest Python and packages supported"
+	@echo "make test-newest  the same on the newest Python that is here"
+	@echo "make test-pyright  the types as pyright reads them (needs npm and a network)"
 	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts"
@@ -40,6 +44,18 @@ test: $(VENV)/.installed-test
 # A folder of its own, so that pytest's default run does not need a browser.
 test-browser: $(VENV)/.installed-test $(VENV)/.installed-browser
 	$(PY) -m pytest tests/browser
+
+test-fuzz: $(VENV)/.installed-test
+	PYDY_FUZZ_PARTS=1 $(PY) -m pytest -n $(JOBS) tests/fuzz
+
+# Each in an environment of its own, .venv-lowest and .venv-newest.
+test-lowest test-newest: test-%:
+	$(PYTHON) tools/other_versions.py $* $(JOBS)
+
+test-pyright: $(VENV)/.installed-test
+	mkdir -p build/pyright
+	cd build/pyright && npm install --no-save --no-audit --no-fund --silent pyright@1.1.414
+	build/pyright/node_modules/.bin/pyright --pythonpath $(PY) tests/typing/usage.py
 
 docs: $(VENV)/.installed-docs
 	$(PY) -m sphinx -W --keep-going --doctree-dir build/doctrees docs build/docs
@@ -66,7 +82,7 @@ three:
 	cp build/three/node_modules/three/LICENSE src/pydy/viz/page/three.LICENSE
 
 clean:
-	rm -rf $(VENV) $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(VENV)-lowest* $(VENV)-newest $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # A stamp for each extra, older than pyproject.toml when the dependencies may have changed.
 $(VENV)/.installed-%: pyproject.toml | $(PY)

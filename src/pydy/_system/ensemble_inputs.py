@@ -63,7 +63,7 @@ class _Axes:
         dims: tuple[str, ...]
         if hasattr(value, "dims") and hasattr(value, "coords"):
             dims = tuple(map(str, value.dims))
-            array = real_array(np.asarray(value), what)
+            array = real_array(value, what)
             for d in dims:
                 if d in value.coords and value.coords[d].ndim == 1:
                     own = value.coords[d]

@@ -108,6 +108,8 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
         value = real_array(given[name], f"`{name}`")
         if not (np.isfinite(value).all() and (value >= 0.0).all()):
             raise ValueError(f"`{name}` must be finite and not negative, got {value}.")
+        if value.ndim > 1:
+            raise ValueError(f"`{name}` must be one-dimensional, got the shape {value.shape}.")
         given = {**given, name: value if value.ndim else float(value)}
     if "max_steps" in given:
         most = number(given["max_steps"], "`max_steps`")

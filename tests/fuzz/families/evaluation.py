@@ -1,0 +1,110 @@
+"""The evaluations of a System at states and times."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real
+from fuzz.table import STATES, empty_or_none, flags, hashable, key, number, one_of, target
+from fuzz.world import driven, world
+from pydy.system import System
+
+
+def _nothing_given(value: Any) -> Any:
+    if isinstance(value, dict) and empty_or_none(value):
+        return value
+    raise RefusedError
+
+
+_none = Kind(_nothing_given, ())
+
+
+for _method in ("evaluate_ode", "evaluate_outputs", "evaluate_jacobian", "evaluate_energy"):
+
+    @target(f"{_method}.x", STATES.or_(_none).or_none())
+    def _(v, method=_method):
+        # Without times there are zeros for any number of states.
+        system = driven(world().o, times=None)
+        result = getattr(system, method)(v)
+        return tuple(result) if isinstance(result, tuple) else result
+
+
+@target("evaluate_ode.t", real(finite=False).or_none())
+def _(v):
+    return world().o.system.evaluate_ode([1.0, 2.0], v)
+
+
+@target("evaluate_ode.times", array((3,)).or_none(), "`t`")
+def _(v):
+    return world().o.system.evaluate_ode(np.ones((3, 2)), v)
+
+
+_both = array((2,), (1, 2)).or_(_none).or_none()
+
+
+@target("evaluate_ode.r", _both, "`r", "specified")
+def _(v):
+    return world().o.system.evaluate_ode([1.0, 2.0], 0.0, r=v)
+
+
+@target("evaluate_ode.r[value]", real(finite=False), "`r", "specified")
+def _(v):
+    return world().o.system.evaluate_ode([1.0, 2.0], 0.0, r={world().o.f: v})
+
+
+@target("evaluate_ode.r[key]", key, "`r")
+def _(v):
+    return world().o.system.evaluate_ode([1.0, 2.0], 0.0, r={hashable(v): 1.0})
+
+
+@target("evaluate_ode.p", _both)
+def _(v):
+    return world().o.system.evaluate_ode([1.0, 2.0], 0.0, p=v)
+
+
+@target("evaluate_ode.p[value]", number)
+def _(v):
+    return world().o.system.evaluate_ode([1.0, 2.0], 0.0, p={world().o.k: v})
+
+
+@target("evaluate_ode.p[key]", key, "`p")
+def _(v):
+    return world().o.system.evaluate_ode([1.0, 2.0], 0.0, p={hashable(v): 1.0})
+
+
+@target("evaluate_jacobian.wrt", choice("states", "specifieds", "constants"))
+def _(v):
+    return world().o.system.evaluate_jacobian(wrt=v)
+
+
+@target("evaluate_jacobian.of", choice("ode", "outputs", "holonomic", "velocity"))
+def _(v):
+    return world().c.system.evaluate_jacobian(of=v)
+
+
+for _method in ("constraints", "holonomic_constraints", "velocity_constraints"):
+
+    @target(f"evaluate_{_method}.x", array((4,), (3, 4)).or_(_none).or_none())
+    def _(v, method=_method):
+        return getattr(world().c.system, f"evaluate_{method}")(v)
+
+
+def _off_the_circle() -> System:
+    c = world().c
+    return System(c.kane, initial_conditions={c.x: 0.6, c.y: -0.7})
+
+
+@target("set_dependent.dep_vars", nothing("symbols", "texts", allowed=one_of(None)))
+def _(v):
+    system = _off_the_circle()
+    system.set_dependent_initial_conditions(v)
+    return system.initial_conditions
+
+
+@target("set_dependent.use_jac", flags)
+def _(v):
+    system = _off_the_circle()
+    system.set_dependent_initial_conditions(use_jac=v)
+    return list(system.initial_conditions.values())

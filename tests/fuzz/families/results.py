@@ -1,0 +1,181 @@
+"""Sampled inputs, trajectories, sample models and linear models."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing
+from fuzz.table import empty_or_none, flags, is_number, mapping, target
+from fuzz.world import world
+from pydy import linearize, models
+from pydy.inputs import SampledInput
+from pydy.trajectory import Trajectory
+
+
+def _ascend(t: np.ndarray) -> bool:
+    return bool(np.isfinite(t).all() and (np.diff(t) > 0).all())
+
+
+@target("SampledInput.times", array((2,), check=_ascend), "`times", "`values")
+def _(v):
+    return SampledInput(v, [1.0, 2.0])(0.75)
+
+
+@target("SampledInput.values", array((2,), (2, None), check=lambda a: np.isfinite(a).all()))
+def _(v):
+    return SampledInput([0.0, 1.0], v)(0.75)
+
+
+@target("SampledInput.interpolation", choice("linear", "previous", "pchip"))
+def _(v):
+    return SampledInput([0.0, 1.0], [1.0, 2.0], v)(0.75)
+
+
+@target("SampledInput.t", array((), (None,)))
+def _(v):
+    return SampledInput([0.0, 1.0], [1.0, 2.0])(v)
+
+
+# -- trajectories ---------------------------------------------------------------------------------
+
+
+def named_f(value: object) -> bool:
+    """Whether a value has the name of one of the trajectory's quantities."""
+    return getattr(value, "name", getattr(value, "__name__", None)) == "f"
+
+
+@target("Trajectory.key", nothing("symbols", "texts", allowed=named_f), "none of the trajectory's")
+def _(v):
+    return world().o.trajectory[v]
+
+
+def _inside(t: np.ndarray) -> bool:
+    return bool((np.diff(t) >= 0).all() and ((t >= 0) & (t <= 1)).all())
+
+
+@target(
+    "Trajectory.at",
+    array((None,), check=_inside).or_(array((), check=lambda t: bool(0 <= t <= 1))),
+    "`times`",
+)
+def _(v):
+    result = world().o.trajectory.at(v)
+    return result.states, result.times
+
+
+_FILES = ("abc", "damaged.nc", "empty.nc")
+
+
+def _a_file(value: object) -> bool:
+    return value == b"abc" if isinstance(value, bytes) else str(value) in _FILES
+
+
+@target("Trajectory.save", nothing("paths", allowed=_a_file), "`path")
+def _(v):
+    return world().o.trajectory.save(v)
+
+
+@target("Trajectory.load", nothing("paths"), "`path")
+def _(v):
+    return Trajectory.load(v)
+
+
+for _name in ("derivatives", "energy"):
+
+    @target(f"Trajectory.to_xarray.{_name}", flags)
+    def _(v, name=_name):
+        return list(world().o.trajectory.to_xarray(**{name: v}))
+
+
+_one = {"coordinate": ["x"]}
+
+
+@target(
+    "Trajectory.times",
+    array((2,), check=lambda t: bool((np.diff(t) >= 0).all())),
+    "`times",
+    "`states",
+)
+def _(v):
+    return Trajectory(v, np.ones((2, 1)), _one).times
+
+
+@target("Trajectory.states", array((2, 1)))
+def _(v):
+    return Trajectory([0.0, 1.0], v, _one).states
+
+
+@target("Trajectory.outputs", array((2, 1)))
+def _(v):
+    return Trajectory([0.0, 1.0], np.ones((2, 1)), {**_one, "output": ["y"]}, outputs=v).outputs
+
+
+@target("Trajectory.symbols", nothing("symbols", "texts", "arrays"), "`symbols", "`states")
+def _(v):
+    return Trajectory([0.0, 1.0], np.ones((2, 1)), v).names
+
+
+def _numbers(value: object) -> object:
+    """Return a dictionary of symbols or names, and numbers."""
+    if empty_or_none(value):
+        return {}
+    if isinstance(value, dict) and all(map(is_number, value.values())):
+        return {k: float(v) for k, v in value.items()}
+    raise RefusedError
+
+
+@target("Trajectory.constants", Kind(_numbers, mapping.groups))
+def _(v):
+    return Trajectory([0.0, 1.0], np.ones((2, 1)), _one, constants=v).constants
+
+
+@target("Trajectory.events", nothing("symbols", "texts", allowed=empty_or_none))
+def _(v):
+    return Trajectory([0.0, 1.0], np.ones((2, 1)), _one, events=v).events
+
+
+@target(
+    "Trajectory.kinds",
+    choice("coordinate", "speed", "auxiliary", "output", "constraint", "force", "specified"),
+)
+def _(v):
+    return world().o.trajectory.names_of(v)
+
+
+# -- models, linear algebra -----------------------------------------------------------------------
+
+
+def _size(value: object) -> int:
+    if type(value) is not int or not 1 <= value < 10**6:
+        raise RefusedError
+    return value
+
+
+@target("models.n", Kind(_size, integer(1).groups), own={"2": lambda: 2})
+def _(v):
+    return models.multi_mass_spring_damper(v).num_states
+
+
+for _name in ("apply_gravity", "apply_external_forces", "external_force_as_sin_of_t"):
+
+    @target(f"models.{_name}", flags)
+    def _(v, name=_name):
+        system = models.multi_mass_spring_damper(1, **{name: v})
+        return system.num_specifieds, system.num_constants
+
+
+for _name in ("cart_force", "joint_torques"):
+
+    @target(f"models.{_name}", flags)
+    def _(v, name=_name):
+        return models.n_link_pendulum_on_cart(1, **{name: v}).num_specifieds
+
+
+@target("linearize.state_matrix", array((2, 2), check=lambda a: np.isfinite(a).all()))
+def _(v):
+    return linearize.reduce_state_matrix(v, np.zeros((0, 2)))
+
+
+@target("linearize.constraint_jacobian", array((None, 2), check=lambda a: np.isfinite(a).all()))
+def _(v):
+    return linearize.constrained_eigenvalues(np.eye(2), v)

@@ -1,0 +1,304 @@
+"""Shapes, visuals, scenes and what is made of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from fuzz.kinds import Kind, RefusedError, array, choice, nothing, real, text
+from fuzz.table import empty_or_none, flags, is_number, key, number, one_of, target
+from fuzz.world import TIMES, world
+from pydy import viz
+
+
+def _length(value: Any) -> Any:
+    """Return a length: a positive number, or an expression of symbols."""
+    if isinstance(value, sm.Expr) and value.free_symbols:
+        return value
+    if isinstance(value, bool):
+        raise RefusedError
+    return real(above=0.0).read(value)
+
+
+length = Kind(_length, number.groups)
+_shapes: dict[str, tuple[Callable[..., Any], tuple[str, ...]]] = {
+    "Sphere": (viz.Sphere, ("radius",)),
+    "Box": (viz.Box, ("x", "y", "z")),
+    "Cylinder": (viz.Cylinder, ("length", "radius")),
+    "Torus": (viz.Torus, ("radius", "tube")),
+}
+for _name, (_shape, _fields) in _shapes.items():
+    for _field in _fields:
+
+        @target(f"viz.{_name}.{_field}", length)
+        def _(v, shape=_shape, fields=_fields, field=_field):
+            return getattr(shape(**{**dict.fromkeys(fields, 1.0), field: v}), field)
+
+
+@target("viz.Sphere.colour", array((3,), check=lambda a: ((a >= 0) & (a <= 1)).all()).or_none())
+def _(v):
+    return viz.Sphere(1.0, colour=v).colour
+
+
+@target("viz.Sphere.opacity", real(least=0.0, most=1.0))
+def _(v):
+    return float(viz.Sphere(1.0, opacity=v).opacity)
+
+
+@target("viz.Sphere.name", text().or_none())
+def _(v):
+    return viz.Sphere(1.0, name=v).name
+
+
+@target("viz.Cylinder.axis", choice("x", "y", "z"))
+def _(v):
+    return viz.Cylinder(1.0, 1.0, axis=v).axis
+
+
+@target("viz.Arrow.vector", nothing("symbols", "arrays"))
+def _(v):
+    return viz.Arrow(v)
+
+
+@target("viz.Arrow.scale", number)
+def _(v):
+    return float(viz.Arrow(world().o.N.x, scale=v).scale)
+
+
+@target("viz.Line.points", nothing("symbols", "arrays"))
+def _(v):
+    return viz.Line(v)
+
+
+@target("viz.Trace.duration", length.or_none())
+def _(v):
+    return viz.Trace(duration=v).duration
+
+
+@target("viz.Mesh.source", nothing("paths", "arrays"), "`source", "`faces", "'abc'", "files")
+def _(v):
+    return viz.Mesh(v)
+
+
+@target("viz.Mesh.faces", nothing("arrays"))
+def _(v):
+    return viz.Mesh((np.eye(3), v))
+
+
+@target("viz.Visual.shape", key, "shape")
+def _(v):
+    return viz.Visual(v, world().o.P)
+
+
+@target("viz.Visual.where", key, "Visual")
+def _(v):
+    return viz.Visual(viz.Sphere(1.0), v)
+
+
+@target("viz.Visual.name", text().or_none())
+def _(v):
+    return viz.Visual(viz.Sphere(1.0), world().o.P, name=v).name
+
+
+@target("viz.Visual.trail", flags)
+def _(v):
+    return viz.Visual(viz.Sphere(1.0), world().o.P, trail=v).trail
+
+
+# -- scenes ---------------------------------------------------------------------------------------
+
+
+def _scene(**changes: Any) -> Any:
+    o = world().o
+    given = {"reference_frame": o.N, "origin": o.O, "visuals": _ball(), **changes}
+    scene = viz.Scene(
+        given.pop("reference_frame"), given.pop("origin"), *given.pop("visuals"), **given
+    )
+    return scene.animate(TIMES, np.sin(TIMES)[:, None], symbols=[o.x])
+
+
+def _ball() -> list[Any]:
+    return [viz.Visual(viz.Sphere(0.1), world().o.P)]
+
+
+for _name in ("reference_frame", "origin"):
+
+    @target(f"scene.{_name}", key)
+    def _(v, name=_name):
+        return _scene(**{name: v})
+
+
+@target("scene.visuals", key, "Scene")
+def _(v):
+    return _scene(visuals=[v])
+
+
+_direction = array((3,), check=lambda a: 0 < np.linalg.norm(a) < np.inf)
+
+for _name, _kind in (("up", _direction), ("view", _direction.or_none())):
+
+    @target(f"scene.{_name}", _kind)
+    def _(v, name=_name):
+        return _scene(**{name: v}).html()
+
+
+def _height(value: Any) -> Any:
+    return bool(value) if isinstance(value, (bool, np.bool_)) else number.read(value)
+
+
+@target("scene.ground", Kind(_height, (*number.groups, "flags")).or_none())
+def _(v):
+    return _scene(ground=v).html()
+
+
+@target("scene.follow", flags.or_none())
+def _(v):
+    return _scene(follow=v).html()
+
+
+def _series(value: Any) -> bool:
+    """Whether a value lists numbers, which are lines in a plot."""
+    if empty_or_none(value):
+        return value is not None
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, (str, bytes)):
+        return False
+    try:
+        return all(is_number(e) and isinstance(e, (sm.Expr, int, float)) for e in value)
+    except TypeError:
+        return False
+
+
+@target("scene.series", nothing("symbols", "texts", allowed=_series), "series")
+def _(v):
+    return _scene(series=v).html()
+
+
+@target("scene.title", text())
+def _(v):
+    return _scene(title=v).html()
+
+
+def _animated(**changes: Any) -> Any:
+    o = world().o
+    given = {"trajectory": TIMES, "states": np.sin(TIMES)[:, None], "symbols": [o.x], **changes}
+    return viz.Scene(o.N, o.O, *_ball()).animate(**given).poses
+
+
+@target(
+    "animate.times",
+    array((3,), check=lambda t: np.isfinite(t).all() and (np.diff(t) >= 0).all()),
+    "`times",
+    "`states",
+)
+def _(v):
+    return _animated(trajectory=v)
+
+
+@target("animate.states", array((3, 1)), "`states", "animate")
+def _(v):
+    return _animated(states=v)
+
+
+@target("animate.trajectory", nothing("arrays", "symbols"), "`animate`")
+def _(v):
+    return viz.Scene(world().o.N, world().o.O, *_ball()).animate(v)
+
+
+@target("animate.symbols", nothing("symbols", "texts", "arrays"), "`symbols", "`states", "no value")
+def _(v):
+    return _animated(symbols=v)
+
+
+def _numbers(value: Any) -> bool:
+    """Whether a value is a dictionary of numbers, needed or not."""
+    return empty_or_none(value) or (
+        isinstance(value, dict) and all(is_number(v) for v in value.values())
+    )
+
+
+for _name in ("constants", "specifieds", "series"):
+
+    @target(
+        f"animate.{_name}",
+        nothing("symbols", "arrays", allowed=empty_or_none if _name == "series" else _numbers),
+    )
+    def _(v, name=_name):
+        return _animated(**{name: v})
+
+
+@target("animate.constants[value]", real(finite=False))
+def _(v):
+    return _animated(constants={world().o.k: v})
+
+
+@target(
+    "animate.specifieds[value]",
+    array((), (3,), check=lambda a: np.isfinite(a).all()),
+    "`specifieds",
+    "there is nothing to draw",
+)
+def _(v):
+    return _animated(specifieds={world().o.f: v})
+
+
+@target("animate.fps", real(finite=False, above=0.0).or_none())
+def _(v):
+    return _animated(fps=v)
+
+
+@target("animate.speed", real(above=0.0).or_none())
+def _(v):
+    return _animated(speed=v)
+
+
+# -- pages, pictures and films --------------------------------------------------------------------
+
+
+@target("to_html.theme", choice("auto", "light", "dark"))
+def _(v):
+    return world().scene.html(theme=v)
+
+
+def _a_file(value: Any) -> bool:
+    return isinstance(value, (str, Path)) and str(value) in ("abc", "damaged.nc", "empty.nc")
+
+
+@target("to_html.path", nothing("paths", allowed=_a_file))
+def _(v):
+    return world().scene.to_html(v)
+
+
+@target("to_matplotlib.t", number.or_none())
+def _(v):
+    world().scene.to_matplotlib(v)
+
+
+@target("to_matplotlib.axes", nothing("texts", "arrays", allowed=one_of(None)))
+def _(v):
+    return world().scene.to_matplotlib(axes=v)
+
+
+@target("save.path", nothing("paths"))
+def _(v):
+    return world().scene.save(v)
+
+
+@target("save.fps", real(least=1e-3, most=1e3))
+def _(v):
+    return world().still.save("film.gif", fps=v, dpi=20) and None
+
+
+@target("save.dpi", real(least=10.0, most=1e3))
+def _(v):
+    return world().scene.save("picture.png", dpi=v) and None
+
+
+@target("save.size", array((2,), check=lambda a: (a >= 0.5).all() and (a < 100).all()))
+def _(v):
+    return world().scene.save("picture.png", size=v, dpi=20) and None

@@ -1,0 +1,54 @@
+"""Every public argument with bad values, and with good ones in unusual clothes.
+
+What comes of each is an error of ours that names the argument, or the right result; nothing else.
+The values are in `values`, what arguments must be in `kinds`, the arguments in `families`.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from fuzz.table import FAMILIES
+
+# One of so many inputs is tried; .ci/run tries all.
+PARTS = int(os.environ.get("PYDY_FUZZ_PARTS", "4"))
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="inputs are tried in forks")
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory):
+    """Return the process that forks: systems and functions are made there once."""
+    folders = [str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+    with (tmp_path_factory.mktemp("fuzz") / "stderr").open("w+") as said:
+        process = subprocess.Popen(
+            [sys.executable, "-m", "fuzz.server"],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=said,
+            text=True,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, folders))},
+        )
+        with process:
+            yield process, said
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_what_does_not_fit_is_named_and_what_fits_is_right(family, server):
+    process, said = server
+    process.stdin.write(f"{family} {PARTS - 1} {PARTS}\n")
+    process.stdin.flush()
+    answer = process.stdout.readline()
+    assert answer, f"the server ended: {said.seek(0) or said.read()}"
+    results = json.loads(answer)
+    wrong = [r for r in results if r[2] not in ("named", "right")]
+    assert not wrong, f"{len(wrong)} of {len(results)}:\n" + "\n".join(
+        f"{target} with {value}: {what}: {details}" for target, value, what, details, _ in wrong
+    )
+    assert len(results) > 500 // PARTS or family == "command_line"
