@@ -1055,13 +1055,15 @@ class System:
 
         Parameters
         ----------
-        at : array_like, shape (n,) or (m, n), optional
+        at : array_like, shape (n,) or (m, n), or dict, optional
             States; the initial conditions by default. With several, such as along a trajectory,
-            each matrix has a first axis for them.
+            each matrix has a first axis for them. A dictionary gives some of the initial conditions
+            instead, by symbol or name.
         t : float or array_like, shape (m,), optional
             As in `evaluate_ode`.
         inputs : iterable of specifieds or names, optional
-            All by default. Where one is given as an expression, the input is an addition to it.
+            All by default. Where one is given as an expression or as a function, the input is an
+            addition to it: feedback is part of A. Functions are differentiated numerically.
         outputs : iterable of states, outputs or names, optional
             All states by default.
 
@@ -1072,7 +1074,13 @@ class System:
         Raises
         ------
         ValueError
-            A name is none of the system's, or the configuration is singular.
+            A name is none of the system's, the configuration is singular, or the equations are not
+            finite there.
+
+        Warns
+        -----
+        PyDyUserWarning
+            A state does not satisfy the constraints.
 
         Examples
         --------
@@ -1085,8 +1093,10 @@ class System:
         1.414214
         """
         numbers = self._numbers_now()
-        n = len(self._definition.states)
-        x, instants, single = samples(at, t, self._x0, self._times, n)
+        places = self._definition.places["states"]
+        if isinstance(at, Mapping):
+            at = places.read("at", at, self._x0())
+        x, instants, single = samples(at, t, self._x0, self._times, len(places))
         return linearize(numbers, x, instants, inputs, outputs, single)
 
     def _numbers_now(self) -> Numbers:

@@ -125,6 +125,8 @@ def test_what_falls_freely_has_none_and_the_row_is_named():
         ({"unknowns": []}, "`unknowns` must name"),
         ({"unknowns": 3}, "`unknowns` must be a sequence"),
         ({"unknowns": ["q1", "q1"]}, "more than once"),
+        ({"given": [1.0]}, "`given` must be a dict"),
+        ({"bounds": [1.0]}, "`bounds` must be a dict"),
         ({"given": {"q9": 1.0}}, "`given` has the key `q9`"),
         ({"given": {"q1": "far"}}, r"`given\[q1\]`"),
         ({"moving": ["u1"]}, "`moving` must hold coordinates"),
@@ -135,3 +137,12 @@ def test_what_falls_freely_has_none_and_the_row_is_named():
 def test_bad_arguments_are_named(pendulum, arguments, message):
     with pytest.raises((ValueError, TypeError), match=message):
         pendulum.find_equilibrium(**arguments)
+
+
+def test_feedback_of_a_python_function_leads_to_its_equilibrium(pendulum):
+    force = next(iter(pendulum.specifieds_symbols))
+    pendulum.initial_conditions = {"q0": 2.0, "q1": 0.3}
+    pendulum.specifieds = {force: lambda x, t: -100 * (x[0] - 1.5) - 10 * x[3]}
+    found = pendulum.find_equilibrium()
+    assert found.values[pendulum.coordinates[0]] == pytest.approx(1.5, abs=1e-9)
+    assert found.free == ()

@@ -10,10 +10,12 @@ from scipy.signal import StateSpace
 
 import zoo
 from cases import close, system_of
+from pydy.errors import PyDyUserWarning
 from pydy.examples import whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
+from singular import slider_crank
 
 
 @cache
@@ -152,6 +154,7 @@ def test_python_control_takes_the_model_with_its_names():
 
 def test_prescribed_motions_of_constraints_are_no_inputs():
     system = system_of(zoo.lifted())
+    system.set_dependent_initial_conditions()
     with pytest.raises(ValueError, match="constraints depend on an input"):
         system.linearize()
     assert system.linearize(inputs=[]).B.shape[1] == 0
@@ -213,3 +216,46 @@ def test_a_dictionary_gives_some_of_the_states_of_an_evaluation():
 def test_what_is_no_variable_is_named(wrt, message):
     with pytest.raises((ValueError, TypeError), match=message):
         n_link_pendulum_on_cart().evaluate_jacobian(wrt=wrt)
+
+
+# -- states and inputs that need care -------------------------------------------------------------
+
+
+def test_rounding_errors_are_no_rank_in_a_singular_configuration():
+    # Both columns of the row along y are some 1e-17 there, and their ratio anything.
+    system = slider_crank(1.0).system
+    upright = [np.pi / 2, -np.pi / 2, 0.0, 0.0, 0.0, 0.0]
+    with pytest.raises(ValueError, match="singular there"):
+        system.linearize(upright)
+    beside = [np.pi / 2 - 1e-3, -np.pi / 2 + 1e-3, 2 * np.sin(1e-3), 0.0, 0.0, 0.0]
+    assert np.isfinite(system.linearize(beside).A).all()
+
+
+def test_feedback_of_a_python_function_is_part_of_the_model():
+    system = n_link_pendulum_on_cart()
+    force = next(iter(system.specifieds_symbols))
+    q0, q1 = system.coordinates
+    system.specifieds = {force: -3 * q0 + 5 * q1}
+    by_expression = system.linearize()
+    system.specifieds = {force: lambda x, t: -3 * x[0] + 5 * x[1]}
+    by_function = system.linearize()
+    close(by_function.A, by_expression.A, 1e-8)
+    close(by_function.B, by_expression.B)
+
+
+def test_a_model_off_the_constraints_warns():
+    system = system_of(zoo.fourbar())
+    start = system.find_equilibrium().state + 0.1
+    with pytest.warns(PyDyUserWarning, match="the state does not satisfy them"):
+        system.linearize(start)
+
+
+def test_a_model_that_is_not_finite_is_refused():
+    system = n_link_pendulum_on_cart()
+    with pytest.raises(ValueError, match="state 1 of `at`: there is no linear model"):
+        system.linearize([[0.0] * 4, [np.nan] * 4], [0.0, 0.0])
+
+
+def test_a_model_is_taken_at_a_dictionary_of_states():
+    system = n_link_pendulum_on_cart()
+    close(system.linearize({"q1": np.pi}).A, system.linearize([0.0, np.pi, 0.0, 0.0]).A)

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from pydy._checks import Places, listed, number, real_array
+from pydy._checks import Places, check_mapping, listed, number, real_array
+from pydy._errors import warn_user
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._system.definition import Definition
 from pydy._system.evaluation import evaluate, row_names
 from pydy._system.expressions import driven
+from pydy._system.start import TRIED, violations
 from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -22,6 +24,8 @@ from pydy.codegen.right_hand_side import RightHandSide
 __all__ = ["Numbers", "find_equilibrium", "linearize", "variables"]
 
 _GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
+_EPS = float(np.finfo(float).eps)
+_BESIDE = 1e-3
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +138,8 @@ def find_equilibrium(
         raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
     x, p = numbers.x.copy(), numbers.p.copy()
     inputs: dict[Any, float] = {}
-    for key, entry in (given or {}).items():
+    given = check_mapping("given", given)
+    for key, entry in given.items():
         kind, place = located(definition, key, "given")
         amount = number(entry, f"`given[{key}]`", finite=True)
         if kind == "specifieds":
@@ -142,7 +147,7 @@ def find_equilibrium(
         else:
             (x if kind == "states" else p)[place] = amount
     if unknowns is None:
-        held = {located(definition, key, "given") for key in given or ()}
+        held = {located(definition, key, "given") for key in given}
         unknowns = [
             s
             for k, s in enumerate((*equations.coordinates, *equations.speeds))
@@ -161,7 +166,7 @@ def find_equilibrium(
             argument="given",
         )
     )
-    made = driven(numbers.implementation, definition, plan, perturbed=bool(own))
+    made = driven(numbers.implementation, definition, plan, perturbed=bool(own or plan.functions))
     blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
     instant, layout = np.array([numbers.t]), made.layout
     r = plan.rows(x[None], instant).copy()
@@ -187,14 +192,19 @@ def find_equilibrium(
 
     def jacobian(z: np.ndarray) -> np.ndarray:
         put(z)
+        through = _feedback(plan, x[None], instant)[0]
+        through[columns] = 0.0
         parts = []
         for block in blocks:
             part = np.zeros((len(getattr(made.assembly, block)), len(z)))
+            if through.any():
+                by_input = value(made.compiled_jacobian(block, "r")).reshape(len(part), -1)
+                part[:, by_state] = (by_input @ through)[:, at_state]
             for kind, group in _GROUPS.items():
                 places, found = wanted.of(kind)
                 if places:
                     whole = value(made.compiled_jacobian(block, group))
-                    part[:, places] = whole.reshape(len(part), -1)[:, found]
+                    part[:, places] += whole.reshape(len(part), -1)[:, found]
             parts.append(part)
         return np.vstack([parts[0][rows], *parts[1:]])
 
@@ -218,6 +228,23 @@ def find_equilibrium(
     )
 
 
+def _feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return how the specifieds that are functions change with the states, shape (m, s, n).
+
+    These are central differences; expressions are compiled into the equations instead.
+    """
+    m, n = x.shape
+    slopes = np.zeros((m, len(plan.symbols), n))
+    if plan.functions:
+        for k in range(n):
+            step = np.zeros_like(x)
+            step[:, k] = np.cbrt(_EPS) * np.maximum(np.abs(x[:, k]), 1.0)
+            ahead, behind = x + step, x - step
+            change = plan.rows(ahead, t) - plan.rows(behind, t)
+            slopes[:, :, k] = change / (ahead - behind)[:, k, None]
+    return slopes
+
+
 def _start(numbers: Numbers, symbol: Any) -> float:
     """Return the value of a specified from which to search."""
     place = numbers.definition.specifieds.index(symbol)
@@ -230,7 +257,7 @@ def _bounds(
 ) -> tuple[np.ndarray, np.ndarray]:
     low = np.full(len(wanted.symbols), -np.inf)
     high = -low
-    for key, pair in (bounds or {}).items():
+    for key, pair in check_mapping("bounds", bounds).items():
         place = located(definition, key, "bounds")
         if place not in wanted.order:
             raise ValueError(f"`bounds` has the key `{key}`, which is not one of `unknowns`.")
@@ -268,9 +295,21 @@ def linearize(
         return out if width is None else out.reshape(len(x), -1, width)
 
     n, s = len(definition.states), len(definition.specifieds)
+    through = _feedback(plan, x, t)
+
+    def slopes(block: str) -> np.ndarray:
+        direct = value(made.compiled_jacobian(block, "x"), n)
+        if not through.any():
+            return direct
+        whole: np.ndarray = direct + value(made.compiled_jacobian(block, "r"), s) @ through
+        return whole
+
     blocks = [b for b in ("holonomic", "velocity") if getattr(equations, b)]
-    gradients = [value(made.compiled_jacobian(b, "x"), n) for b in blocks]
-    gradient = np.concatenate(gradients, axis=1) if gradients else np.zeros((len(x), 0, n))
+    gradient = np.zeros((len(x), 0, n))
+    if blocks:
+        gradient = np.concatenate([slopes(b) for b in blocks], axis=1)
+        beside = x + _BESIDE * np.maximum(np.abs(x), 1.0) * np.cos(np.arange(n))
+        gradient /= _sizes(numbers, made, blocks, (t, beside, rows), gradient)
     chosen = [
         definition.states.index(state)
         for state in (*equations.dependent_coordinates, *equations.dependent_speeds)
@@ -278,7 +317,9 @@ def linearize(
     free, bound = independent_places(gradient[0], chosen)
     free = free[free < n - len(definition.auxiliaries)]  # integrals of outputs move nothing
     T = tangents(gradient, free, bound)
-    A = (value(made.compiled_jacobian("rates", "x"), n) @ T)[:, free]
+    if blocks:
+        _warn_of_violations(numbers, made, t, x, rows)
+    A = (slopes("rates") @ T)[:, free]
     symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
     columns = [places["specifieds"].find(symbol, "inputs") for symbol in symbols]
     by_input = np.zeros((len(x), n, s))
@@ -293,9 +334,16 @@ def linearize(
                     "of `inputs`."
                 )
     B = by_input[:, free][:, :, columns]
-    C, D, titles = _outputs(numbers, outputs, value, made, T, columns, names)
+    C, D, titles = _outputs(numbers, outputs, value, made, slopes, T, columns)
     rates = value(made.compiled("rates"))[:, free]
     parts = [A, B, C, D, rates]
+    sound = [np.isfinite(part.reshape(len(x), -1)).all(axis=1) for part in parts]
+    if not np.all(sound):
+        k = int(np.all(sound, axis=0).argmin())
+        raise ValueError(
+            f"The equations or their derivatives are not finite at {_which(k, x)}: there is no "
+            "linear model. `evaluate_ode` and `evaluate_jacobian` say where they are not."
+        )
     A, B, C, D, rates = (part[0] if single else part for part in parts)
     return LinearModel(
         A, B, C, D,
@@ -305,14 +353,58 @@ def linearize(
     )  # fmt: skip
 
 
+def _which(k: int, x: np.ndarray) -> str:
+    return f"state {k} of `at`" if len(x) > 1 else "the state"
+
+
+def _warn_of_violations(
+    numbers: Numbers, made: RightHandSide, t: np.ndarray, x: np.ndarray, rows: np.ndarray
+) -> None:
+    """Warn of the first state that is off the constraints, of those that are tried."""
+    for k in np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int)):
+        row = rows[k if len(rows) > 1 else 0]
+        told = violations(numbers.definition, made, lambda: made, float(t[k]), x[k], row, numbers.p)
+        if told:
+            warn_user(
+                f"The linear model is one of motions that keep the constraints, but "
+                f"{_which(k, x)} does not satisfy them. {told} Call "
+                "`system.set_dependent_initial_conditions()` first, or take states of a motion "
+                "that was integrated with `constraints='project'`."
+            )
+            return
+
+
+def _sizes(
+    numbers: Numbers,
+    made: RightHandSide,
+    blocks: Sequence[str],
+    beside: tuple[np.ndarray, np.ndarray, np.ndarray],
+    gradient: np.ndarray,
+) -> np.ndarray:
+    """Return how large the rows of the constraints' gradient are, shape (m, c, 1).
+
+    A row that vanishes in a singular configuration is rounding errors there: its size is taken
+    beside it.
+    """
+    n = gradient.shape[2]
+    t, x, r = beside
+    found = [
+        evaluate(made.compiled_jacobian(b, "x"), made.layout, t, x, r, numbers.p) for b in blocks
+    ]
+    moved = np.concatenate([part.reshape(len(x), -1, n) for part in found], axis=1)
+    both = np.stack([gradient, np.where(np.isfinite(moved), moved, 0.0)])
+    sizes: np.ndarray = np.linalg.norm(both, axis=-1, keepdims=True).max(axis=0)
+    return np.where(sizes > 0.0, sizes, 1.0)
+
+
 def _outputs(
     numbers: Numbers,
     outputs: Iterable[Any] | None,
     value: Any,
     made: RightHandSide,
+    slopes: Callable[[str], np.ndarray],
     T: np.ndarray,
     columns: list[int],
-    names: tuple[str, ...],
 ) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
     """Return C, D and the outputs' names: of states and of the System's outputs."""
     definition = numbers.definition
@@ -324,9 +416,7 @@ def _outputs(
     by_input = np.zeros((m, n, s))
     if any(place >= n for place in places):
         width = len(definition.outputs_symbols)
-        by_state = np.concatenate(
-            [by_state, value(made.compiled_jacobian("outputs", "x"), n)], axis=1
-        )
+        by_state = np.concatenate([by_state, slopes("outputs")], axis=1)
         inputs = value(made.compiled_jacobian("outputs", "r"), s) if s else np.zeros((m, width, 0))
         by_input = np.concatenate([by_input, inputs], axis=1)
     C = by_state[:, places] @ T

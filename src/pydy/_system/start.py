@@ -11,9 +11,9 @@ from pydy._system.definition import Definition
 from pydy._system.solving import constraint_names
 from pydy.codegen.right_hand_side import RightHandSide
 
-__all__ = ["check_samples", "check_start"]
+__all__ = ["TRIED", "check_samples", "check_start", "violations"]
 
-_TRIED = 64  # samples of an ensemble
+TRIED = 64  # samples of an ensemble
 _DIGITS = 1e-5  # six digits of each state, rounded
 
 
@@ -27,7 +27,33 @@ def check_start(
     p: np.ndarray,
     whose: str = "",
 ) -> bool:
-    """Warn where a state is farther from the constraints than states of six digits are.
+    """Warn where a motion starts off the constraints; return whether it does.
+
+    The parameters are those of `violations`, and
+
+    whose : str
+        Says in the warning which initial conditions are meant.
+    """
+    told = violations(definition, implementation, exact, t, x, r, p)
+    if told:
+        warn_user(
+            f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
+            f"the motion back onto them. {told} Call "
+            "`system.set_dependent_initial_conditions()` first."
+        )
+    return bool(told)
+
+
+def violations(
+    definition: Definition,
+    implementation: RightHandSide,
+    exact: Callable[[], RightHandSide],
+    t: float,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+) -> str:
+    """Name the residuals of a state that is farther from the constraints than six digits are.
 
     A residual is compared with the sum of the products of its derivatives by the states and the
     rounding of these, a part of 1e-5 of each state, or of the largest coordinate or speed where
@@ -40,13 +66,11 @@ def check_start(
     exact : callable
         Gives one whose Jacobians can be compiled.
     t, x, r, p
-    whose : str
-        Says in the warning which initial conditions are meant.
 
     Returns
     -------
-    bool
-        Whether it warned.
+    str
+        A sentence, or nothing.
     """
     equations = definition.equations
     counts = {"holonomic": len(equations.holonomic), "velocity": len(equations.velocity)}
@@ -57,7 +81,7 @@ def check_start(
     }
     residuals = np.concatenate(list(found.values()))
     if np.abs(residuals).max(initial=0.0) < 1e-12:  # NaN is not
-        return False
+        return ""
     n = len(equations.coordinates)
     size = np.abs(x)
     for part in (slice(n), slice(n, None)):
@@ -72,17 +96,12 @@ def check_start(
     allowed = _DIGITS * (np.abs(slopes) @ size)
     far = np.flatnonzero(~(np.abs(residuals) <= allowed))
     if not far.size:
-        return False
+        return ""
     names = constraint_names(equations)
     worst = far[np.argsort(-np.abs(residuals[far]))][:3]
     told = "; ".join(f"{residuals[k]:.3g} in the {names[k]}" for k in worst)
     more = f"; and {far.size - 3} more" if far.size > 3 else ""
-    warn_user(
-        f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring the "
-        f"motion back onto them. The residuals at t = {t!r} are {told}{more}. Call "
-        "`system.set_dependent_initial_conditions()` first."
-    )
-    return True
+    return f"The residuals at t = {t!r} are {told}{more}."
 
 
 def check_samples(
@@ -108,7 +127,7 @@ def check_samples(
         Of the samples.
     """
     total = int(np.prod(shape))
-    for number in np.unique(np.linspace(0, total - 1, min(total, _TRIED)).astype(int)):
+    for number in np.unique(np.linspace(0, total - 1, min(total, TRIED)).astype(int)):
         at = np.unravel_index(number, shape)
         x, own, p = (np.array([np.broadcast_to(a, shape)[at] for a in part]) for part in columns)
         varied = [np.size(a) > 1 for a in columns[1]]

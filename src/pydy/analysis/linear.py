@@ -100,15 +100,20 @@ def independent_places(
     Parameters
     ----------
     jacobian : ndarray, shape (c, n)
-        Of the constraints' residuals; rows may depend on each other.
+        Of the constraints' residuals, in rows of size one; they may depend on each other.
     dependent : sequence of int
         Those that the user called dependent. They are taken if the constraints can be solved for
         them, and completed or replaced otherwise.
+
+    Raises
+    ------
+    ValueError
+        The constraints have a lower rank than there are dependent states.
     """
-    n = jacobian.shape[1]
-    sizes = np.linalg.norm(jacobian, axis=1, keepdims=True)
-    rows = jacobian / np.where(sizes > 0.0, sizes, 1.0)
+    rows, n = jacobian, jacobian.shape[1]
     rank = int(np.linalg.matrix_rank(rows, tol=_DEPENDENT)) if rows.size else 0
+    if rank < len(dependent):
+        raise _singular(0)
     preferred = np.array(sorted(dependent), dtype=np.int64)
     if rank == len(preferred) and rank:
         rank_of_preferred = np.linalg.matrix_rank(rows[:, preferred], tol=_DEPENDENT)
@@ -123,12 +128,20 @@ def independent_places(
     return free, preferred
 
 
+def _singular(k: int) -> ValueError:
+    return ValueError(
+        f"The constraints cannot be solved for the dependent states at state {k} of `at`: the "
+        "configuration is singular there. Linearize beside it."
+    )
+
+
 def tangents(jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray) -> np.ndarray:
     """Return T with J T = 0 and rows of the identity at the independent states.
 
     Parameters
     ----------
     jacobian : ndarray, shape (m, c, n)
+        As there.
     free, bound : ndarray of int
         The places of independent and dependent states.
 
@@ -145,16 +158,10 @@ def tangents(jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray) -> np.nd
     result = np.zeros((m, n, len(free)))
     result[:, free, np.arange(len(free))] = 1.0
     if len(bound):
-        sizes = np.linalg.norm(jacobian, axis=2, keepdims=True)
-        rows = jacobian / np.where(sizes > 0.0, sizes, 1.0)
-        held, moved = rows[:, :, bound], rows[:, :, free]
+        held, moved = jacobian[:, :, bound], jacobian[:, :, free]
         smallest = np.linalg.svd(held, compute_uv=False)[:, -1]
         if smallest.min() <= _DEPENDENT:
-            raise ValueError(
-                "The constraints cannot be solved for the dependent states at "
-                f"state {int(smallest.argmin())} of `at`: the configuration is singular there. "
-                "Linearize beside it."
-            )
+            raise _singular(int(smallest.argmin()))
         solved = -np.linalg.pinv(held) @ moved
         result[:, bound] = solved
     return result
