@@ -7,6 +7,7 @@ import sympy.physics.mechanics as me
 from pydy._eom.kane import multibody_of_kane
 from pydy._mechanics.form import form
 from pydy._mechanics.reader import check_bodies, read_loads
+from pydy.system import System
 
 T = me.dynamicsymbols._t
 
@@ -76,3 +77,21 @@ def test_a_second_derivative_in_a_load_is_refused():
     load = me.dynamicsymbols("q").diff(T, 2) * frame.x
     with pytest.raises(ValueError, match=r"only the first derivatives .* terms of the speeds"):
         formed([me.Particle("p", point, 1)], [(point, load)], frame)
+
+
+def test_a_speed_that_moves_no_mass_is_named():
+    frame, point, fixed = me.ReferenceFrame("N"), me.Point("P"), me.Point("O")
+    point.set_vel(frame, me.dynamicsymbols("u") * frame.x)
+    fixed.set_vel(frame, 0)
+    bodies = [me.Particle("p", point, 0), me.Particle("q", fixed, 1)]
+    with pytest.raises(ValueError, match=r"The speed `u\(t\)` moves no mass .* mass or an inertia"):
+        formed(bodies, frame=frame)
+
+
+def test_a_method_without_kinematic_equations_is_refused():
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    q, u = me.dynamicsymbols("q u")
+    point.set_vel(frame, u * frame.x)
+    kane = me.KanesMethod(frame, [q], [u], bodies=[me.Particle("p", point, 1)])
+    with pytest.raises(ValueError, match=r"no kinematic differential equations.*`kd_eqs=`"):
+        System(kane)

@@ -98,7 +98,7 @@ def eliminated(
         done.append(cut)
         columns = dict.fromkeys(c for row in cut.rows.values() for c in row)
         ready = [c for c in columns if c in left and not push.waiting[c]]
-        for speed in sorted(ready, key=lambda c: (len(push.near[c]), c)):
+        for speed in sorted(ready, key=lambda c: (len(push.near[c]), -c)):
             del left[speed]
             pivots.append((speed, push.entry(speed, speed)))
             done.append(push.eliminate(speed))
@@ -114,7 +114,7 @@ def eliminated(
         else:
             for node, row in step.rows.items():
                 found[node] = graph.sum([(graph.mul(d, found[c]), 1.0) for c, d in row.items()])
-    floors = {s: graph.sum(push.floors[s]) for s in speeds if s not in push.reduced}
+    floors = {s: graph.sum([part[:2] for part in push.floors[s]]) for s in speeds}
     fixed = dict(zip(floors, _without_state(graph, list(floors.values())), strict=True))
     limits = sizes.of(speeds)
     sound = graph.boolean(True)
@@ -147,20 +147,18 @@ class _Push:
         self.forces: dict[int, list[tuple[int, float]]] = defaultdict(list)
         # What each velocity itself weighs, by the anchors of its components.
         self.weights: list[tuple[list[int], int]] = []
-        # What of a speed's diagonal entry comes from there, and the speeds that lost some of it.
-        self.floors: dict[int, list[tuple[int, float]]] = defaultdict(list)
-        self.reduced: set[int] = set()
+        # What of a speed's diagonal entry comes from there, and a bit for each speed in it.
+        self.floors: dict[int, list[tuple[int, float, int]]] = {s: [] for s in speeds}
         for inertia in inertias:
             self._place(inertia, [rows(n) for n in inertia.velocity])
         self.first = {key: list(cell) for key, cell in self.cells.items()}
-        for s in self.speeds:
-            self.floors[s] += self.first.get((s, s), [])
         for load in loads:
             for n, force in zip(load.velocity, load.force, strict=True):
                 for a, d in rows(n).items():
                     self.forces[a].append((graph.mul(d, force), 1.0))
         wanted = {a for key in self.cells for a in key} | set(self.forces)
         order = _sorted_groups([list(group) for group in groups], self.own)[::-1]
+        self._moves(order)
         self.order: list[list[int]] = []
         self.waiting: dict[int, int] = defaultdict(int)
         for group in order:
@@ -235,12 +233,7 @@ class _Push:
                 terms = [(graph.mul(slope[i], across[i][j]), 1.0) for i in places]
                 self.add(c, s, graph.sum(terms), 2.0 if c == s else 1.0)
             if c in self.floors:
-                self.floors[c] += [
-                    (graph.mul(slope[i], slope[j], node), size * (1.0 if i == j else 2.0))
-                    for i in places
-                    for j in range(i + 1)
-                    for node, size in self.first.get(_key(group[i], group[j]), ())
-                ]
+                self._found(c, dict(zip(group, slope, strict=True)))
             terms = [(graph.mul(slope[i], forces[i]), 1.0) for i in places]
             self.forces[c].append((graph.sum(terms), 1.0))
         for k in group:
@@ -248,6 +241,37 @@ class _Push:
             for c in rows[k]:
                 self.waiting[c] -= 1
         return _Passed(rows)
+
+    def _moves(self, order: list[list[int]]) -> None:
+        """Find out which speeds move each anchor, and those that weigh together with it."""
+        bits = {s: 1 << k for k, s in enumerate(self.speeds)}
+        for group in reversed(order):
+            for k in group:
+                bits[k] = 0
+                for c in self.own[k]:
+                    bits[k] |= bits[c]
+        self.bits = dict(bits)
+        for a, b in self.first:
+            self.bits[a] |= bits[b]
+            self.bits[b] |= bits[a]
+        for s in self.speeds:
+            self._found(s, {s: self.graph.one})
+
+    def _found(self, speed: int, slopes: dict[int, int]) -> None:
+        """Note what velocities themselves weigh when a speed moves them.
+
+        A pivot is not below that, once speeds are eliminated that do not move these velocities: it
+        is the least that the bodies weigh, whatever those do.
+        """
+        mask = 0
+        for k in slopes:
+            mask |= self.bits[k]
+        for i, x in slopes.items():
+            for j, y in slopes.items():
+                if j <= i:
+                    for node, size in self.first.get((i, j), ()):
+                        weight = self.graph.mul(x, y, node), size * (1.0 if i == j else 2.0)
+                        self.floors[speed].append((*weight, mask))
 
     def eliminate(self, x: int) -> _Gone:
         """Take a speed out by its own equation."""
@@ -257,7 +281,8 @@ class _Push:
         others = sorted(self.near[x] - {x})
         column = {s: self.entry(s, x) for s in others}
         shares = {s: graph.mul(column[s], inverse) for s in others}
-        self.reduced.update(others)
+        for s in self.floors.keys() & others:
+            self.floors[s] = [part for part in self.floors[s] if not part[2] & self.bits[x]]
         for s in others:
             for r in others:
                 if r <= s:

@@ -129,6 +129,8 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
     matrix, forcing = composite(*parts)
     moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
+    if not moved:
+        _check_masses(body, g, matrix)
     accelerations = None
     if body.velocity:
         matrix, forcing, accelerations = _reduced(kinematics, matrix, forcing, moved)
@@ -146,7 +148,7 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
             forcing,
             accelerations,
             _kinetic(kinematics, inertias),
-            tuple(kinematics.honoured),
+            tuple(sorted(kinematics.honoured, key=str)),
         )
     ]
     if not body.velocity and not moved:
@@ -182,6 +184,20 @@ def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
             found[k] = g.sum([(found[k], 1.0), *terms])
     found = substitute(g, found, dict.fromkeys(kinematics.auxiliary, g.zero))
     return [NodeExpression.of(g, node, kinematics.symbols()) for node in found]
+
+
+def _check_masses(body: Multibody, graph: Graph, matrix: list[list[int]]) -> None:
+    """Refuse an independent speed that moves nothing: no equation determines its derivative."""
+    n = len(body.speeds)
+    free = n - len(body.velocity)
+    bound = any(matrix[k][k] != graph.zero for k in range(free, n))
+    for k, speed in enumerate(body.speeds[:free]):
+        if matrix[k][k] == graph.zero and not bound:
+            raise ValueError(
+                f"The speed `{speed}` moves no mass and no inertia, so that nothing determines its "
+                "derivative. Give one of the bodies that it moves a mass or an inertia, or make it "
+                "a dependent speed, with a velocity constraint."
+            )
 
 
 def _kinetic(kinematics: Kinematics, inertias: Sequence[Inertia]) -> int:
