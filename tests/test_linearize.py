@@ -64,8 +64,8 @@ def test_constraints_that_fix_everything_leave_nothing():
         (PENDULUM, np.zeros((1, 3)), r"`constraint_jacobian` must have the shape \(k, 4\).*\(1, 3"),
         (PENDULUM, np.zeros(4), r"`constraint_jacobian` must have two dimensions.* \(4,\)"),
         (PENDULUM * np.nan, ROD, "`state_matrix` must be finite, got nan in row 0, column 0"),
-        (PENDULUM, [["a", 0, 0, 0]], "`constraint_jacobian` must be a matrix of real numbers"),
-        (PENDULUM * 1j, ROD, "`state_matrix` must be a matrix of real numbers"),
+        (PENDULUM, [["a", 0, 0, 0]], "`constraint_jacobian` must hold real numbers"),
+        (PENDULUM * 1j, ROD, "`state_matrix` must hold real numbers"),
     ],
 )
 def test_bad_matrices_are_refused(function, A, C, message):

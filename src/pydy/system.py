@@ -1089,7 +1089,7 @@ class System:
         >>> model = system.linearize(outputs=['q1'])
         >>> model.A[3].round(6)
         array([0., 2., 0., 0.])
-        >>> model.eigenvalues.real.max().round(6)
+        >>> float(model.eigenvalues.real.max().round(6))
         1.414214
         """
         numbers = self._numbers_now()

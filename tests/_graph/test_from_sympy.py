@@ -11,7 +11,7 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 from graphs import P, T, X, evaluate, nodes_of, on_tape, program_of, values
 from pydy._backends.llvm import LLVMBackend
 from pydy._errors import UnsupportedFunctionError
-from pydy._graph.from_sympy import HANDLERS, SymPyReader
+from pydy._graph.from_sympy import HANDLERS, Formula, NodeExpression, SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
@@ -97,6 +97,7 @@ CONDITIONS = {
     sm.Equivalent: sm.Equivalent(x > 0, y > 0, x < y),
 }
 ELSEWHERE = {sm.Pow, sm.Piecewise, ExprCondPair, sm.re, sm.im, sm.conjugate}
+ELSEWHERE |= {NodeExpression, Formula}  # nodes of another graph
 
 
 def reference(expression, *point):
