@@ -36,10 +36,10 @@ class Load:
 
 
 def points_of(kinematics: Kinematics) -> list[Any]:
-    """Return the points whose motion the equations need."""
+    """Return the points whose motion the equations need, in the order in which SymPy asks."""
     body = kinematics.body
-    return [b.masscenter for b in body.bodies] + [
-        where for where, _ in body.loads if isinstance(where, Point)
+    return [where for where, _ in body.loads if isinstance(where, Point)] + [
+        b.masscenter for b in body.bodies
     ]
 
 
@@ -81,7 +81,8 @@ def _translation(
     mass = kinematics.read(body.mass)
     if mass == g.zero:
         return
-    _, v, a = kinematics.motion(body.masscenter)
+    _, v, _ = kinematics.motion(body.masscenter)
+    a = kinematics.acceleration(body.masscenter)
     (change,) = kinematics.dt([mass])
     needed = [g.add(g.mul(mass, x), g.mul(change, y)) for x, y in zip(a, v, strict=True)]
     inertias.append(Inertia(v, [[mass if i == j else g.zero for j in range(3)] for i in range(3)]))
@@ -96,7 +97,8 @@ def _rotation(
     if not terms:
         return
     home, tensor, change = _seen(kinematics, body.frame, terms)
-    w, alpha = kinematics.spin(body.frame, home)
+    w, _ = kinematics.spin(body.frame, home)
+    alpha = kinematics.angular_acceleration(body.frame, home)
     momentum = kinematics.turned(tensor, w)
     needed = kinematics.plus(
         kinematics.turned(tensor, alpha),

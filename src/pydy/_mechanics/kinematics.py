@@ -253,11 +253,26 @@ class Kinematics:
         # d/dt of `own` in the inertial frame takes the angular velocity of the axes it is in.
         turning = whole if home is frame else carried if home is base else self.spin(home)[0]
         alpha = self.plus(self.expressed(alpha, base, home), self.dt(own), self.cross(turning, own))
-        set_by_user = self.tree.angular_acceleration(frame)
-        if set_by_user is not None:
-            theirs = self._accelerating(set_by_user, home)
-            alpha = alpha if self.equal(alpha, theirs) else theirs
         return self.anchored(whole), alpha
+
+    def angular_acceleration(self, frame: Any, home: Any) -> Vec:
+        """Return a frame's angular acceleration, the user's own where it is set."""
+        alpha = self.spin(frame, home)[1]
+        return self._users(self.tree.angular_acceleration(frame), alpha, home)
+
+    def acceleration(self, point: Any) -> Vec:
+        """Return a point's acceleration, the user's own where it is set.
+
+        As in SymPy, that of other points does not follow from it.
+        """
+        home, _, a = self.motion(point)
+        return self._users(self.tree.acceleration(point), a, home)
+
+    def _users(self, given: Any, derived: Vec, home: Any) -> Vec:
+        if given is None:
+            return derived
+        theirs = self._accelerating(given, home)
+        return derived if self.equal(derived, theirs) else theirs
 
     def _accelerating(self, vector: Any, home: Any) -> Vec:
         """Return an acceleration that the user wrote, at u' = 0."""
@@ -311,7 +326,7 @@ class Kinematics:
                 v = self.anchored(self.plus(v, self.expressed(own_v, frame, to)))
                 a = self.plus(a, self.expressed(own_a, frame, to))
                 home, base = to, None
-        return home, v, self._acceleration(point, home, a)
+        return home, v, a
 
     def _carried(self, base: Any, home: Any, v: Vec, a: Vec, to: Any) -> tuple[Vec, Vec]:
         if home is to:
@@ -331,14 +346,7 @@ class Kinematics:
         home = frames[-1] if self.in_bodies and frames else self.inertial
         v = self.vector(velocity, home)
         a = self.plus(self.dt(v), self.cross(self.spin(home)[0], v))
-        return home, self.anchored(v), self._acceleration(point, home, a)
-
-    def _acceleration(self, point: Any, home: Any, a: Vec) -> Vec:
-        set_by_user = self.tree.acceleration(point)
-        if set_by_user is None:
-            return a
-        theirs = self._accelerating(set_by_user, home)
-        return a if self.equal(a, theirs) else theirs
+        return home, self.anchored(v), a
 
     def disagreeing(self) -> list[Any]:
         """Return the points whose given velocity is not that of their place, innermost ones."""

@@ -6,7 +6,7 @@ The only module that reads the private attributes of SymPy's vector classes.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -27,6 +27,9 @@ __all__ = [
     "places",
     "read_loads",
 ]
+
+# The point from which a point is reached, None for a root, and the vectors on the way.
+Way = tuple[Any, tuple[Any, ...]]
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,8 +175,8 @@ class Tree:
 
     def __init__(self, inertial: Any) -> None:
         self.inertial = inertial
-        self.oriented = _breadth_first(inertial, lambda f: f._dcm_dict)
-        self.turning = _breadth_first(inertial, lambda f: f._ang_vel_dict)
+        self.oriented = _distances(inertial, lambda f: f._dcm_dict)
+        self.turning = _distances(inertial, lambda f: f._ang_vel_dict)
 
     # -- frames -----------------------------------------------------------------------------------
 
@@ -191,7 +194,7 @@ class Tree:
                 f"Orient it, or one of the frames that it is oriented in: `{frame}.orient_axis("
                 f"{self.inertial}, ...)`."
             )
-        return self.oriented[frame]
+        return _nearer(frame, frame._dcm_dict, self.oriented)
 
     def turns_in(self, frame: Any) -> Any:
         """Return the frame in which a frame's angular velocity is given, None for the inertial."""
@@ -201,7 +204,7 @@ class Tree:
                 f"The frame {frame} has no angular velocity in the inertial frame "
                 f"{self.inertial}. Give it one: `{frame}.set_ang_vel({self.inertial}, ...)`."
             )
-        return self.turning[frame]
+        return _nearer(frame, frame._ang_vel_dict, self.turning)
 
     @staticmethod
     def rotation(frame: Any, parent: Any) -> Any:
@@ -227,7 +230,7 @@ class Tree:
         """Return the acceleration that the user set, or None."""
         return point._acc_dict.get(self.inertial)
 
-    def paths(self, points: Iterable[Any]) -> dict[Any, tuple[Any, tuple[Any, ...]]]:
+    def paths(self, points: Iterable[Any]) -> dict[Any, Way]:
         """Return for each point another one and the vectors from there, (None, ()) for roots.
 
         The vectors lead to a point whose motion is known without this one's: a given velocity can
@@ -253,7 +256,6 @@ class Tree:
                 continue
             for point, base in _breadth_first_from([root]).items():
                 rank[point], above[point] = len(rank), base
-        found: dict[Any, tuple[Any, tuple[Any, ...]]] = {}
         for point in wanted:
             if point not in nearest:
                 raise ValueError(
@@ -261,42 +263,104 @@ class Tree:
                     "no place from a point that has one. Use "
                     f"`{point}.set_vel({self.inertial}, ...)` or `{point}.set_pos(...)`."
                 )
+        hung = self._hung(wanted, nearest)
+        found: dict[Any, Way] = {}
+        for point in wanted:
             while point is not None and point not in found:
                 if nearest[point] is not None:
-                    base = nearest[point]
-                    found[point] = base, (places(point)[base],)
+                    found[point] = hung(point)
                 elif above[point] is None:
                     found[point] = None, ()
                 else:
-                    found[point] = self._structural(point, above, rank, nearest)
+                    found[point] = self._structural(point, above, rank, nearest, hung)
                 point = found[point][0]
         return found
 
+    def _hung(self, wanted: Sequence[Any], nearest: dict[Any, Any]) -> Callable[[Any], Way]:
+        """Return what gives the way to a point without a velocity from the one that it hangs on.
+
+        That is the next on the way to a nearest given velocity. Where several are equally near and
+        contradict each other it matters which: it is the one that SymPy takes.
+        """
+        own: dict[Any, Way] = {}
+        root: dict[Any, Any] = {}
+        for point in wanted:
+            if nearest[point] is not None and (way := self._nearest_given(point, own)):
+                own[point] = way
+                root[point] = root.get(own[point][0], own[point][0])
+        ways: dict[Any, Way] = {}
+
+        def hung(point: Any) -> Way:
+            return ways.get(point) or (nearest[point], (places(point)[nearest[point]],))
+
+        for point in own:
+            chain, end = [], point
+            while nearest[end] is not None:
+                chain.append(end)
+                end = hung(end)[0]
+            agrees = all(root.get(p, end) is end for p in chain)
+            if not agrees and point not in ways:
+                ways[point] = own[point]
+            elif agrees:
+                ways |= {p: hung(p) for p in chain}
+        return hung
+
+    def _nearest_given(self, point: Any, resolved: Container[Any]) -> Way | None:
+        """Return the nearest point with a velocity, in SymPy's order, and the way from there.
+
+        Like SymPy's search this one leaves out places in frames without orientation.
+        """
+        steps: dict[Any, tuple[Any, ...]] = {point: ()}
+        todo = deque([point])
+        while todo:
+            item = todo.popleft()
+            for other, vector in places(item).items():
+                if other in steps or not all(f in self.oriented for _, f in vector.args):
+                    continue
+                steps[other] = (vector, *steps[item])
+                if other in resolved or self.velocity(other) is not None:
+                    return other, steps[other]
+                todo.append(other)
+        return None
+
     @staticmethod
     def _structural(
-        point: Any, above: dict[Any, Any], rank: dict[Any, int], nearest: dict[Any, Any]
-    ) -> tuple[Any, tuple[Any, ...]]:
+        point: Any,
+        above: dict[Any, Any],
+        rank: dict[Any, int],
+        nearest: dict[Any, Any],
+        hung: Callable[[Any], Way],
+    ) -> Way:
         """Return what comes before a point with a given velocity, and the way from there."""
         base, steps = above[point], [places(point)[above[point]]]
         while True:
             source = base
             while nearest[source] is not None:
-                source = nearest[source]
+                source = hung(source)[0]
             if rank[source] < rank[point]:
                 return base, tuple(steps[::-1])
             steps.append(places(base)[above[base]])
             base = above[base]
 
 
-def _breadth_first(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[Any, Any]:
-    parent, todo = {root: None}, deque([root])
+def _distances(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[Any, int]:
+    found, todo = {root: 0}, deque([root])
     while todo:
         item = todo.popleft()
         for other in neighbours(item):
-            if other not in parent:
-                parent[other] = item
+            if other not in found:
+                found[other] = found[item] + 1
                 todo.append(other)
-    return parent
+    return found
+
+
+def _nearer(item: Any, neighbours: Iterable[Any], distances: dict[Any, int]) -> Any:
+    """Return the first neighbour on a shortest way to the root, None for that itself.
+
+    Where several ways are equally short this is SymPy's: they differ if angular velocities
+    contradict each other.
+    """
+    return next((n for n in neighbours if distances[n] < distances[item]), None)
 
 
 def _breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
