@@ -213,3 +213,16 @@ def test_values_that_hold_themselves_are_refused():
     values.append(values)
     with pytest.raises(UnidentifiedError, match="list cannot be read"):
         fingerprint(values)
+
+
+@pytest.mark.parametrize(
+    ("function", "what"),
+    [
+        (lambda ds: ds * float(sys.argv[1]), "argv"),
+        (lambda ds: ds * np.loadtxt("gain.txt"), "loadtxt"),
+        (lambda ds: (lambda k: ds * k)(sys.modules["gains"].k), "modules"),
+    ],
+)
+def test_a_function_that_reads_what_lies_outside_it_is_refused(function, what):
+    with pytest.raises(UnidentifiedError, match=f"uses `{what}`, which may differ"):
+        fingerprint(function)

@@ -413,10 +413,17 @@ def test_an_expression_that_is_constant_is_an_integration_error(expression):
         run(ball(), [Event(expression, name="never")])
 
 
+def test_a_reset_takes_names_of_states():
+    by_symbol = run(ball(), [Event(Z, direction=-1, reset={V: -V})])[0]
+    by_name = run(ball(), [Event(Z, direction=-1, reset={"v": -V})])[0]
+    np.testing.assert_array_equal(by_name, by_symbol)
+
+
 WRONG = [
     (Z, TypeError, "`events` must be a list of Event, got"),
     ([Z], TypeError, "`events` must hold objects of pydy.solvers.Event, got"),
     ([Event(Z, reset={G: 1})], ValueError, r"has a value for `g`, which is no state .*z\(t\)"),
+    ([Event(Z, reset={V: 1, "v": 2})], ValueError, r"gives `v\(t\)` more than once"),
     ([Event(Z), Event(Z)], ValueError, r"must have different names, got `z\(t\)` twice"),
 ]
 

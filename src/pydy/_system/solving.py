@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
+from dataclasses import replace
 from typing import Any, Literal
 
-from pydy._checks import choice, number
+from pydy._checks import Places, choice, number
 from pydy._eom.equations import Equations
 from pydy._graph.derivative import jacobian
 from pydy._graph.program import Program
@@ -93,44 +94,53 @@ def prepare(
     if constraints == "project":
         options["constraints"] = compile_constraints(exact, definition)
     if events is not None:
-        checked = check_events(events, definition.states)
+        checked = check_events(events, definition.places["states"])
         if checked:
             options["events"] = compile_events(exact, definition, checked)
     return implementation, options
 
 
-def check_events(events: Any, states: Sequence[Any]) -> tuple[Event, ...]:
-    """Return the events of an argument as a tuple.
+def check_events(events: Any, states: Places) -> tuple[Event, ...]:
+    """Return the events of an argument as a tuple, with states in place of names in their resets.
 
     Raises
     ------
     TypeError
         Something that is no Event.
     ValueError
-        A reset of something that is no state, or two events of one name.
+        A reset of something that is no state, or of one twice; or two events of one name.
     """
     if isinstance(events, Event):
         events = (events,)
     if not isinstance(events, Iterable) or isinstance(events, (str, bytes)):
         raise TypeError(f"`events` must be a list of Event, got {type(events).__name__}.")
-    checked: tuple[Event, ...] = tuple(events)
-    for event in checked:
+    checked = []
+    for event in events:
         if not isinstance(event, Event):
             raise TypeError(
                 "`events` must hold objects of pydy.solvers.Event, got "
                 f"{type(event).__name__}: {event!r}."
             )
-        for symbol in event.reset:
-            if symbol not in states:
+        reset = {}
+        for key, after in event.reset.items():
+            place = states.get(key, "reset")
+            if place is None:
                 raise ValueError(
-                    f"`reset` of the event `{event.name}` has a value for `{symbol}`, which is no "
-                    f"state of the system: {describe(list(states))}."
+                    f"`reset` of the event `{event.name}` has a value for `{key}`, which is no "
+                    f"state of the system: {describe(states.symbols)}."
                 )
+            if states.symbols[place] in reset:
+                raise ValueError(
+                    f"`reset` of the event `{event.name}` gives `{states.symbols[place]}` more "
+                    "than once, by the symbol or by its name. Keep one of them."
+                )
+            reset[states.symbols[place]] = after
+        checked.append(replace(event, reset=reset))
     names = [event.name for event in checked]
     double = [name for name in names if names.count(name) > 1]
     if double:
         raise ValueError(f"`events` must have different names, got `{double[0]}` twice.")
-    return checked
+    return tuple(checked)
 
 
 def compile_events(

@@ -35,8 +35,14 @@ __all__ = ["UnidentifiedError", "fingerprint"]
 _STANDARD = Path(sysconfig.get_paths()["stdlib"])
 _INSTALLED = {"site-packages", "dist-packages"}
 _GLOBALS = {"LOAD_GLOBAL", "LOAD_NAME", "LOAD_FROM_DICT_OR_GLOBALS"}
+_ATTRIBUTES = {"LOAD_ATTR", "LOAD_METHOD", "IMPORT_FROM"}
 # Through these a function reaches what its code does not name.
 _OPEN_ENDED = {"__import__", "compile", "eval", "exec", "globals", "open"}
+# Attributes through which it reaches them too: of `sys`, `os` and `importlib`; and what reads files
+# for NumPy, pandas and xarray.
+_OUTSIDE = {"argv", "environ", "getenv", "import_module", "modules"}
+_OUTSIDE |= {"fromfile", "genfromtxt", "loadtxt", "memmap", "open_dataset", "open_zarr"}
+_OUTSIDE |= {"read_bytes", "read_csv", "read_text", "urlopen"}
 # What Python adds to classes.
 _ADDED = {"__dict__", "__doc__", "__firstlineno__", "__module__", "__static_attributes__"}
 _ADDED |= {"__annotate__", "__annotate_func__", "__annotations__", "__annotations_cache__"}
@@ -128,6 +134,11 @@ class _Reader:
 
     def _function(self, function: FunctionType) -> Iterator[tuple[str, Any]]:
         code, around = function.__code__, function.__globals__
+        outside = sorted(_OUTSIDE & _attributes(code))
+        if outside:
+            raise UnidentifiedError(
+                f"`{function.__qualname__}` uses `{outside[0]}`, which may differ at the next call"
+            )
         yield "the code", (sys.version_info[:2], code)
         yield "the defaults", (function.__defaults__, function.__kwdefaults__)
         yield "the attributes", function.__dict__
@@ -211,6 +222,15 @@ def _names(code: CodeType) -> set[str]:
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
             names |= _names(constant)
+    return names
+
+
+def _attributes(code: CodeType) -> set[str]:
+    """Return the attributes that some code and the code within it read."""
+    names = {i.argval for i in dis.get_instructions(code) if i.opname in _ATTRIBUTES}
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            names |= _attributes(constant)
     return names
 
 
