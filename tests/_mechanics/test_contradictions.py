@@ -1,5 +1,6 @@
-"""Kinematics that contradict themselves are read as SymPy reads them."""
+"""Kinematics that contradict themselves or leave gaps are read as SymPy reads them."""
 
+import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
@@ -17,11 +18,13 @@ def ground():
     return frame, origin, list(me.dynamicsymbols("q1:4")), list(me.dynamicsymbols("u1:4"))
 
 
-def agrees(frame, q, u, bodies, loads, constants):
-    kd = [a.diff(T) - b for a, b in zip(q, u, strict=True)]
+def agrees(frame, q, u, bodies, loads, constants, kd=None):
+    kd = kd or [a.diff(T) - b for a, b in zip(q, u, strict=True)]
     kane = me.KanesMethod(frame, q, u, kd_eqs=kd, bodies=bodies, forcelist=loads)
     model = Model(kane, _numbers(*constants))
-    system = System(kane, constants=model.constants)
+    system = System(kane)
+    known = system.constants_symbols
+    system.constants = {k: v for k, v in model.constants.items() if k in known}
     x, t = state(model, 3)
     found = system.evaluate_ode(x, t)
     close(found, Oracle(derived(model)).xdot(x, t), 1e-12)
@@ -82,3 +85,42 @@ def test_of_equally_short_ways_to_the_inertial_frame_the_first_is_taken():
     own.set_ang_vel(left, u[3] * frame.x)
     assert own.ang_vel_in(frame) == (u[1] + u[2]) * frame.x
     assert Tree(frame).turns_in(own) is right
+
+
+@pytest.mark.parametrize("oriented", [True, False])
+def test_a_wheel_needs_no_spin_angle_where_its_inertia_is_given_in_the_fork(oriented):
+    frame, _, q, u = ground()
+    m, r, across, along, g = sm.symbols("m r across along g")
+    yawed, fork, wheel = (me.ReferenceFrame(name) for name in "YFW")
+    yawed.orient_axis(frame, frame.z, q[0])
+    fork.orient_axis(yawed, yawed.x, q[1])
+    if oriented:
+        wheel.orient_axis(fork, fork.y, 0)
+    turning = u[0] * fork.x + u[2] * fork.z
+    fork.set_ang_vel(frame, turning + u[2] * sm.tan(q[1]) * fork.y)
+    wheel.set_ang_vel(frame, turning + u[1] * fork.y)
+    contact = me.Point("P")
+    contact.set_vel(frame, 0)
+    centre = contact.locatenew("C", r * fork.z)
+    centre.v2pt_theory(contact, frame, wheel)
+    kd = [
+        q[0].diff(T) - u[2] / sm.cos(q[1]),
+        q[1].diff(T) - u[0],
+        q[2].diff(T) - u[1] + u[2] * sm.tan(q[1]),
+    ]
+    inertia = me.inertia(fork, across, along, across)
+    body = me.RigidBody("wheel", centre, wheel, m, (inertia, centre))
+    loads = [(centre, -m * g * frame.z)]
+    agrees(frame, q, u, [body], loads, [m, r, across, along, g], kd)
+
+
+def test_an_inertia_that_turns_in_its_body_changes():
+    frame, origin, q, u = ground()
+    m, c = sm.symbols("m c")
+    inertias = sm.symbols("I1:7")
+    arm, fork = me.ReferenceFrame("A"), me.ReferenceFrame("B")
+    arm.orient_axis(frame, frame.z, q[0])
+    fork.orient_axis(arm, arm.x, q[1])
+    centre = origin.locatenew("C", c * fork.y)
+    body = me.RigidBody("b", centre, fork, m, (me.inertia(arm, *inertias), centre))
+    agrees(frame, q[:2], u[:2], [body], [(centre, -m * arm.y)], [m, c, *inertias])

@@ -119,17 +119,21 @@ def _seen(
     """
     zero = kinematics.graph.zero
     still = [[zero] * 3 for _ in range(3)]
-    tensor = kinematics.tensor(terms, frame)
-    change = [kinematics.dt(row) for row in tensor]
     written = {f for _, a, b in terms for vector in (a, b) for _, f in vector.args}
     home = written.pop() if len(written) == 1 else frame
-    if not kinematics.vanishes(_flat(change)):
-        return frame, tensor, change
+    tensor = kinematics.tensor(terms, home)
+    change = [kinematics.dt(row) for row in tensor]
     if home is not frame:
-        there = kinematics.tensor(terms, home)
-        if any(n != zero for row in there for n in kinematics.dt(row)):
-            return frame, tensor, still
-        tensor = there
+        # With the axes turning by w beside the body the inertia changes by w × I - I × w.
+        w, own = kinematics.spin(home)[0], kinematics.spin(frame, home)[0]
+        relative = [kinematics.graph.sub(a, b) for a, b in zip(w, own, strict=True)]
+        turned = list(zip(*(kinematics.cross(relative, row) for row in tensor), strict=True))
+        both = [
+            kinematics.plus(a, b) for a, b in zip(turned, zip(*turned, strict=True), strict=True)
+        ]
+        change = [kinematics.plus(a, b) for a, b in zip(change, both, strict=True)]
+    if not kinematics.vanishes(_flat(change)):
+        return home, tensor, change
     while (parent := kinematics.tree.parent(home)) is not None:
         # In the parent's axes: R' I R, with the axes here as the rows of R.
         rotation = list(zip(*kinematics.step(home), strict=True))
