@@ -268,7 +268,7 @@ def _first_use(options: argparse.Namespace) -> Any:
             times = {key: [a[key] for a in answers] for key in answers[0]}
             lines.append({"method": method, "cache": cache, "seconds": times})
             yield lines[-1:]
-    keys = ("numba", "solvers", "first", "second", "added")
+    keys = ("solvers", "first", "second", "added")
     rows = [
         [
             f"{line['method']}, {line['cache']} cache",
@@ -277,7 +277,7 @@ def _first_use(options: argparse.Namespace) -> Any:
         ]
         for line in lines
     ]
-    header = ("solver", "import numba", "import solvers", "first", "second", "added", "asked")
+    header = ("solver", "import solvers", "first", "second", "added", "asked")
     table("First native integration of a process, the equations' code ready", header, rows)
 
 

@@ -6,9 +6,7 @@ What somebody else could have written there is never run.
 from __future__ import annotations
 
 import os
-import pickle
 import random
-import shutil
 import signal
 import stat
 import subprocess
@@ -165,13 +163,13 @@ def test_folders_and_entries_are_made_for_the_user_alone(tmp_path, monkeypatch, 
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "new" / "cache"))
     before = os.umask(umask)
     try:
-        cache.write("key", b"content", "within")
+        cache.write("key", b"content")
     finally:
         os.umask(before)
-    made = [tmp_path / "new", tmp_path / "new/cache", tmp_path / "new/cache/within"]
-    assert [stat.S_IMODE(path.stat().st_mode) for path in made] == [0o700] * 3
+    made = [tmp_path / "new", tmp_path / "new/cache"]
+    assert [stat.S_IMODE(path.stat().st_mode) for path in made] == [0o700] * 2
     assert stat.S_IMODE((made[-1] / "key.code").stat().st_mode) == 0o600
-    assert cache.read("key", "within") == b"content"
+    assert cache.read("key") == b"content"
 
 
 @owned
@@ -361,63 +359,3 @@ def test_another_users_machine_code_ends_in_a_warning_and_a_correct_number(
     *said, first, second, third, fourth = equations(shared / within)
     assert set(said) == {"PyDyUserWarning"}
     assert [first, second, third, fourth] == right
-
-
-class Touch:
-    """Makes a file where it is unpickled."""
-
-    def __init__(self, path):
-        self.path = path
-
-    def __reduce__(self):
-        return open, (self.path, "w")
-
-
-SOLVER = """
-from pydy.solvers.compiled import compiled
-@compiled
-def plus_one(x):
-    return x + 1.0
-print(plus_one(41.0))
-"""
-
-
-def solver(place):
-    done = subprocess.run(
-        [sys.executable, "-c", SOLVER],
-        env={**os.environ, "PYDY_CACHE_DIR": str(place)},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return done.stdout.strip(), done.stderr
-
-
-@pytest.fixture(scope="module")
-def exploit(tmp_path_factory):
-    """A folder with a solver that makes a file where it is loaded, and that file."""
-    place, file = tmp_path_factory.mktemp("solver") / "prepared", Path(tempfile.mkdtemp()) / "run"
-    assert solver(place)[0] == "42.0"
-    (entry,) = (place / "solvers").glob("*.code")
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("PYDY_CACHE_DIR", str(place))
-        cache.write(entry.stem, pickle.dumps(Touch(str(file))), "solvers")
-    broken = place.with_name("own")
-    shutil.copytree(place, broken)
-    solver(broken)  # it works: one's own entries are read
-    assert file.exists()
-    file.unlink()
-    yield place, file
-    shutil.rmtree(file.parent)
-
-
-@second_user
-@places
-def test_another_users_pickles_are_not_read(shared, exploit, within, mode):
-    place, file = exploit
-    put_by_somebody_else(place, shared / within)
-    shared.chmod(mode)
-    number, said = solver(shared / within)
-    assert number == "42.0"
-    assert said.count("PyDyUserWarning") == 1
-    assert not file.exists()

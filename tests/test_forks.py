@@ -78,12 +78,9 @@ def test_a_child_finds_a_lock_open_that_another_thread_holds():
     assert takes(lock)
 
 
-@pytest.mark.parametrize("name", ["llvmlite", "numba", "whole"])
+@pytest.mark.parametrize("name", ["llvmlite", "whole"])
 def test_a_fork_waits_for_what_is_not_sound_in_between(name):
-    from numba.core.compiler_lock import global_compiler_lock
-
-    locks = {"llvmlite": binding.ffi.lib._lock, "numba": global_compiler_lock}
-    lock = locks.get(name, _forks.whole)
+    lock = {"llvmlite": binding.ffi.lib._lock, "whole": _forks.whole}[name]
     with Holding(lock, seconds=0.3):
         assert in_a_child(lambda: takes(lock))
     assert takes(lock)

@@ -18,14 +18,14 @@ def first_use(name: str, cache: str, method: str) -> dict[str, float]:
     name : str
         Of a problem.
     cache : str
-        pydy's folder of machine code, numba's included.
+        pydy's folder of machine code.
     method : str
 
     Returns
     -------
     dict
-        Seconds: `numba` and `solvers` of the imports, `first` of the first integration after
-        them, `second`, and `added`, by which all this exceeds the second.
+        Seconds: `solvers` of the imports, `first` of the first integration after them, `second`,
+        and `added`, by which all this exceeds the second.
     """
     os.environ["PYDY_CACHE_DIR"] = cache
     from pydy.system import System
@@ -45,14 +45,11 @@ def first_use(name: str, cache: str, method: str) -> dict[str, float]:
     def load(what: str) -> Any:
         return __import__(what, fromlist=["*"])
 
-    times["numba"] = time_of(lambda: load("numba"))
-    times["solvers"] = time_of(
-        lambda: [load(f"pydy.solvers.{part}") for part in ("integration", "explicit", "implicit")]
-    )
+    times["solvers"] = time_of(lambda: load("pydy.solvers.integration"))
     system.ode_solver = method
     times["first"] = time_of(system.integrate)
     times["second"] = time_of(system.integrate)
-    times["added"] = times["numba"] + times["solvers"] + times["first"] - times["second"]
+    times["added"] = times["solvers"] + times["first"] - times["second"]
     return times
 
 

@@ -26,7 +26,7 @@ from pathlib import Path
 
 from pydy._errors import PyDyUserWarning
 
-__all__ = ["LIMIT_BYTES", "folder", "make", "read", "unsafe", "write"]
+__all__ = ["LIMIT_BYTES", "folder", "read", "unsafe", "write"]
 
 LIMIT_BYTES = 256 * 2**20
 _MAGIC = b"pydy code 1\n"
@@ -84,13 +84,8 @@ def _warn_once(trouble: str, remedy: str) -> None:
 # -- places ---------------------------------------------------------------------------------------
 
 
-def folder(name: str = "") -> Path | None:
+def folder() -> Path | None:
     """Return where entries lie, or None when the cache is turned off or not safe to use.
-
-    Parameters
-    ----------
-    name : str, optional
-        Of a folder within the cache.
 
     Warns
     -----
@@ -104,7 +99,7 @@ def folder(name: str = "") -> Path | None:
         import platformdirs
 
         chosen = platformdirs.user_cache_dir("pydy", appauthor=False)
-    place = Path(os.path.realpath(os.path.join(chosen, name)))
+    place = Path(os.path.realpath(chosen))
     trouble = unsafe(place)
     if trouble is None:
         return place
@@ -116,10 +111,10 @@ def folder(name: str = "") -> Path | None:
     return None
 
 
-def make(place: Path) -> None:
+def _make(place: Path) -> None:
     """Make a folder and those above it, for the user alone."""
     if not place.is_dir():
-        make(place.parent)
+        _make(place.parent)
         with contextlib.suppress(FileExistsError):
             place.mkdir(0o700)
 
@@ -152,17 +147,15 @@ def _own_file(path: Path) -> bytes | None:
 # -- entries --------------------------------------------------------------------------------------
 
 
-def read(key: str, name: str = "") -> bytes | None:
+def read(key: str) -> bytes | None:
     """Return the content of an entry, or None when there is no sound one of this user's.
 
     Parameters
     ----------
     key : str
         Part of a file's name.
-    name : str, optional
-        Of the folder within the cache.
     """
-    place = folder(name)
+    place = folder()
     if place is None:
         return None
     path = place / f"{key}.code"
@@ -178,14 +171,14 @@ def read(key: str, name: str = "") -> bytes | None:
     return content
 
 
-def write(key: str, content: bytes, name: str = "") -> None:
+def write(key: str, content: bytes) -> None:
     """Store an entry; a full or read-only disk only means that it is not there next time."""
-    place = folder(name)
+    place = folder()
     if place is None:
         return
     try:
-        make(place)
-        if folder(name) != place:  # what was not there before has been made by somebody else
+        _make(place)
+        if folder() != place:  # what was not there before has been made by somebody else
             return
         handle, aside = tempfile.mkstemp(dir=place, prefix="tmp-")  # for the user alone
     except OSError:

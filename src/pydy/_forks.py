@@ -5,8 +5,8 @@ ever. What compiling holds is of two kinds:
 
 - `Lock` protects what is sound at any moment, such as a table that is looked up and then filled.
   The child finds it open, and does again what was under way.
-- llvmlite and numba change structures of their own, which are not sound in between: a fork waits
-  until they are done, as it does for `whole`, which is held while modules are loaded.
+- llvmlite changes structures of its own, which are not sound in between: a fork waits until it is
+  done, as it does for `whole`, which is held while modules are loaded.
 """
 
 from __future__ import annotations
@@ -81,16 +81,12 @@ _held: list[Any] = []
 
 def _before() -> None:
     whole.acquire()
-    for module, path in (
-        ("numba.core.compiler_lock", ("global_compiler_lock",)),
-        ("llvmlite.binding.ffi", ("lib", "_lock")),
-    ):
-        lock: Any = sys.modules.get(module)
-        for name in path:
-            lock = getattr(lock, name, None)
-        if lock is not None:
-            lock.__enter__()
-            _held.append(lock)
+    lock: Any = sys.modules.get("llvmlite.binding.ffi")
+    for name in ("lib", "_lock"):
+        lock = getattr(lock, name, None)
+    if lock is not None:
+        lock.__enter__()
+        _held.append(lock)
 
 
 def _after() -> None:

@@ -19,7 +19,16 @@ from typing import Any
 from llvmlite import __version__ as llvmlite_version
 from llvmlite import binding
 
-__all__ = ["Helper", "HelperError", "Source", "object_code", "registers", "serve", "target_machine"]
+__all__ = [
+    "Helper",
+    "HelperError",
+    "Source",
+    "object_code",
+    "registers",
+    "serve",
+    "target",
+    "target_machine",
+]
 
 
 @once
@@ -67,6 +76,12 @@ def target_machine(quick: bool = False) -> Any:
         codemodel="jitdefault",
         jit=True,
     )
+
+
+def target() -> str:
+    """Return the lines of IR that say what LLVM compiles for: passes lay data out by them."""
+    layout = _emitter(False).target_data
+    return f'target datalayout = "{layout}"\ntarget triple = "{binding.get_default_triple()}"\n'
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,7 @@ from pydy._array_layout import DATA, DESCR, FLAGS, FLOAT, KIND, NDIM, SHAPE
 from pydy._backends import jit
 from pydy._backends.background import Compile, Task, submit
 from pydy._backends.base import strict
+from pydy._backends.gate import Gate
 from pydy._backends.ir import Function
 from pydy._backends.ir_sweep import (
     ARRAYS,
@@ -122,24 +123,10 @@ class _Runtime:
                 submit(self.better)
             code = jit.load_quickly(source)
         self.code = code
-        self.gate = _method(b"native_call", code.addresses["gate"])
-        self._sweep = _method(b"native_sweep", code.addresses[SWEEP_GATE])
-        gate: Callable[..., None] = _function(self._sweep, None)
+        self.gate = Gate(b"native_call", code, "gate")
+        self._sweep = Gate(b"native_sweep", code, SWEEP_GATE)
+        gate: Callable[..., None] = self._sweep.function(None)
         self.sweep = gate if _array_layout.FITS else _careful_sweep
-
-
-def _method(name: bytes, address: int) -> tuple[ctypes.Array[ctypes.c_void_p], bytes]:
-    """Return a struct PyMethodDef (name, function, METH_FASTCALL, no doc) and what it needs."""
-    pointer = ctypes.cast(ctypes.c_char_p(name), ctypes.c_void_p).value
-    return (ctypes.c_void_p * 4)(pointer, address, 0x0080, None), name
-
-
-def _function(method: tuple[ctypes.Array[ctypes.c_void_p], bytes], owner: Any) -> Any:
-    """Return the Python function of a PyMethodDef, bound to `owner`."""
-    make = ctypes.pythonapi.PyCFunction_NewEx
-    make.restype = ctypes.py_object
-    make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p]
-    return make(ctypes.addressof(method[0]), owner, None)
 
 
 _SWEEP = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * (1 + len(ARRAYS)))
@@ -224,7 +211,7 @@ def _make_call(
             len(program.outputs),
         ]
         entry.bind(words)
-        gate: Callable[..., int] = _function(runtime.gate, words)
+        gate: Callable[..., int] = runtime.gate.function(words)
         return gate
 
     # Without the interpreter's lock the gate's shared binding of constants would be a race.

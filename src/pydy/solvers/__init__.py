@@ -9,7 +9,7 @@
 =============  ===============================================================================
 
 They have the signature of `scipy.integrate.odeint`, so that ``system.ode_solver = 'dop853'`` is all
-it takes. Nothing here loads numba before a solver runs.
+it takes. Their loops are compiled for the processor when one of them first runs.
 """
 
 from __future__ import annotations

@@ -8,18 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from pydy._kernel import Kernel
+from pydy.solvers.tuning import ROUNDINGS
 
-__all__ = ["NEARLY_SINGULAR", "ROUNDINGS", "CompiledConstraints", "satisfied"]
-
-ROUNDINGS = 8.0
-"""The largest residual of a constraint that is satisfied, in units of its rounding bound."""
-
-NEARLY_SINGULAR = 1e-5
-"""How near to losing rank the rows of velocity constraints no longer tell the way on.
-
-Positions, which are known to a rounding, tell two branches that cross apart down to its square
-root, about 1e-8.
-"""
+__all__ = ["CompiledConstraints", "satisfied"]
 
 _DEPENDENT = 1e-9
 _EPS = 2.0**-52

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from pydy.solvers.compiled import compiled, inlined
+from pydy.solvers.compiled import entry, inlined
 from pydy.solvers.entrance import opened
 from pydy.solvers.finishing import finish_step, write_reached
 from pydy.solvers.intrinsics import address_of, call_part
@@ -54,7 +54,7 @@ from pydy.solvers.runge_kutta import error_of_step, prepare_interpolant, take_st
 __all__ = ["advance"]
 
 
-@inlined(reassociate=True)
+@inlined(reassociate=True, apart=True)
 def _norm(a, b, memory, n):
     """Return the root mean square of a − b in units of the tolerance at ``memory.x``."""
     total = 0.0
@@ -91,7 +91,7 @@ def _first_size(method, problem, memory, run, t):
     return min(h, run.state[LARGEST])
 
 
-@compiled
+@entry("int64(int64, int64, int64)")
 def advance(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
     method, problem, memory, run, constraints, watch = opened(table, states, fresh)

@@ -11,7 +11,7 @@ import math
 
 import numpy as np
 
-from pydy.solvers.compiled import compiled, inlined
+from pydy.solvers.compiled import entry, inlined
 from pydy.solvers.entrance import opened, opened_newton
 from pydy.solvers.finishing import finish_step, write_reached
 from pydy.solvers.intrinsics import address_of, call_part
@@ -21,14 +21,19 @@ from pydy.solvers.layout import (
     CALLBACK,
     EVALUATIONS,
     EVENTS,
+    FACTORED,
     FACTORISATIONS,
+    FACTORISED,
     FAILURE,
+    FIRST,
+    FRESH,
     LARGEST,
     LAST_ERROR,
     LAST_SIZE,
     LIMIT,
     NEXT,
     PAUSED,
+    PREDICTING,
     PROJECT,
     REJECTED,
     SHORTEST,
@@ -37,19 +42,9 @@ from pydy.solvers.layout import (
     STATES,
     STEPS,
     TIME,
-)
-from pydy.solvers.newton import (
-    FACTORED,
-    FACTORISED,
-    FIRST,
-    FRESH,
-    PREDICTING,
     WANTED,
-    factorise,
-    norm,
-    set_jacobian,
-    solve,
 )
+from pydy.solvers.newton import factorise, norm, set_jacobian, solve
 from pydy.solvers.outcome import (
     CONSTRAINTS_NOT_MET,
     FINISHED,
@@ -68,7 +63,13 @@ _ITERATIONS = 6
 _EPS = 2.0**-52
 _NODES, _ERROR = np.array(NODES), np.array(ERROR)
 _T, _TI, _P = np.array(T), np.array(TI), np.array(INTERPOLANT)
-_REAL, _COMPLEX = REAL, COMPLEX
+_REAL, _COMPLEX_REAL, _COMPLEX_IMAG = REAL, COMPLEX.real, COMPLEX.imag
+
+
+@inlined
+def _pair_over(h):
+    """Return the complex eigenvalue over h: numba's own division may raise an exception."""
+    return complex(_COMPLEX_REAL / h, _COMPLEX_IMAG / h)
 
 
 @inlined(pasted=True)
@@ -79,7 +80,7 @@ def _factorise_pair(newton, n, h):
             newton.real[i, j] = -newton.jacobian[i * n + j]
             newton.pair[i, j] = -newton.jacobian[i * n + j]
         newton.real[i, i] += _REAL / h
-        newton.pair[i, i] += _COMPLEX / h
+        newton.pair[i, i] += _pair_over(h)
     return factorise(newton.real, newton.real_order) and factorise(newton.pair, newton.pair_order)
 
 
@@ -100,12 +101,12 @@ def _predict(memory, newton, n, h, last_size):
             newton.waves[k, i] = _TI[k, 0] * z[0, i] + _TI[k, 1] * z[1, i] + _TI[k, 2] * z[2, i]
 
 
-@inlined(allocates=True)
+@inlined
 def _solve_stages(problem, memory, run, newton, t, h, tolerance):
     """Iterate to the stages: (code, converged, iterations, rate of convergence)."""
     n = problem.words[STATES]
     z, w, f = newton.stages, newton.waves, newton.slopes
-    real, pair = np.empty(n), np.empty(n, dtype=np.complex128)
+    real, pair = newton.real_change, newton.pair_change
     before, rate = -1.0, 0.0
     for iteration in range(_ITERATIONS):
         for k in range(3):
@@ -128,7 +129,7 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance):
             ) - _REAL / h * w[0, i]
             left = _TI[1, 0] * f[0, i] + _TI[1, 1] * f[1, i] + _TI[1, 2] * f[2, i]
             right = _TI[2, 0] * f[0, i] + _TI[2, 1] * f[1, i] + _TI[2, 2] * f[2, i]
-            pair[i] = complex(left, right) - _COMPLEX / h * complex(w[1, i], w[2, i])
+            pair[i] = complex(left, right) - _pair_over(h) * complex(w[1, i], w[2, i])
         solve(newton.real, newton.real_order, real)
         solve(newton.pair, newton.pair_order, pair)
         total = 0.0
@@ -154,13 +155,12 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance):
     return 0, False, _ITERATIONS, rate
 
 
-@inlined(allocates=True)
+@inlined
 def _estimate(problem, memory, run, newton, t, h, first):
     """Return (code, error norm); a second, filtered estimate when the first is too large."""
     n = problem.words[STATES]
     z = newton.stages
-    guess = np.empty(n)
-    error = np.empty(n)
+    guess, error = newton.guess, newton.real_change
     for i in range(n):
         guess[i] = (_ERROR[0] * z[0, i] + _ERROR[1] * z[1, i] + _ERROR[2] * z[2, i]) / h
         error[i] = memory.stages[i] + guess[i]
@@ -207,13 +207,13 @@ def _first_size(problem, memory, run, t):
     return min(h, run.state[LARGEST])
 
 
-@compiled
+@entry("int64(int64, int64, int64)")
 def advance_implicit(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
     method, problem, memory, run, constraints, watch = opened(table, states, fresh)
     if run.counts[BUDGET] == 0:
         return PAUSED
-    newton = opened_newton(table, problem.words[STATES])
+    newton = opened_newton(table)
     n = problem.words[STATES]
     state, count, times = run.state, run.counts, run.times
     held = constraints.words[ACTIVE] == 1

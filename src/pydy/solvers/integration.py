@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
-from functools import cache
 from time import perf_counter
 from typing import Any
 from weakref import WeakSet
@@ -23,7 +22,7 @@ from pydy._errors import (
 )
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
-from pydy.solvers.constraints import NEARLY_SINGULAR, CompiledConstraints
+from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, EventRecord
 from pydy.solvers.interrupts import Interrupts
 from pydy.solvers.methods import IMPLICIT, tableau_of
@@ -43,6 +42,8 @@ from pydy.solvers.outcome import (
     TOLERANCE_TOO_SMALL,
 )
 from pydy.solvers.problem import BLOCK, address
+from pydy.solvers.shipped import stepper
+from pydy.solvers.tuning import NEARLY_SINGULAR
 from pydy.solvers.workspace import Workspace
 
 __all__ = ["Integration"]
@@ -53,19 +54,6 @@ _SLICE = 0.02  # seconds in compiled code, about
 _CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time are accumulating
 _EPS = np.finfo(float).eps
 _PROJECT = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_double, ctypes.c_int64)
-
-
-@cache
-def _entry(implicit: bool) -> Callable[..., int]:
-    """Return the compiled stepper itself, past numba's choice by types at every call."""
-    from numba import float64, int64
-
-    if implicit:
-        from pydy.solvers.implicit import advance_implicit as stepper
-    else:
-        from pydy.solvers.explicit import advance as stepper
-    function: Callable[..., int] = stepper.compile((int64, float64[:, ::1], int64))
-    return function
 
 
 def _first_budget(method: str, call: KernelCall | None, calls_python: bool) -> int:
@@ -123,7 +111,8 @@ class Integration:
         self._number = len(times)
         self._room = (self._number + -(-BLOCK // max(1, n)), n)
         self._rows = np.zeros((0, n))  # of the latest run
-        self._advance, self._place = _entry(method == IMPLICIT), arrays.place
+        entry = "advance_implicit" if method == IMPLICIT else "advance"
+        self._advance, self._place = stepper(entry, arrays.place), arrays.place
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end and return the states.
@@ -138,7 +127,7 @@ class Integration:
         self.code = NOT_COMPUTED
         self.records = []
         try:
-            code = self._advance(self._place, rows, 1)
+            code = self._advance(rows, True)
             if code == FINISHED:  # most end in their first slice
                 self.code = FINISHED
                 return rows[: self._number]
@@ -163,8 +152,7 @@ class Integration:
     def _slice(self, budget: int) -> int:
         """Take some steps; returns the code of why it stopped."""
         self.progress.counts[at.BUDGET] = budget
-        code: int = self._advance(self._place, self._rows, 0)
-        return code
+        return self._advance(self._rows, False)
 
     def _run(self) -> None:
         state, count = self.progress.state, self.progress.counts

@@ -10,24 +10,22 @@ from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic as _intrinsic
 
+from pydy.solvers.layout import COLUMNS
+
 __all__ = [
     "BLOCK",
     "address_of",
+    "array_of_row",
     "call_kernel",
     "call_part",
     "call_prepare",
     "combine",
-    "complex_matrix",
-    "flattened",
     "get",
+    "intrinsic",
     "lowest_bit",
     "nested",
-    "numbers",
     "numbers_at",
     "put",
-    "real_matrix",
-    "word_matrix",
-    "words",
 ]
 
 BLOCK = 8
@@ -285,28 +283,11 @@ def address_of(typingctx, array, index):
     return types.intp(array, types.intp), codegen
 
 
-@intrinsic
-def flattened(typingctx, array):
-    """Return a contiguous matrix of floats as one row of numbers."""
-    kind = types.Array(types.float64, 1, "C")
-
-    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        from numba.np.arrayobj import make_array
-
-        matrix = make_array(signature.args[0])(context, builder, arguments[0])
-        rows, columns = cgutils.unpack_tuple(builder, matrix.shape, 2)
-        place = builder.ptrtoint(matrix.data, _INT)
-        return _array(kind, 8, place, [builder.mul(rows, columns)], context, builder)
-
-    return kind(array), codegen
-
-
-def _row_of(builder: Any, table: Any, k: Any) -> tuple[Any, Any]:
-    """Return both numbers of row k of a table: an address and a length."""
-    data = _pointer(builder, table, _INT)
-    first = builder.mul(k, _INT(2))
-    place, count = (builder.gep(data, [builder.add(first, _INT(j))]) for j in range(2))
-    return builder.load(place), builder.load(count)
+def array_of_row(kind: Any, table: Any, k: int, context: Any, builder: Any) -> Any:
+    """Return the array of row k of a table of addresses, in an intrinsic."""
+    row = builder.gep(_pointer(builder, table, _INT), [_INT(COLUMNS * k)])
+    words = [builder.load(builder.gep(row, [_INT(j)])) for j in range(1 + kind.ndim)]
+    return _array(kind, kind.dtype.bitwidth // 8, words[0], words[1:], context, builder)
 
 
 def _array(kind: Any, size: int, place: Any, shape: Any, context: Any, builder: Any) -> Any:
@@ -332,35 +313,6 @@ def _array(kind: Any, size: int, place: Any, shape: Any, context: Any, builder: 
     return array._getvalue()
 
 
-def _vector_intrinsic(number: Any, doc: str) -> Any:
-    kind = types.Array(number, 1, "C")
-
-    def vector(typingctx, table, k):
-        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            place, count = _row_of(builder, *arguments)
-            return _array(kind, 8, place, [count], context, builder)
-
-        return kind(types.intp, types.intp), codegen
-
-    vector.__doc__ = doc
-    return intrinsic(vector)
-
-
-def _matrix_intrinsic(number: Any, size: int, doc: str) -> Any:
-    kind = types.Array(number, 2, "C")
-
-    def matrix(typingctx, table, k, columns):
-        def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            table, k, columns = arguments
-            place, rows = _row_of(builder, table, k)
-            return _array(kind, size, place, [rows, columns], context, builder)
-
-        return kind(types.intp, types.intp, types.intp), codegen
-
-    matrix.__doc__ = doc
-    return intrinsic(matrix)
-
-
 @intrinsic
 def numbers_at(typingctx, place, count):
     """Return the floats at an address."""
@@ -370,10 +322,3 @@ def numbers_at(typingctx, place, count):
         return _array(kind, 8, arguments[0], [arguments[1]], context, builder)
 
     return kind(types.intp, types.intp), codegen
-
-
-numbers = _vector_intrinsic(types.float64, "Return the floats of row k of a table of addresses.")
-words = _vector_intrinsic(types.int64, "Return the integers of row k of a table of addresses.")
-real_matrix = _matrix_intrinsic(types.float64, 8, "Return a matrix of floats by its row k.")
-word_matrix = _matrix_intrinsic(types.int64, 8, "Return a matrix of integers by its row k.")
-complex_matrix = _matrix_intrinsic(types.complex128, 16, "Return a complex matrix by its row k.")

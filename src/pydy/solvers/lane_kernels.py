@@ -4,20 +4,33 @@ from __future__ import annotations
 
 import numpy as np
 
-from pydy.solvers.compiled import compiled, inlined
+from pydy.solvers.compiled import entry, inlined
+from pydy.solvers.entrance import opening
 from pydy.solvers.intrinsics import BLOCK, address_of, call_kernel, call_prepare, get, put
-from pydy.solvers.lane_layout import KERNEL, PREPARE, STATES
+from pydy.solvers.lane_layout import (
+    EVALUATION,
+    KERNEL,
+    ORIGIN,
+    PER_SAMPLE,
+    PER_STATE,
+    PER_TIME,
+    PREPARE,
+    STATES,
+    Evaluation,
+    LaneProblem,
+)
 from pydy.solvers.rates import interval_of
 from pydy.solvers.vectors import splat, store
 
 __all__ = ["copy_in", "evaluate_lanes", "rates_of_lanes"]
 
 
-@inlined
+@inlined(apart=True)
 def _set_inputs(problem):
     """Set the sampled inputs of each lane at its own time."""
     for k in range(problem.tables.shape[0]):
-        column, first, number = problem.tables[k]
+        tables = problem.tables
+        column, first, number = tables[k, 0], tables[k, 1], tables[k, 2]
         knots = problem.knots[first : first + number]
         for lane in range(BLOCK):
             s = max(problem.clock[lane], knots[0])
@@ -55,30 +68,38 @@ def copy_in(values, row, buffer, lane):
         put(place + 8 * BLOCK * i, values[row, i])
 
 
-@compiled
-def evaluate_lanes(problem, x, buffer, r, p, times, states, steps, out):
+_opened_problem = opening(EVALUATION, LaneProblem)
+_opened_evaluation = opening(EVALUATION, Evaluation)
+
+
+@entry("int64(int64)")
+def evaluate_lanes(table):
     """Evaluate a kernel at all states (n, m, times); write (outputs, m, times).
 
-    `states` is the address of the first, `steps` the distances along the three axes. NaN states
-    give NaN; so does a linear solve that fails.
+    NaN states give NaN; so does a linear solve that fails.
     """
-    n, m = problem.words[STATES], out.shape[1]
+    problem, evaluation = _opened_problem(table), _opened_evaluation(table)
+    x, buffer, places = evaluation.x, evaluation.buffer, evaluation.places
+    times, out = evaluation.times, evaluation.out
+    n, m, number = problem.words[STATES], len(evaluation.r), times.size
+    outputs = buffer.size // BLOCK
     for first in range(0, m, BLOCK):
         for lane in range(BLOCK):
             sample = min(first + lane, m - 1)
-            copy_in(r, sample, problem.r, lane)
-            copy_in(p, sample, problem.p, lane)
+            copy_in(evaluation.r, sample, problem.r, lane)
+            copy_in(evaluation.p, sample, problem.p, lane)
         call_prepare(problem.words[PREPARE], address_of(problem.p, 0), address_of(problem.c, 0))
-        for k in range(times.size):
+        for k in range(number):
             for lane in range(BLOCK):
                 sample = min(first + lane, m - 1)
-                place = states + 8 * (sample * steps[1] + k * steps[2])
+                place = places[ORIGIN] + 8 * (sample * places[PER_SAMPLE] + k * places[PER_TIME])
                 for i in range(n):
-                    x[i * BLOCK + lane] = get(place + 8 * i * steps[0])
+                    x[i * BLOCK + lane] = get(place + 8 * i * places[PER_STATE])
             clock = splat(times[k])
             failed = rates_of_lanes(problem, clock, address_of(x, 0), address_of(buffer, 0))
             for lane in range(min(BLOCK, m - first)):
                 bad = (failed >> lane) & 1 == 1 or (n > 0 and x[lane] != x[lane])
-                for j in range(out.shape[0]):
+                for j in range(outputs):
                     value = buffer[j * BLOCK + lane]
-                    out[j, first + lane, k] = np.nan if bad else value
+                    out[(j * m + first + lane) * number + k] = np.nan if bad else value
+    return 0

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
+from pydy.solvers.layout import Memory, Method, NumberRows, Numbers, WordRows, Words
 
-__all__ = ["LaneProblem", "Lanes", "Queue"]
+__all__ = ["EVALUATION", "LANES", "Evaluation", "LaneProblem", "Lanes", "Queue"]
 
 # LaneProblem.words
 KERNEL, PREPARE, STATES, SPECIFIEDS, CONSTANTS = range(5)
@@ -22,6 +22,9 @@ HEAD, BUDGET, LIMIT, PLACE, DISTANCE = range(5)
 LARGEST, FIRST = range(2)
 # Queue.counts, for each sample
 STEPS, REJECTED, EVALUATIONS, STATUS = range(4)  # the last is a code of `outcome`
+# Evaluation.places: the address of the first state, and the distances from state to state, from
+# sample to sample and from time to time
+ORIGIN, PER_STATE, PER_SAMPLE, PER_TIME = range(4)
 
 # What `step_lanes` returns.
 PAUSED, EMPTY = range(2)
@@ -32,32 +35,32 @@ VACANT, RESTING = -1, -2
 class LaneProblem(NamedTuple):
     """The right-hand side, each lane with its own time, specifieds and constants."""
 
-    words: np.ndarray  # int64
-    clock: np.ndarray
-    r: np.ndarray
-    p: np.ndarray
-    c: np.ndarray
-    tables: np.ndarray  # int64 (k, 3): place in r, first knot, number of knots; for all lanes
-    intervals: np.ndarray  # int64 (k, lanes): where each lane found itself last
-    knots: np.ndarray
-    cubics: np.ndarray
+    words: Words
+    clock: Numbers
+    r: Numbers
+    p: Numbers
+    c: Numbers
+    tables: WordRows  # (k, 3): place in r, first knot, number of knots; for all lanes
+    intervals: WordRows  # (k, lanes): where each lane found itself last
+    knots: Numbers
+    cubics: NumberRows
 
 
 class Lanes(NamedTuple):
     """Where each trajectory stands: blocks of floats, counts too, but for the last two."""
 
-    time: np.ndarray
-    size: np.ndarray
-    last_error: np.ndarray
-    growth: np.ndarray
-    next: np.ndarray  # the number of the next output
-    due: np.ndarray  # its time
-    steps: np.ndarray
-    rejected: np.ndarray
-    evaluations: np.ndarray
-    reason: np.ndarray  # the code of what the last rejected step met
-    samples: np.ndarray  # int64
-    place: np.ndarray  # int64: the address of the next output
+    time: Numbers
+    size: Numbers
+    last_error: Numbers
+    growth: Numbers
+    next: Numbers  # the number of the next output
+    due: Numbers  # its time
+    steps: Numbers
+    rejected: Numbers
+    evaluations: Numbers
+    reason: Numbers  # the code of what the last rejected step met
+    samples: Words
+    place: Words  # the address of the next output
 
 
 class Queue(NamedTuple):
@@ -67,11 +70,28 @@ class Queue(NamedTuple):
     ``state[PLACE] + 8 (i state[DISTANCE] + j number + k)``, where `number` is that of times.
     """
 
-    state: np.ndarray  # int64
-    numbers: np.ndarray
-    times: np.ndarray  # and infinity
-    x: np.ndarray  # (m, states)
-    r: np.ndarray  # (m, specifieds)
-    p: np.ndarray  # (m, constants)
-    counts: np.ndarray  # int64 (m, 4)
-    reached: np.ndarray  # (m,): the time up to which the sample was integrated
+    state: Words
+    numbers: Numbers
+    times: Numbers  # and infinity
+    x: NumberRows  # (m, states)
+    r: NumberRows  # (m, specifieds)
+    p: NumberRows  # (m, constants)
+    counts: WordRows  # (m, 4)
+    reached: Numbers  # (m,): the time up to which the sample was integrated
+
+
+class Evaluation(NamedTuple):
+    """States at which a kernel is evaluated, and where its results go."""
+
+    places: Words
+    x: Numbers
+    buffer: Numbers  # of all outputs
+    r: NumberRows  # (m, specifieds)
+    p: NumberRows  # (m, constants)
+    times: Numbers
+    out: Numbers  # (outputs, m, times)
+
+
+# The parts of the tables of `step_lanes` and `evaluate_lanes`.
+LANES = (Method, LaneProblem, Memory, Lanes, Queue)
+EVALUATION = (LaneProblem, Evaluation)

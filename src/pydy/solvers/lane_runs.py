@@ -12,12 +12,13 @@ import numpy as np
 from pydy._kernel import Kernel
 from pydy.solvers import lane_layout as at
 from pydy.solvers import layout
-from pydy.solvers.intrinsics import BLOCK
-from pydy.solvers.lane_layout import LaneProblem, Lanes, Queue
+from pydy.solvers.lane_layout import Evaluation, LaneProblem, Lanes, Queue
 from pydy.solvers.layout import Memory
 from pydy.solvers.methods import method_arrays
 from pydy.solvers.options import Options
-from pydy.solvers.problem import address, lined_up, tables_of
+from pydy.solvers.problem import BLOCK, address, lined_up, tables_of
+from pydy.solvers.shipped import function_of
+from pydy.solvers.table import rows_of, table_of
 
 __all__ = ["LANES", "LaneResult", "evaluate_samples", "integrate_samples"]
 
@@ -72,8 +73,7 @@ def integrate_samples(
     stopped : callable
         Asked now and then; True ends the work with KeyboardInterrupt.
     """
-    from pydy.solvers.lanes import step_lanes
-
+    step_lanes = function_of("step_lanes")
     m, n = x.shape
     length = BLOCK * n
     arrays = method_arrays(method, length)
@@ -106,11 +106,12 @@ def integrate_samples(
         reached=np.full(m, times[0]),
     )
     problem = _problem(kernel, sampled)
+    table = table_of(*map(rows_of, (arrays, problem, memory, lanes, queue)))
     budget = 1000
     while True:
         queue.state[at.BUDGET] = budget
         start = perf_counter()
-        code = step_lanes(arrays, problem, memory, lanes, queue)
+        code = step_lanes(address(table))
         if code == at.EMPTY:
             return LaneResult(queue.counts, queue.reached)
         if stopped():
@@ -131,17 +132,21 @@ def evaluate_samples(
 
     The parameters are those of `integrate_samples`; `states` has the shape (n, m, times).
     """
-    from pydy.solvers.lane_kernels import evaluate_lanes
-
     n, m, number = states.shape
     out = np.empty((len(kernel.program.outputs), m, number))
     if out.size:
-        x = lined_up(max(1, n) * BLOCK)
-        r, p, times = (np.ascontiguousarray(a) for a in (r, p, times))
-        buffer = lined_up(len(out) * BLOCK)
-        steps = np.array(states.strides) // 8
-        place = address(states)
-        evaluate_lanes(_problem(kernel, sampled), x, buffer, r, p, times, place, steps, out)
+        evaluation = Evaluation(
+            places=np.array([address(states), *(step // 8 for step in states.strides)]),
+            x=lined_up(max(1, n) * BLOCK),
+            buffer=lined_up(len(out) * BLOCK),
+            r=np.ascontiguousarray(r),
+            p=np.ascontiguousarray(p),
+            times=np.ascontiguousarray(times),
+            out=out.ravel(),
+        )
+        problem = _problem(kernel, sampled)
+        table = table_of(rows_of(problem), rows_of(evaluation))
+        function_of("evaluate_lanes")(address(table))
     return out
 
 

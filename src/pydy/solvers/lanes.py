@@ -10,7 +10,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from pydy.solvers.compiled import compiled, inlined
+from pydy.solvers.compiled import entry, inlined
+from pydy.solvers.entrance import opening
 from pydy.solvers.intrinsics import (
     BLOCK,
     address_of,
@@ -28,6 +29,7 @@ from pydy.solvers.lane_layout import (
     EVALUATIONS,
     FIRST,
     HEAD,
+    LANES,
     LARGEST,
     LIMIT,
     PAUSED,
@@ -40,6 +42,9 @@ from pydy.solvers.lane_layout import (
     STATUS,
     STEPS,
     VACANT,
+    LaneProblem,
+    Lanes,
+    Queue,
 )
 from pydy.solvers.layout import (
     ALPHA,
@@ -53,6 +58,8 @@ from pydy.solvers.layout import (
     SAFETY,
     SHRINK,
     STAGES,
+    Memory,
+    Method,
 )
 from pydy.solvers.outcome import FINISHED, NOT_FINITE, SINGULAR, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.runge_kutta import combine_row
@@ -314,9 +321,16 @@ def _write_outputs(method, problem, memory, lanes, queue, within, end):
         left &= bits(load(lanes.due, 0) < end)
 
 
-@compiled
-def step_lanes(method, problem, memory, lanes, queue):
+_opened_method, _opened_memory = opening(LANES, Method), opening(LANES, Memory)
+_opened_problem, _opened_lanes = opening(LANES, LaneProblem), opening(LANES, Lanes)
+_opened_queue = opening(LANES, Queue)
+
+
+@entry("int64(int64)")
+def step_lanes(table):
     """Step until the queue is empty, or ``BUDGET`` steps are taken."""
+    method, problem, memory = _opened_method(table), _opened_problem(table), _opened_memory(table)
+    lanes, queue = _opened_lanes(table), _opened_queue(table)
     n, control, shape = problem.words[STATES], method.control, method.shape
     length, state = memory.x.size, queue.state
     last, largest = queue.times[queue.times.size - 2], queue.numbers[LARGEST]

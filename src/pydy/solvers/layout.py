@@ -1,12 +1,39 @@
-"""What compiled solvers work on: arrays under names, and names for places in the mixed ones."""
+"""What compiled solvers work on: arrays under names, and names for places in the mixed ones.
+
+All arrays of a run reach compiled code as one table of addresses; `table` and `entrance` take its
+rows from the fields and annotations below.
+"""
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
-__all__ = ["Constraints", "Memory", "Method", "Problem", "Run", "Watch"]
+__all__ = [
+    "COLUMNS",
+    "PROJECTION",
+    "RUN",
+    "Beginning",
+    "Constraints",
+    "Memory",
+    "Method",
+    "Newton",
+    "Problem",
+    "Progress",
+    "Projection",
+    "Watch",
+    "first_row",
+]
+
+# Contiguous vectors and matrices.
+Words = Annotated[np.ndarray, np.int64, 1]
+Numbers = Annotated[np.ndarray, np.float64, 1]
+Pairs = Annotated[np.ndarray, np.complex128, 1]
+WordRows = Annotated[np.ndarray, np.int64, 2]
+NumberRows = Annotated[np.ndarray, np.float64, 2]
+PairRows = Annotated[np.ndarray, np.complex128, 2]
 
 # Method.shape
 STAGES, ESTIMATES, DENSE_STAGES, DEPTH, END_IN_ESTIMATE = range(5)
@@ -14,22 +41,29 @@ STAGES, ESTIMATES, DENSE_STAGES, DEPTH, END_IN_ESTIMATE = range(5)
 EXPONENT, ALPHA, BETA, SAFETY, SHRINK, GROW = range(6)
 # Problem.words
 KERNEL, STATES, BLOCKS = range(3)
-# Run.state
+# Progress.state
 TIME, SIZE, LARGEST, LAST_ERROR, LAST_SIZE, GROWTH, FOUND = range(7)
-# Run.counts
+# Progress.counts
 STARTED, STEPS, REJECTED, EVALUATIONS, JACOBIANS, FACTORISATIONS = range(6)
 NEXT, BUDGET, LIMIT, FAILURE, LOGGED, PROJECTIONS = range(6, 12)
 # Constraints.words
 ACTIVE, PROJECTOR, HOLONOMIC, VELOCITY, COORDINATES, SPEEDS, WEIGHTED, PROJECT = range(8)
+SCRATCH = 8  # the address of the table of `Projection`
 # Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
 # it was nearest to losing it.
 RANK, NEARNESS, WHEN, WHERE = range(4)
 # Watch.words
 WATCHER, EVENTS, SCAN = range(3)
+# Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
+# is wanted, the one there is that of the present state, the factors there are its own, and no step
+# has been accepted since the last rejected one.
+GRADIENT, WANTED, FRESH, FACTORISED, FIRST = range(5)
+# Newton.sizes: the step sizes of the factors and of the polynomial that predicts the next stages.
+FACTORED, PREDICTING = range(2)
 
 # What `advance` returns while it has not ended; a code of `outcome` when it has.
 PAUSED, EVENT, LOG_FULL, CALLBACK = -1, -2, -3, -4
-# Run.counts[FAILURE] is the code of what the last rejected step met.
+# Progress.counts[FAILURE] is the code of what the last rejected step met.
 
 # The first step, in units of the time: far enough above rounding to be shortened if need be.
 SHORTEST = 2.0**-44
@@ -42,72 +76,126 @@ class Method(NamedTuple):
     the interpolant, in this order; `offsets` are places in ``Memory.stages``.
     """
 
-    shape: np.ndarray  # int64
-    rows: np.ndarray  # int64: where each row begins in the two arrays that follow
-    offsets: np.ndarray  # int64
-    weights: np.ndarray
-    nodes: np.ndarray
-    control: np.ndarray
+    shape: Words
+    rows: Words  # where each row begins in the two arrays that follow
+    offsets: Words
+    weights: Numbers
+    nodes: Numbers
+    control: Numbers
 
 
 class Problem(NamedTuple):
     """The right-hand side ``x' = f(t, x; r(t), c)``."""
 
-    words: np.ndarray  # int64
-    clock: np.ndarray  # (1,): the kernel's t
-    r: np.ndarray
-    c: np.ndarray
-    tables: np.ndarray  # int64 (k, 4): place in r, first knot, number of knots, last interval
-    knots: np.ndarray
-    cubics: np.ndarray  # (·, 4): from each knot on, lowest power first
+    words: Words
+    clock: Numbers  # (1,): the kernel's t
+    r: Numbers
+    c: Numbers
+    tables: WordRows  # (k, 4): place in r, first knot, number of knots, last interval
+    knots: Numbers
+    cubics: NumberRows  # (·, 4): from each knot on, lowest power first
 
 
 class Memory(NamedTuple):
     """One trajectory's numbers; vectors are padded with zeros to whole blocks."""
 
-    x: np.ndarray
-    new: np.ndarray
-    trial: np.ndarray
-    step: np.ndarray  # the step size, once for each place of a block
-    theta: np.ndarray  # a part of the step, the same way
-    zero: np.ndarray
-    errors: np.ndarray  # two vectors, one after the other
-    stages: np.ndarray  # vectors
-    interpolant: np.ndarray  # vectors
-    rtol: np.ndarray
-    atol: np.ndarray
+    x: Numbers
+    new: Numbers
+    trial: Numbers
+    step: Numbers  # the step size, once for each place of a block
+    theta: Numbers  # a part of the step, the same way
+    zero: Numbers
+    errors: Numbers  # two vectors, one after the other
+    stages: Numbers  # vectors
+    interpolant: Numbers  # vectors
+    rtol: Numbers
+    atol: Numbers
 
 
-class Run(NamedTuple):
-    """Where the integration stands, and what it has written."""
+class Progress(NamedTuple):
+    """Where the integration stands."""
 
-    state: np.ndarray
-    counts: np.ndarray  # int64
-    times: np.ndarray
-    flat: np.ndarray  # row after row and a block more: rows are written in whole blocks
+    state: Numbers
+    counts: Words
+    times: Numbers
 
 
 class Constraints(NamedTuple):
     """What the projection works with; nothing when ``words[ACTIVE]`` is 0."""
 
-    words: np.ndarray  # int64
-    c: np.ndarray
+    words: Words
+    c: Numbers
     # residuals (h), (v); ∂h/∂q (h, q); N (q, u); ∂v/∂u (v, u); M (u, u); rounding bounds (h);
     # then what the projection notes: `RANK` and so on, a state, the longest that rows were (v)
-    values: np.ndarray
+    values: Numbers
+
+
+class Projection(NamedTuple):
+    """What the projection computes in between, of h positions and v velocities."""
+
+    factor: NumberRows  # (u, u)
+    kinematics: NumberRows  # (q, u)
+    gradient: NumberRows  # (h, q)
+    holonomic: NumberRows  # (h, u)
+    velocity: NumberRows  # (v, u)
+    step: Numbers  # (u,) or (q,), whichever is more
+    # h or v, whichever is more
+    right: Numbers
+    scale: Numbers
+    left: Words
+    lengths: Numbers
+    kept: Numbers
 
 
 class Watch(NamedTuple):
     """The events and what they have seen."""
 
-    words: np.ndarray  # int64
-    c: np.ndarray
-    directions: np.ndarray  # int64: −1, 1, or 0 for both
-    acting: np.ndarray  # int64: whether the integration stops there
-    sides: np.ndarray  # int64: the sign last seen, 0 before there was one
-    fired: np.ndarray  # int64
-    values: np.ndarray  # (2, events)
-    trial: np.ndarray  # a state
-    log_times: np.ndarray
-    log_events: np.ndarray  # int64
-    log_states: np.ndarray  # (·, states)
+    words: Words
+    c: Numbers
+    directions: Words  # −1, 1, or 0 for both
+    acting: Words  # whether the integration stops there
+    sides: Words  # the sign last seen, 0 before there was one
+    fired: Words
+    values: Numbers  # (2, events)
+    trial: Numbers  # a state
+    log_times: Numbers
+    log_events: Words
+    log_states: NumberRows  # (·, states)
+
+
+class Beginning(NamedTuple):
+    """What `Progress` holds when a run begins."""
+
+    state: Numbers
+    counts: Words
+
+
+class Newton(NamedTuple):
+    """What an implicit step works with."""
+
+    words: Words
+    sizes: Numbers
+    c: Numbers
+    jacobian: Numbers  # (n, n), row after row
+    real: NumberRows  # (n, n)
+    pair: PairRows  # (n, n)
+    real_order: Words
+    pair_order: Words
+    stages: NumberRows  # (3, n): z, the stages less the state
+    waves: NumberRows  # (3, n): w, the same transformed
+    slopes: NumberRows  # (3, n)
+    last: NumberRows  # (4, n): state and interpolant of the step before
+    real_change: Numbers  # (n,): the right-hand side and the solution of a system
+    pair_change: Pairs  # (n,)
+    guess: Numbers  # (n,)
+
+
+# The tables' parts, in their order; `Newton` is there for the implicit method only.
+RUN = (Method, Problem, Memory, Progress, Constraints, Watch, Beginning, Newton)
+PROJECTION = (Projection,)
+COLUMNS = 3  # a row of a table: address, length, and the number of columns
+
+
+def first_row(parts: Sequence[Any], kind: Any) -> int:
+    """Return the first row of one part of a table."""
+    return sum(len(part._fields) for part in parts[: parts.index(kind)])

@@ -3,40 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any
 
-import numpy as np
+from numba import types
+from numba.extending import overload
 
 from pydy.solvers.compiled import inlined
 from pydy.solvers.intrinsics import address_of, call_kernel
-from pydy.solvers.layout import EVALUATIONS, JACOBIANS, STATES
+from pydy.solvers.layout import EVALUATIONS, GRADIENT, JACOBIANS, STATES
 from pydy.solvers.rates import rates, set_inputs
 
-# Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
-# is wanted, the one there is that of the present state, the factors there are its own, and no step
-# has been accepted since the last rejected one.
-GRADIENT, WANTED, FRESH, FACTORISED, FIRST = range(5)
-# Newton.sizes: the step sizes of the factors and of the polynomial that predicts the next stages.
-FACTORED, PREDICTING = range(2)
-
-__all__ = ["Newton", "factorise", "norm", "set_jacobian", "solve"]
-
-
-class Newton(NamedTuple):
-    """What an implicit step works with."""
-
-    words: np.ndarray  # int64
-    sizes: np.ndarray
-    c: np.ndarray
-    jacobian: np.ndarray  # (n, n), row after row
-    real: np.ndarray  # (n, n)
-    pair: np.ndarray  # (n, n) complex
-    real_order: np.ndarray  # int64
-    pair_order: np.ndarray  # int64
-    stages: np.ndarray  # (3, n): z, the stages less the state
-    waves: np.ndarray  # (3, n): w, the same transformed
-    slopes: np.ndarray  # (3, n)
-    last: np.ndarray  # (4, n): state and interpolant of the step before
+__all__ = ["factorise", "norm", "set_jacobian", "solve"]
 
 
 @inlined(pasted=True)
@@ -71,6 +48,27 @@ def set_jacobian(problem, memory, run, newton, t):
     return 0
 
 
+def _quotient(a: Any, b: Any) -> Any:
+    """Return a / b: numba's own division of complex numbers may raise an exception."""
+
+
+@overload(_quotient, inline="always")
+def _overload_quotient(a, b):
+    if not isinstance(b, types.Complex):
+        return lambda a, b: a / b
+
+    def divide(a, b):
+        if abs(b.real) >= abs(b.imag):
+            ratio = b.imag / b.real
+            total = b.real + b.imag * ratio
+            return complex((a.real + a.imag * ratio) / total, (a.imag - a.real * ratio) / total)
+        ratio = b.real / b.imag
+        total = b.real * ratio + b.imag
+        return complex((a.real * ratio + a.imag) / total, (a.imag * ratio - a.real) / total)
+
+    return divide
+
+
 @inlined
 def factorise(matrix, order):
     """Factorise a square matrix in place, with row pivots; False if it is singular."""
@@ -87,7 +85,7 @@ def factorise(matrix, order):
         if pivot != k:
             for j in range(n):
                 matrix[k, j], matrix[pivot, j] = matrix[pivot, j], matrix[k, j]
-        inverse = 1.0 / matrix[k, k]
+        inverse = _quotient(1.0, matrix[k, k])
         for i in range(k + 1, n):
             if matrix[i, k] != 0.0:
                 factor = matrix[i, k] * inverse
@@ -114,7 +112,7 @@ def solve(matrix, order, right):
         value = right[i]
         for j in range(i + 1, n):
             value -= matrix[i, j] * right[j]
-        right[i] = value / matrix[i, i]
+        right[i] = _quotient(value, matrix[i, i])
 
 
 @inlined(reassociate=True)

@@ -13,9 +13,13 @@ import math
 
 import numpy as np
 
-from pydy.solvers.compiled import inlined, part
-from pydy.solvers.constraints import NEARLY_SINGULAR, ROUNDINGS
-from pydy.solvers.entrance import opened_constraints, opened_problem, opened_progress
+from pydy.solvers.compiled import entry, inlined
+from pydy.solvers.entrance import (
+    opened_constraints,
+    opened_problem,
+    opened_progress,
+    opened_projection,
+)
 from pydy.solvers.intrinsics import address_of, call_kernel, numbers_at
 from pydy.solvers.layout import (
     COORDINATES,
@@ -24,6 +28,7 @@ from pydy.solvers.layout import (
     PROJECTIONS,
     PROJECTOR,
     RANK,
+    SCRATCH,
     SPEEDS,
     STATES,
     VELOCITY,
@@ -33,6 +38,7 @@ from pydy.solvers.layout import (
 )
 from pydy.solvers.outcome import CONSTRAINTS_NOT_MET
 from pydy.solvers.rates import set_inputs
+from pydy.solvers.tuning import NEARLY_SINGULAR, ROUNDINGS
 
 __all__ = ["project"]
 
@@ -85,21 +91,21 @@ def _divide_transposed(factor, y):
         y[i] = value / factor[i, i]
 
 
-@inlined(allocates=True)
-def _minimum_norm(rows, right):
-    """Return the least y with ``rows @ y = right``; `right` keeps what no y can reach.
+@inlined
+def _minimum_norm(rows, projection):
+    """Compute ``step``, the least y with ``rows @ y = right``; ``right`` keeps what no y can reach.
 
-    Rows are scaled to unit length and orthogonalised, the longest first; both arrays are
-    overwritten. Also returned are the lengths of the rows as they came, and what orthogonalisation
-    left of them: 0 for redundant ones.
+    Rows are scaled to unit length and orthogonalised, the longest first, and overwritten.
+    ``lengths`` are those of the rows as they came, and ``kept`` what orthogonalisation left of
+    them: 0 for redundant ones.
     """
     m, n = rows.shape
-    y = np.zeros(n)
-    lengths, kept = np.zeros(m), np.zeros(m)
-    scale = np.empty(m)
-    left = np.empty(m, dtype=np.bool_)
+    y, right, scale, left = projection.step, projection.right, projection.scale, projection.left
+    lengths, kept = projection.lengths, projection.kept
+    for k in range(n):
+        y[k] = 0.0
     for i in range(m):
-        scale[i], left[i] = 1.0, True
+        scale[i], left[i], lengths[i], kept[i] = 1.0, 1, 0.0, 0.0
         norm = 0.0
         for k in range(n):
             norm += rows[i, k] * rows[i, k]
@@ -112,7 +118,7 @@ def _minimum_norm(rows, right):
     for _ in range(m):
         pivot, longest = -1, _DEPENDENT * _DEPENDENT
         for i in range(m):
-            if left[i]:
+            if left[i] == 1:
                 norm = 0.0
                 for k in range(n):
                     norm += rows[i, k] * rows[i, k]
@@ -120,7 +126,7 @@ def _minimum_norm(rows, right):
                     pivot, longest = i, norm
         if pivot < 0:
             break
-        left[pivot] = False
+        left[pivot] = 0
         length = math.sqrt(longest)
         kept[pivot] = length * lengths[pivot]
         z = right[pivot] / length
@@ -129,7 +135,7 @@ def _minimum_norm(rows, right):
             rows[pivot, k] /= length
             y[k] += z * rows[pivot, k]
         for i in range(m):
-            if left[i]:
+            if left[i] == 1:
                 along = 0.0
                 for k in range(n):
                     along += rows[i, k] * rows[pivot, k]
@@ -138,35 +144,30 @@ def _minimum_norm(rows, right):
                     rows[i, k] -= along * rows[pivot, k]
     for i in range(m):
         right[i] /= scale[i]
-    return y, lengths, kept
 
 
-@inlined(allocates=True)
-def _table(values, start, m, n):
-    table = np.empty((m, n))
-    for i in range(m):
-        for k in range(n):
-            table[i, k] = values[start + i * n + k]
-    return table
+@inlined
+def _copy_table(values, start, table):
+    for i in range(table.shape[0]):
+        for k in range(table.shape[1]):
+            table[i, k] = values[start + i * table.shape[1] + k]
 
 
-@inlined(allocates=True)
-def _negative(values, start, m):
-    vector = np.empty(m)
+@inlined
+def _copy_negative(values, start, m, vector):
     for i in range(m):
         vector[i] = -values[start + i]
-    return vector
 
 
 @inlined(pasted=True)
-def _watch(seen, t, x, lengths, kept):
+def _watch(seen, t, x, lengths, kept, v):
     """Note where the rows were nearest to losing rank, or first came very near to it.
 
     Rows are measured by the longest they have been: one that vanishes has lost its part too.
     """
     longest = WHERE + x.size
     rank, nearness = 0, 1.0
-    for i in range(kept.size):
+    for i in range(v):
         seen[longest + i] = max(seen[longest + i], lengths[i])
         if kept[i] > 0.0:
             rank += 1
@@ -181,12 +182,15 @@ def _watch(seen, t, x, lengths, kept):
             seen[WHERE + i] = x[i]
 
 
-@part("int64")
+@entry("int64(int64, float64, int64)")
 def project(table, t, place):
     """Move the state at an address onto the constraints; 0, or CONSTRAINTS_NOT_MET."""
     problem, constraints = opened_problem(table), opened_constraints(table)
-    (_, counts), x = opened_progress(table), numbers_at(place, problem.words[STATES])
+    counts, x = opened_progress(table).counts, numbers_at(place, problem.words[STATES])
     words, values = constraints.words, constraints.values
+    projection = opened_projection(words[SCRATCH])
+    factor, kinematics, gradient = projection.factor, projection.kinematics, projection.gradient
+    rows, velocity, step = projection.holonomic, projection.velocity, projection.step
     h, v, q, u = words[HOLONOMIC], words[VELOCITY], words[COORDINATES], words[SPEEDS]
     at_gradient = h + v
     at_kinematics = at_gradient + h * q
@@ -196,9 +200,9 @@ def project(table, t, place):
     at_worst = at_rounding + h
     set_inputs(problem, t)
     counts[PROJECTIONS] += 1
-    factor = np.zeros((u, u))
     for i in range(u):
-        factor[i, i] = 1.0
+        for k in range(u):
+            factor[i, k] = 1.0 if i == k else 0.0
     before = np.inf
     for iteration in range(_ITERATIONS):
         code = call_kernel(
@@ -224,14 +228,13 @@ def project(table, t, place):
             return CONSTRAINTS_NOT_MET
         before = worst
         if words[WEIGHTED] == 1:
-            factor = _table(values, at_mass, u, u)
+            _copy_table(values, at_mass, factor)
             _factor(factor)
-        kinematics = _table(values, at_kinematics, q, u)
-        gradient = _table(values, at_gradient, h, q)
-        rows = np.zeros((h, u))
+        _copy_table(values, at_kinematics, kinematics)
+        _copy_table(values, at_gradient, gradient)
         for i in range(h):
             for k in range(u):
-                size = 0.0
+                rows[i, k] = size = 0.0
                 for j in range(q):
                     term = gradient[i, j] * kinematics[j, k]
                     rows[i, k] += term
@@ -239,28 +242,29 @@ def project(table, t, place):
                 if abs(rows[i, k]) <= 4.0 * q * _EPS * size:
                     rows[i, k] = 0.0  # nothing but rounding, as in the norm of a quaternion
         _divide_rows(rows, factor)
-        right = _negative(values, 0, h)
-        step, _, _ = _minimum_norm(rows, right)
+        _copy_negative(values, 0, h, projection.right)
+        _minimum_norm(rows, projection)
         _divide_transposed(factor, step)
         for j in range(q):
             for k in range(u):
                 x[j] += kinematics[j, k] * step[k]
         rest = 0.0
         for i in range(h):
-            rest = max(rest, abs(right[i]))
+            rest = max(rest, abs(projection.right[i]))
         if rest > 0.0:  # rows that no speed reaches, and redundant ones
-            step, _, _ = _minimum_norm(gradient, right)
+            _minimum_norm(gradient, projection)
             for j in range(q):
                 x[j] += step[j]
     if v > 0:
         if words[WEIGHTED] == 1:
-            factor = _table(values, at_mass, u, u)
+            _copy_table(values, at_mass, factor)
             _factor(factor)
-        rows = _table(values, at_velocity, v, u)
-        _divide_rows(rows, factor)
-        step, lengths, kept = _minimum_norm(rows, _negative(values, h, v))
+        _copy_table(values, at_velocity, velocity)
+        _divide_rows(velocity, factor)
+        _copy_negative(values, h, v, projection.right)
+        _minimum_norm(velocity, projection)
         _divide_transposed(factor, step)
         for k in range(u):
             x[q + k] += step[k]
-        _watch(values[at_worst:], t, x, lengths, kept)
+        _watch(values[at_worst:], t, x, projection.lengths, projection.kept, v)
     return 0

@@ -25,10 +25,9 @@ def interval_of(knots, s, guess):
     return low
 
 
-@inlined
-def set_inputs(problem, t):
-    """Set the kernel's time, and the sampled inputs of that time; their end values are held."""
-    problem.clock[0] = t
+@inlined(apart=True)
+def _sample(problem, t):
+    """Set the sampled inputs of a time; their end values are held."""
     tables = problem.tables
     for k in range(tables.shape[0]):
         first, number = tables[k, 1], tables[k, 2]
@@ -39,6 +38,14 @@ def set_inputs(problem, t):
         s -= knots[low]
         a = problem.cubics[first + low]
         problem.r[tables[k, 0]] = a[0] + s * (a[1] + s * (a[2] + s * a[3]))
+
+
+@inlined
+def set_inputs(problem, t):
+    """Set the kernel's time, and the sampled inputs of that time."""
+    problem.clock[0] = t
+    if problem.tables.shape[0] > 0:
+        _sample(problem, t)
 
 
 @inlined

@@ -162,7 +162,7 @@ class Solver:
         [0.877583, 1.755165]
         """
         with whole:
-            from pydy.solvers.integration import Integration  # numba is loaded here
+            from pydy.solvers.integration import Integration
 
         if not callable(f):
             raise TypeError(f"`f` must be a function f(x, t), got {f!r}.")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pydy.solvers.compiled import inlined, part
+from pydy.solvers.compiled import entry, inlined
 from pydy.solvers.entrance import (
     opened_memory,
     opened_method,
@@ -76,7 +76,7 @@ def _locate(method, problem, memory, watch, t, h, low, high, event):
     return high
 
 
-@part("float64")
+@entry("int64(int64, float64, float64)")
 def scan_events(table, t, h):
     """Look for events in the step just taken.
 
@@ -84,8 +84,8 @@ def scan_events(table, t, h):
     ``state[FOUND]`` is the θ up to which the step counts.
     """
     method, problem, memory = opened_method(table), opened_problem(table), opened_memory(table)
-    watch = opened_watch(table, problem.words[STATES])
-    state, counts = opened_progress(table)
+    watch, progress = opened_watch(table), opened_progress(table)
+    state, counts = progress.state, progress.counts
     number, n = watch.words[EVENTS], problem.words[STATES]
     values, sides = watch.values, watch.sides
     left = 0.0

@@ -10,9 +10,19 @@ import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers import layout as at
-from pydy.solvers.entrance import rows_of, table_of
+from pydy.solvers import shipped
 from pydy.solvers.interrupts import Interrupts
-from pydy.solvers.layout import Constraints, Memory, Method, Problem, Run, Watch
+from pydy.solvers.layout import (
+    Beginning,
+    Constraints,
+    Memory,
+    Method,
+    Newton,
+    Problem,
+    Progress,
+    Projection,
+    Watch,
+)
 from pydy.solvers.methods import IMPLICIT, method_arrays
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import STEP_UNDERFLOW
@@ -27,19 +37,20 @@ from pydy.solvers.problem import (
     lined_up,
     watch_arrays,
 )
+from pydy.solvers.table import rows_of, table_of
 
 __all__ = ["Workspace"]
 
 _LOG = 256  # events between two visits in Python
 
 # Compiled code neither reads nor writes these any further.
-_NO_CONSTRAINTS = Constraints(np.zeros(8, dtype=np.int64), np.zeros(1), np.zeros(1))
+_NO_CONSTRAINTS = Constraints(np.zeros(9, dtype=np.int64), np.zeros(1), np.zeros(1))
 _NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), 1, 0)
 _NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
 
 
 @cache
-def _method_rows(method: str, length: int) -> list[tuple[int, int]]:
+def _method_rows(method: str, length: int) -> list[int]:
     return rows_of(method_arrays(method, length))
 
 
@@ -60,9 +71,9 @@ class Workspace:
     seen : ndarray
         The part of ``constraints.values`` that the projection notes something in.
     watch : Watch
-    progress : Run
-    beginning : (ndarray, ndarray)
-        The state and the counts of `progress` from which each run begins.
+    progress : Progress
+    beginning : Beginning
+        From what `progress` is at the beginning of each run.
     place : int
         The address of the table.
     """
@@ -90,9 +101,8 @@ class Workspace:
         state[at.TIME], state[at.LARGEST] = times[0], options.max_step
         state[at.SIZE] = options.first_step or options.step or 0.0
         count[at.LIMIT], count[at.FAILURE] = options.max_steps, STEP_UNDERFLOW
-        self.beginning = state, count
-        run = Run(state.copy(), count.copy(), np.ascontiguousarray(times), np.zeros(0))
-        self.progress = run
+        self.beginning = Beginning(state, count)
+        self.progress = Progress(state.copy(), count.copy(), np.ascontiguousarray(times))
         further = self._reserve_newton() if method == IMPLICIT else []
         self._table = table_of(
             _method_rows(method, len(self.memory.x)),
@@ -157,7 +167,7 @@ class Workspace:
             first += count * length
         memory = Memory(*[flat[place : place + size] for place, size in places])
         start = address(flat)
-        self._memory_rows = [(start + 8 * place, size) for place, size in places]
+        self._memory_rows = [n for place, size in places for n in (start + 8 * place, size, 1)]
         try:
             memory.rtol[:n], memory.atol[:n] = self.options.rtol, self.options.atol
         except ValueError:
@@ -172,14 +182,29 @@ class Workspace:
         wanted = self.options.constraints
         if wanted is None:
             return _NO_CONSTRAINTS
-        from pydy.solvers.projecting import project
-
-        words = np.zeros(8, dtype=np.int64)
-        words[at.ACTIVE], words[at.PROJECT] = 1, project.address
+        words = np.zeros(9, dtype=np.int64)
+        words[at.ACTIVE], words[at.PROJECT] = 1, shipped.address_of("project")
         words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
         words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
         words[at.COORDINATES], words[at.SPEEDS] = wanted.coordinates, wanted.speeds
         words[at.WEIGHTED] = wanted.weighted
+        h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
+        some = max(h, v)
+        self._projection = Projection(
+            factor=np.zeros((u, u)),
+            kinematics=np.zeros((q, u)),
+            gradient=np.zeros((h, q)),
+            holonomic=np.zeros((h, u)),
+            velocity=np.zeros((v, u)),
+            step=np.zeros(max(q, u)),
+            right=np.zeros(some),
+            scale=np.zeros(some),
+            left=np.zeros(some, dtype=np.int64),
+            lengths=np.zeros(some),
+            kept=np.zeros(some),
+        )
+        self._scratch = table_of(rows_of(self._projection))
+        words[at.SCRATCH] = address(self._scratch)
         size = sum(b.stop - b.start for b in wanted.kernel.program.blocks)
         values = np.zeros(size + at.WHERE + self.n + wanted.velocity)
         self.seen = values[size:]
@@ -189,19 +214,15 @@ class Workspace:
         wanted = self.options.events
         if wanted is None:
             return _NO_EVENTS
-        from pydy.solvers.watching import scan_events
-
         number = len(wanted.names)
         place, c = self._bind_kernel(wanted.values)
         stops = zip(wanted.terminal, wanted.resets, strict=True)
         acting = [end or reset is not None for end, reset in stops]
         rows = _LOG if number else 0
-        scan = scan_events.address
+        scan = shipped.address_of("scan_events")
         return watch_arrays((place, scan), c, wanted.directions, acting, self.n, rows)
 
-    def _reserve_newton(self) -> list[tuple[int, int]]:
-        from pydy.solvers.newton import Newton
-
+    def _reserve_newton(self) -> list[int]:
         n, call = self.n, self.call
         words, c = np.zeros(5, dtype=np.int64), np.zeros(1)
         if call is not None and call.jacobian is not None:
@@ -219,5 +240,8 @@ class Workspace:
             waves=np.zeros((3, n)),
             slopes=np.zeros((3, n)),
             last=np.zeros((4, n)),
+            real_change=np.zeros(n),
+            pair_change=np.zeros(n, dtype=complex),
+            guess=np.zeros(n),
         )
         return rows_of(self._newton)

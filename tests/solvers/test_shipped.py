@@ -1,0 +1,154 @@
+"""The compiled loops that the package ships: what they are made from, when they are compiled."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+import solvers_ir
+
+from pydy.models import multi_mass_spring_damper
+from pydy.solvers import shipped
+from pydy.solvers.solver import SOLVERS
+
+ENTRIES = sorted(solvers_ir.ENTRIES)
+
+
+def run(code, **environment):
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **environment},
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()
+
+
+# -- numba ----------------------------------------------------------------------------------------
+
+EVERYTHING = """
+import sys
+sys.modules["numba"] = None  # importing it is an error
+sys.path[:0] = {path!r}
+from cases import system_of
+from zoo import fourbar
+from pydy.models import multi_mass_spring_damper
+from pydy.solvers import Event
+from pydy.solvers.solver import SOLVERS
+
+chain, linkage = multi_mass_spring_damper(), system_of(fourbar())
+x, v = chain.states
+for system in (chain, linkage):
+    system.times = [0.0, 0.1, 0.2]
+for name, solver in SOLVERS.items():
+    accuracy = {{"rtol": 1e-6}} if solver.adaptive else {{"step": 0.01}}
+    chain.ode_solver = linkage.ode_solver = name
+    chain.initial_conditions = {{x: 0.1}}
+    chain.integrate(events=[Event(x - 0.05)], **accuracy)
+    linkage.integrate(constraints="project", **accuracy)
+    solver(lambda x, t: -x, [1.0], [0.0, 1.0], **accuracy)
+    if name != "radau":
+        chain.integrate_ensemble(initial_conditions={{v: [1.0, 2.0]}}, ode_solver=name, **accuracy)
+del sys.modules["numba"]
+print([name for name in sys.modules if name.split(".")[0] == "numba"])
+"""
+
+
+def test_no_solver_event_projection_or_ensemble_needs_numba():
+    tests = str(Path(__file__).parents[1])
+    assert run(EVERYTHING.format(path=[tests]))[-1] == "[]"
+
+
+# -- what is shipped ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_ir_is_made_from_the_sources_as_they_are(name):
+    assert solvers_ir.recorded(name) == solvers_ir.digest(name), "run `make solvers-ir`"
+
+
+def test_there_is_ir_for_each_entry_and_for_nothing_else():
+    assert sorted(path.stem for path in solvers_ir.IR.iterdir()) == ENTRIES
+
+
+@pytest.mark.parametrize("name", ENTRIES)
+def test_the_ir_is_for_no_processor_and_needs_nothing_but_libm(name):
+    text = (solvers_ir.IR / f"{name}.ll").read_text(encoding="utf-8")
+    assert not re.search(r"^target |target-cpu|target-features", text, flags=re.MULTILINE)
+    called = set(re.findall(r"^declare [^@]*@([\w.]+)", text, flags=re.MULTILINE))
+    assert {f for f in called if not f.startswith("llvm.")} <= solvers_ir.LIBRARY
+    assert not re.search(r"inttoptr \(i64 \d", text)  # an address of the process that wrote it
+    assert not solvers_ir.PICKLE.search(text)  # an exception
+    outside = re.findall(r"^define (?!internal)[^@]*@([\w.]+)", text, flags=re.MULTILINE)
+    assert outside == [name]
+
+
+def test_the_digest_depends_on_every_module_that_compiled_code_is_made_of(tmp_path, monkeypatch):
+    names = {path.name for path in solvers_ir.sources("advance")}
+    assert {"explicit.py", "runge_kutta.py", "rates.py", "layout.py", "solvers_ir.py"} <= names
+    assert not {"implicit.py", "lanes.py", "integration.py"} & names
+
+    monkeypatch.setattr(solvers_ir, "SRC", tmp_path / "src")
+    shutil.copytree(Path(solvers_ir.IR).parent, tmp_path / "src" / "pydy" / "solvers")
+    shutil.copytree(Path(solvers_ir.__file__).parent, tmp_path / "tools")
+    monkeypatch.setattr(solvers_ir, "__file__", str(tmp_path / "tools" / "solvers_ir.py"))
+    first = solvers_ir.digest("advance")
+    far = tmp_path / "src" / "pydy" / "solvers" / "rates.py"
+    far.write_text(far.read_text(encoding="utf-8") + "\n", encoding="utf-8")
+    assert solvers_ir.digest("advance") != first
+
+
+# -- at first use ---------------------------------------------------------------------------------
+
+
+ASK = "from pydy.solvers import shipped; print(shipped.address_of('evaluate_lanes') != 0)"
+EXPLICIT = (
+    "from pydy.solvers import dop853; print(dop853(lambda x, t: -x, [1.0], [0.0, 1.0]).shape)"
+)
+
+
+def test_an_entry_is_compiled_once_and_kept(tmp_path):
+    assert run(ASK, PYDY_CACHE_DIR=str(tmp_path)) == ["True"]
+    (entry,) = tmp_path.glob("*.code")
+    entry.touch()
+    before = entry.stat().st_ino
+    assert run(ASK, PYDY_CACHE_DIR=str(tmp_path)) == ["True"]
+    assert [path.stat().st_ino for path in tmp_path.glob("*.code")] == [before]
+
+
+def test_an_explicit_method_compiles_its_own_loop_and_the_way_into_it(tmp_path):
+    run(EXPLICIT, PYDY_CACHE_DIR=str(tmp_path))
+    assert len(list(tmp_path.glob("*.code"))) == 2
+
+
+@pytest.mark.parametrize("share", [0.0, 0.5])
+def test_a_damaged_entry_is_compiled_again(tmp_path, share):
+    run(ASK, PYDY_CACHE_DIR=str(tmp_path))
+    (entry,) = tmp_path.glob("*.code")
+    whole = entry.read_bytes()
+    entry.write_bytes(whole[: int(share * len(whole))])
+    assert run(ASK, PYDY_CACHE_DIR=str(tmp_path)) == ["True"]
+    assert entry.read_bytes() == whole
+
+
+def test_without_a_cache_nothing_is_left(tmp_path):
+    assert run(ASK, PYDY_CACHE_DIR="off", XDG_CACHE_HOME=str(tmp_path)) == ["True"]
+    assert not list(tmp_path.rglob("*.code"))
+
+
+def test_a_run_is_the_same_where_numpys_arrays_are_laid_out_otherwise(monkeypatch):
+    system = multi_mass_spring_damper()
+    system.times, system.initial_conditions = [0.0, 1.0, 2.0], {system.states[0]: 1.0}
+    for name, solver in SOLVERS.items():
+        accuracy = {"rtol": 1e-6} if solver.adaptive else {"step": 0.01}
+        system.ode_solver = name
+        expected = system.integrate(**accuracy)
+        with monkeypatch.context() as patch:
+            patch.setattr(shipped, "FITS", False)
+            np.testing.assert_array_equal(system.integrate(**accuracy), expected)
