@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 from harness import frozen
 from harness.program import assembly_of
 
-from pydy import _programs
+from pydy._graph import accelerations
 from pydy._graph.passes import Passes
 
 # Operations at every call in M and F, and with the solve for the accelerations; the last column
@@ -66,8 +66,8 @@ def test_the_change_of_unknowns_can_be_switched_off(name, monkeypatch):
     def never(*_):
         raise AssertionError("the unknowns were changed")
 
-    monkeypatch.setattr(_programs, "body_basis", never)
-    monkeypatch.setattr(_programs, "difference_basis", never)
+    monkeypatch.setattr(accelerations, "body_basis", never)
+    monkeypatch.setattr(accelerations, "difference_basis", never)
     for passes in (Passes(rebase=False), Passes.none()):
         assembly = assembly_of(model, passes=passes)
         assert assembly.mass_matrix in solved_matrices(assembly)
