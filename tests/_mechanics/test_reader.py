@@ -4,9 +4,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+import mechanisms
 from pydy._eom.kane import multibody_of_kane
 from pydy._mechanics.form import form
-from pydy._mechanics.reader import check_bodies, read_loads
+from pydy._mechanics.reader import Tree, check_bodies, read_loads
 from pydy.system import System
 
 T = me.dynamicsymbols._t
@@ -95,3 +96,11 @@ def test_a_method_without_kinematic_equations_is_refused():
     kane = me.KanesMethod(frame, [q], [u], bodies=[me.Particle("p", point, 1)])
     with pytest.raises(ValueError, match=r"no kinematic differential equations.*`kd_eqs=`"):
         System(kane)
+
+
+def test_a_velocity_whose_components_are_speeds_is_not_replaced_by_the_rate_of_its_place():
+    model = mechanisms.satellite()
+    centre, tip = (body.masscenter for body in model.kane.bodies)
+    ways = Tree(model.kane._inertial).paths([centre, tip])
+    assert ways[centre] == (None, ())
+    assert ways[tip][0] is centre

@@ -248,3 +248,11 @@ def test_a_scene_is_drawn_from_the_same_bodies(tmp_path):
     scene.animate(system.times, np.full((5, 6), 0.2))
     scene.to_html(tmp_path / "page.html")
     assert (tmp_path / "page.html").stat().st_size > 1000
+
+
+@pytest.mark.parametrize(("name", "most"), [("satellite", 280)])
+def test_speeds_in_body_axes_cost_no_more_operations_than_they_did(name, most):
+    system = System(undone(name).kane)
+    system.generate_ode_function()
+    count = system._current().compiled("rates").program.operation_count["run"]
+    assert sum(count.values()) <= most

@@ -234,8 +234,8 @@ class Tree:
         """Return for each point another one and the vectors from there, (None, ()) for roots.
 
         The vectors lead to a point whose motion is known without this one's: a given velocity can
-        then be compared with that of the place. A point without one hangs on the nearest that has
-        one, as in SymPy.
+        then be compared with that of the place. None is shorter than one whose components are
+        speeds: that is a root. A point without one hangs on the nearest that has one, as in SymPy.
 
         Raises
         ------
@@ -269,7 +269,7 @@ class Tree:
             while point is not None and point not in found:
                 if nearest[point] is not None:
                     found[point] = hung(point)
-                elif above[point] is None:
+                elif above[point] is None or _of_speeds(self.velocity(point)):
                     found[point] = None, ()
                 else:
                     found[point] = self._structural(point, above, rank, nearest, hung)
@@ -376,6 +376,13 @@ def _breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
 
 def _component(points: Sequence[Any]) -> list[Any]:
     return list(_breadth_first_from(points))
+
+
+def _of_speeds(vector: Any) -> bool:
+    """Return whether the components in one frame are single functions of time, or zero."""
+    return len(vector.args) == 1 and all(
+        part == 0 or isinstance(part, AppliedUndef) for part in vector.args[0][0]
+    )
 
 
 def _length(vector: Any) -> float:
