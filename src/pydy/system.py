@@ -82,9 +82,11 @@ class System:
 
     Parameters
     ----------
-    eom_method : sympy.physics.mechanics.KanesMethod
-        Either ``kanes_equations()`` has been called, or it has bodies and loads, from which the
-        equations of motion are then formed, in a fraction of the time.
+    eom_method : sympy.physics.mechanics.KanesMethod or LagrangesMethod
+        A KanesMethod either with ``kanes_equations()`` called, or with bodies and loads, from which
+        the equations of motion are then formed, in a fraction of the time. Those of a
+        LagrangesMethod, which must not have constraints, are formed from its Lagrangian; its
+        speeds are the derivatives of the coordinates.
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional
@@ -107,13 +109,14 @@ class System:
     specifieds_symbols : iterable of functions of time, optional
         Skips the search for specifieds in the equations.
     equations : {'graph', 'method'}, optional
-        Where the equations of motion come from: formed from the bodies and loads, or those that
-        ``kanes_equations()`` derived. By default the latter where that has been called.
+        Where the equations of motion come from: formed from the bodies and loads, or from the
+        Lagrangian; or those that ``kanes_equations()`` or ``form_lagranges_equations()`` derived.
+        By default the method's of a KanesMethod where they have been derived, else the graph's.
 
     Raises
     ------
     TypeError
-        `eom_method` is not a KanesMethod.
+        `eom_method` is neither a KanesMethod nor a LagrangesMethod.
     ValueError
         A value or a symbol does not fit; the message names the argument.
 

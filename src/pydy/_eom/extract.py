@@ -5,10 +5,11 @@ from __future__ import annotations
 from functools import singledispatch
 from typing import Any
 
-from sympy.physics.mechanics import KanesMethod
+from sympy.physics.mechanics import KanesMethod, LagrangesMethod
 
 from pydy._eom.equations import Equations
 from pydy._eom.kane import equations_of_kane
+from pydy._eom.lagrange import equations_of_lagrange
 
 __all__ = ["extract"]
 
@@ -29,9 +30,10 @@ def extract(eom_method: Any, source: str | None = None) -> Equations:
         There is no reader for an object of this type.
     """
     raise TypeError(
-        "`eom_method` must be a sympy.physics.mechanics.KanesMethod, "
+        "`eom_method` must be a KanesMethod or LagrangesMethod of sympy.physics.mechanics, "
         f"got an object of type {type(eom_method).__name__}."
     )
 
 
 extract.register(KanesMethod, equations_of_kane)
+extract.register(LagrangesMethod, equations_of_lagrange)

@@ -15,7 +15,7 @@ from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.reader import Multibody
 
-__all__ = ["Formed", "auxiliary_equations", "form", "forms"]
+__all__ = ["Formed", "auxiliary_equations", "form", "forms", "moving"]
 
 
 @dataclass(eq=False)
@@ -123,7 +123,7 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
         Whether velocities of points are written in the frames of the bodies; else in the inertial
         frame.
     """
-    kinematics = _moving(body, in_bodies)
+    kinematics = moving(body, in_bodies)
     inertias, loads = loads_and_inertias(kinematics)
     g, speeds, read = kinematics.graph, kinematics.speeds, kinematics.read
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
@@ -160,7 +160,7 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
 
 def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
     """Return what is zero for each auxiliary speed: its active less its inertia force."""
-    kinematics = _moving(body, in_bodies=True, auxiliary=True)
+    kinematics = moving(body, in_bodies=True, auxiliary=True)
     inertias, loads = loads_and_inertias(kinematics)
     g, n = kinematics.graph, len(kinematics.speeds)
     every = [*kinematics.speeds, *kinematics.auxiliary]
@@ -211,7 +211,7 @@ def _kinetic(kinematics: Kinematics, inertias: Sequence[Inertia]) -> int:
     return g.sum(terms)
 
 
-def _moving(body: Multibody, in_bodies: bool, *, auxiliary: bool = False) -> Kinematics:
+def moving(body: Multibody, in_bodies: bool, *, auxiliary: bool = False) -> Kinematics:
     """Return the kinematics with all points placed and velocities of the user's honoured."""
     honoured: set[Any] = set()
     while True:

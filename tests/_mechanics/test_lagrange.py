@@ -1,0 +1,178 @@
+"""Lagrange's equations formed on the graph, against SymPy's and against Kane's."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from cases import close
+from pydy.system import System
+
+T = me.dynamicsymbols._t
+
+
+def links(n):
+    """A chain of pendulums."""
+    q = me.dynamicsymbols(f"q0:{n}")
+    m, l, g = sm.symbols(f"m0:{n}"), sm.symbols(f"l0:{n}"), sm.Symbol("g")
+    x = y = energy = sm.S.Zero
+    for k in range(n):
+        x, y = x + l[k] * sm.sin(q[k]), y - l[k] * sm.cos(q[k])
+        energy += m[k] * (x.diff(T) ** 2 + y.diff(T) ** 2) / 2 - m[k] * g * y
+    return me.LagrangesMethod(energy, q)
+
+
+def pushed_cart():
+    """A pendulum on a cart with a driver's force, friction and a torque on the rod."""
+    x, angle, push = me.dynamicsymbols("x theta P")
+    m, M, l, g, c, k = sm.symbols("m M l g c k")
+    ground, rod = me.ReferenceFrame("N"), me.ReferenceFrame("R")
+    rod.orient_axis(ground, ground.z, angle)
+    origin = me.Point("O")
+    origin.set_vel(ground, 0)
+    cart = origin.locatenew("C", x * ground.x)
+    cart.set_vel(ground, x.diff(T) * ground.x)
+    bob = cart.locatenew("B", -l * rod.y)
+    bob.v2pt_theory(cart, ground, rod)
+    bodies = [me.Particle("cart", cart, M), me.Particle("bob", bob, m)]
+    bodies[0].potential_energy = k * x**2 / 2
+    bodies[1].potential_energy = m * g * bob.pos_from(origin).dot(ground.y)
+    loads = [
+        (cart, (push - c * x.diff(T)) * ground.x),
+        (rod, -c * angle.diff(T) * ground.z),
+        (bob, push * sm.sin(T) * rod.x),
+    ]
+    lagrangian = me.Lagrangian(ground, *bodies)
+    return me.LagrangesMethod(lagrangian, [x, angle], forcelist=loads, frame=ground)
+
+
+def shaken_pendulum():
+    """A pendulum whose pivot moves as prescribed, with a length that depends on time."""
+    angle, height = me.dynamicsymbols("theta h")
+    m, l, g = sm.symbols("m l g")
+    reach = l * (1 + sm.cos(T) / 5)
+    x, y = reach * sm.sin(angle), height - reach * sm.cos(angle)
+    energy = m * (x.diff(T) ** 2 + y.diff(T) ** 2) / 2 - m * g * y
+    return me.LagrangesMethod(energy, [angle])
+
+
+def spherical_pendulum():
+    theta, phi = me.dynamicsymbols("theta phi")
+    m, l, g = sm.symbols("m l g")
+    kinetic = m * l**2 * (theta.diff(T) ** 2 + sm.sin(theta) ** 2 * phi.diff(T) ** 2) / 2
+    return me.LagrangesMethod(kinetic + m * g * l * sm.cos(theta), [theta, phi])
+
+
+def charge_in_a_field():
+    """L is linear in the velocity too, with a force that depends on the acceleration."""
+    x, y = me.dynamicsymbols("x y")
+    m, b, a = sm.symbols("m b a")
+    ground, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(ground, x.diff(T) * ground.x + y.diff(T) * ground.y)
+    kinetic = m * (x.diff(T) ** 2 + y.diff(T) ** 2) / 2
+    magnetic = b * (x * y.diff(T) - y * x.diff(T)) * (x**2 + 1)
+    loads = [(point, -a * x.diff(T, 2) * ground.x)]
+    return me.LagrangesMethod(kinetic + magnetic, [x, y], forcelist=loads, frame=ground)
+
+
+MODELS = [lambda: links(1), lambda: links(3), pushed_cart, shaken_pendulum, spherical_pendulum]
+MODELS += [charge_in_a_field]
+
+
+def random_numbers(system, seed):
+    rng = np.random.default_rng(seed)
+    constants = {s: rng.uniform(0.5, 2.0) for s in system.constants_symbols}
+    return constants, rng.uniform(-1.0, 1.0, system.num_states), rng
+
+
+@pytest.mark.parametrize("make", MODELS)
+def test_the_equations_are_those_of_sympy(make):
+    method = make()
+    system = System(method)
+    constants, x, rng = random_numbers(system, 3)
+    r = rng.normal(size=system.num_specifieds)
+    p = list(constants.values())
+    found = [system.evaluate_ode(x, 0.7, r=r, p=p), system.evaluate_jacobian(x, 0.7, r=r, p=p)]
+    method.form_lagranges_equations()
+    other = System(method, equations="method")
+    assert list(other.constants_symbols) == list(system.constants_symbols)
+    assert list(other.specifieds_symbols) == list(system.specifieds_symbols)
+    expected = other.evaluate_ode(x, 0.7, r=r, p=p)
+    close(found[0], expected, 1e-12)
+    close(found[1], other.evaluate_jacobian(x, 0.7, r=r, p=p), 1e-11)
+
+
+def test_speeds_are_the_rates_of_the_coordinates():
+    system = System(spherical_pendulum())
+    theta, phi = system.coordinates
+    assert system.speeds == [theta.diff(T), phi.diff(T)]
+    system.initial_conditions = {theta: 1.0, phi.diff(T): 0.5}
+    system.times = np.linspace(0.0, 1.0, num=21)
+    system.ode_solver = "dop853"
+    trajectory = system.simulate(rtol=1e-11, atol=1e-11)
+    turning = np.sin(trajectory[theta]) ** 2 * trajectory[phi.diff(T)]  # angular momentum
+    close(turning, np.full(21, 0.5 * np.sin(1.0) ** 2), 1e-9)
+
+
+def test_the_same_motion_as_with_kanes_equations():
+    method = pushed_cart()
+    lagrange = System(method)
+    x, angle = lagrange.coordinates
+    v, w = me.dynamicsymbols("v omega")
+    ground = method.inertial
+    (cart, push), (rod, friction), (bob, tip) = method.forcelist
+    m, M, g, k = sm.symbols("m M g k")
+    rates = {x.diff(T): v, angle.diff(T): w}
+
+    def written(vector):
+        return vector.subs(rates)
+
+    kane = me.KanesMethod(
+        ground,
+        [x, angle],
+        [v, w],
+        kd_eqs=[x.diff(T) - v, angle.diff(T) - w],
+        bodies=[me.Particle("cart", cart, M), me.Particle("bob", bob, m)],
+        forcelist=[
+            (cart, written(push) - k * x * ground.x),
+            (rod, written(friction)),
+            (bob, written(tip) - m * g * ground.y),
+        ],
+    )
+    other = System(kane)
+    constants, state, _ = random_numbers(lagrange, 5)
+    drive = {next(iter(lagrange.specifieds_symbols)): 0.8}
+    close(
+        lagrange.evaluate_ode(state, 0.4, r=drive, p=constants),
+        other.evaluate_ode(state, 0.4, r=drive, p=constants),
+        1e-12,
+    )
+
+
+def test_twenty_links_cost_what_kanes_equations_cost():
+    system = System(links(20))
+    program = system._current().compiled("rates").program
+    assert sum(program.operation_count["run"].values()) <= 1400
+
+
+def test_constraints_are_refused_with_the_remedy():
+    x, y = me.dynamicsymbols("x y")
+    energy = (x.diff(T) ** 2 + y.diff(T) ** 2) / 2 - y
+    method = me.LagrangesMethod(energy, [x, y], hol_coneqs=[x**2 + y**2 - 1])
+    with pytest.raises(ValueError, match=r"with constraints.*KanesMethod"):
+        System(method)
+
+
+def test_what_cannot_be_formed_is_named():
+    x = me.dynamicsymbols("x")
+    ground, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(ground, x.diff(T) * ground.x)
+    method = me.LagrangesMethod(x.diff(T) ** 2, [x], forcelist=[(point, ground.x)])
+    with pytest.raises(ValueError, match="no `frame`"):
+        System(method)
+    with pytest.raises(ValueError, match="form_lagranges_equations"):
+        System(me.LagrangesMethod(x.diff(T) ** 2, [x]), equations="method")
+    with pytest.raises(ValueError, match="second derivatives"):
+        System(me.LagrangesMethod(x.diff(T) ** 2 + x * x.diff(T, 2), [x]))
+    with pytest.raises(TypeError, match="a KanesMethod or LagrangesMethod"):
+        System(x)
