@@ -14,6 +14,7 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -220,8 +221,45 @@ def test_a_folder_that_others_could_exchange_is_not_used(tmp_path, monkeypatch, 
     monkeypatch.setenv("PYDY_CACHE_DIR", str(shared / "cache"))
     cache.write("key", b"content")
     shared.chmod(mode)
+    monkeypatch.setattr(cache, "_is_private", lambda *_: False)
     with pytest.warns(PyDyUserWarning, match="shared' can be written by others"):
         assert cache.read("key") is None
+
+
+@owned
+def test_a_parent_that_the_users_own_group_may_write_to_is_safe(tmp_path, monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "home" / "cache"))
+    cache.write("key", b"content")
+    (tmp_path / "home").chmod(0o775)
+    monkeypatch.setattr(cache, "_is_private", lambda *_: True)
+    assert cache.read("key") == b"content"
+    (tmp_path / "home" / "cache").chmod(0o770)
+    with pytest.warns(PyDyUserWarning, match="cache' can be written by others"):
+        assert cache.read("key") is None
+
+
+@owned
+@pytest.mark.parametrize(
+    ("first", "name", "members", "private"),
+    [
+        (700, "ann", [], True),
+        (700, "ann", ["ann"], True),
+        (700, "ann", ["ann", "bob"], False),
+        (700, "staff", [], False),
+        (100, "ann", [], False),
+    ],
+)
+def test_a_group_is_private_if_it_is_the_users_first_and_nobody_else_is_in_it(
+    monkeypatch, first, name, members, private
+):
+    import grp
+    import pwd
+
+    user = SimpleNamespace(pw_name="ann", pw_gid=first)
+    group = SimpleNamespace(gr_name=name, gr_mem=members)
+    monkeypatch.setattr(pwd, "getpwuid", lambda _: user)
+    monkeypatch.setattr(grp, "getgrgid", lambda _: group)
+    assert cache._is_private.__wrapped__(700, 700) is private
 
 
 @owned

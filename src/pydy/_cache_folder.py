@@ -7,8 +7,9 @@ a folder and a killed one leaves nothing that counts. No failure of the disk is 
 Entries are run as code. A checksum is no proof of who wrote one, since anybody can compute it: what
 proves it is the file system. As ssh does with keys, a folder or an entry is used only if it belongs
 to the effective user and nobody else can write to it, and a folder's parents only if nobody else
-can put another folder in its place. An entry is opened first and then checked, so that it cannot be
-exchanged in between. Windows has no such owners; its folders of users are private.
+can put another folder in its place; a group of the user's alone may write to parents. An entry is
+opened first and then checked, so that it cannot be exchanged in between. Windows has no such
+owners; its folders of users are private.
 
 The environment variable PYDY_CACHE_DIR names another folder; ``off`` turns the cache off.
 """
@@ -22,6 +23,7 @@ import stat
 import tempfile
 import time
 import warnings
+from functools import cache
 from pathlib import Path
 
 from pydy._errors import PyDyUserWarning
@@ -45,10 +47,31 @@ def _reason(status: os.stat_result, parent: bool = False) -> str | None:
     # The administrator can do anything anyway, and owns most parents.
     if status.st_uid != os.geteuid() and not (parent and status.st_uid == 0):
         return f"belongs to another user (uid {status.st_uid})"
-    # In a sticky folder, such as /tmp, only its owner renames what lies there.
-    if status.st_mode & _OTHERS and not (parent and status.st_mode & stat.S_ISVTX):
+    # In a sticky folder, such as /tmp, only its owner renames what lies there. Many systems give
+    # every user a group of his own, which then may write to all that he makes (umask 002).
+    others = _OTHERS
+    if parent and _is_private(status.st_gid, os.geteuid()):
+        others = stat.S_IWOTH
+    if status.st_mode & others and not (parent and status.st_mode & stat.S_ISVTX):
         return f"can be written by others (mode {stat.S_IMODE(status.st_mode):04o})"
     return None
+
+
+@cache
+def _is_private(group: int, user_id: int) -> bool:
+    """Return whether a group is a user's own: his first one, of his name, without others.
+
+    The same rule as that of Debian's ssh for the folders above its keys.
+    """
+    try:
+        import grp
+        import pwd
+
+        user, found = pwd.getpwuid(user_id), grp.getgrgid(group)
+    except (ImportError, KeyError):  # Windows has none; a container may not know the user
+        return False
+    own = user.pw_gid == group and found.gr_name == user.pw_name
+    return own and not {*found.gr_mem} - {user.pw_name}
 
 
 def unsafe(place: Path) -> str | None:

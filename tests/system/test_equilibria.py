@@ -106,6 +106,24 @@ def test_a_coordinate_may_move_steadily():
     assert np.delete(system.evaluate_ode(found.state), 0) == pytest.approx(0.0, abs=1e-14)
 
 
+def test_a_search_that_starts_in_a_singular_state_says_that_nothing_is_finite_there():
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    ground, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(ground, v * ground.x + w * ground.y)
+    pendulum = me.KanesMethod(
+        ground, [x], [v],
+        kd_eqs=[x.diff(zoo.T) - v, y.diff(zoo.T) - w],
+        q_dependent=[y], configuration_constraints=[x**2 + y**2 - 1],
+        u_dependent=[w], velocity_constraints=[x * v + y * w],
+        bodies=[me.Particle("P", point, 1)], forcelist=[(point, -9 * ground.y)],
+    )  # fmt: skip
+    system = System(pendulum)
+    with pytest.raises(EquilibriumError, match="not finite near x = 0, y = 0"):
+        system.find_equilibrium()
+    system.initial_conditions = {x: 0.6, y: -0.8}
+    assert system.find_equilibrium().values[y] == pytest.approx(-1.0)
+
+
 def test_what_falls_freely_has_none_and_the_row_is_named():
     position, speed = me.dynamicsymbols("x v")
     ground, point = me.ReferenceFrame("N"), me.Point("P")

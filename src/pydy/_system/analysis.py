@@ -168,7 +168,7 @@ def find_equilibrium(
     )
     made = driven(numbers.implementation, definition, plan, perturbed=bool(own or plan.functions))
     blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
-    instant, layout = np.array([numbers.t]), made.layout
+    instant = np.array([numbers.t])
     r = plan.rows(x[None], instant).copy()
     by_state, at_state = wanted.of("states")
     by_constant, at_constant = wanted.of("constants")
@@ -182,8 +182,9 @@ def find_equilibrium(
             r[:, columns] = z[by_specified]
 
     def value(kernel: Kernel) -> np.ndarray:
-        row: np.ndarray = evaluate(kernel, layout, instant, x[None], r, p)[0]
-        return row
+        out, failed = kernel.evaluate(instant, x[None], r, p)
+        row: np.ndarray = np.full_like(out[0], np.nan) if failed[0] else out[0]
+        return row  # a singular state on the way is none to end the search
 
     def residual(z: np.ndarray) -> np.ndarray:
         put(z)
