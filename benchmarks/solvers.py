@@ -31,7 +31,7 @@ SCRIPTS = {
 PARTS = ("precision", "integrate", "overhead", "first-use")
 # What `integrate()` is asked to gain on the default odeint, by the number of links.
 GAINS = {"1": 15.0, "10": 2.0}
-OVERHEAD, WARM, COLD = 2.0, 0.3, 15.0
+OVERHEAD, WARM, COLD = 2.0, 0.05, 2.0
 
 
 def main() -> None:
