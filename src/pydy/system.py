@@ -966,7 +966,8 @@ class System:
         x, t, r, p
             As in `evaluate_ode`.
         wrt : {'states', 'specifieds', 'constants'}, symbol or name, or a list, optional
-            With respect to what; a list may hold states, specifieds and constants together.
+            With respect to what, in the order of the arrays x, r and p; a list may hold states,
+            specifieds and constants together.
         of : {'ode', 'outputs', 'holonomic', 'velocity'}, optional
             Of the state derivatives, the outputs, or the residuals of constraints.
 
