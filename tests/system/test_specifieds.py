@@ -263,3 +263,18 @@ def test_a_specified_function_of_the_wrong_shape_is_named_by_integrate():
     )
     with pytest.raises(ValueError, match=r"F\(t\)"):
         system.integrate()
+
+
+@pytest.mark.parametrize("solver", ["odeint", "dop853"])
+def test_a_specified_function_that_writes_into_its_state_changes_nothing_else(solver, x):
+    def writes(x, t):
+        x[0] -= 1.5
+        return -x[0]
+
+    times, first = np.linspace(0.0, 0.5, 3), zoo.pendulum().states[0]
+    right = system_of(zoo.pendulum(), specifieds={F: 1.5 - first}, times=times, ode_solver=solver)
+    system = system_of(zoo.pendulum(), specifieds={F: writes}, times=times, ode_solver=solver)
+    close(system.integrate(), right.integrate(), 1e-6)
+    given = x.copy()
+    system.evaluate_ode(given)
+    np.testing.assert_array_equal(given, x)

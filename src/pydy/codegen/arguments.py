@@ -421,8 +421,9 @@ def evaluate_function(
     time_first: bool = False,
 ) -> np.ndarray:
     """Call a user's function for some specifieds; an exception in it keeps its own type."""
+    own = np.array(x)  # what the function writes into it must not reach the solver's state
     try:
-        value = function(t, x) if time_first else function(x, t)
+        value = function(t, own) if time_first else function(own, t)
     except Exception as error:
         if isinstance(error, TypeError):
             _check_arity(function, symbols, "t, x" if time_first else "x, t")
