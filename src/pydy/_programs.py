@@ -139,7 +139,7 @@ class Assembly:
     def _kinetic_energy(self) -> list[int]:
         if self.mechanism is None or not self.mechanism.bodies:
             return []
-        return self._reader("the kinetic energy").all([self.mechanism.kinetic_energy])
+        return self._reader("the kinetic energy").all([self.mechanism.energy])
 
     def fork(self) -> Assembly:
         """Return the same with a graph of its own: what is read into it leaves this one alone."""

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
 
 import mechanisms
 import zoo
@@ -72,3 +74,23 @@ def test_a_wheels_spin_angle_does_not_occur_in_its_equations():
     formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=True)
     angle = formed.graph.input("x", 2)
     assert angle not in formed.graph.reachable(formed.accelerations)
+
+
+def test_a_frame_whose_angular_velocity_is_known_in_its_own_axes_needs_no_orientation():
+    q, u = me.dynamicsymbols("q u")
+    size, torque = sm.symbols("I tau")
+    frame, own, point = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("P")
+    own.set_ang_vel(frame, u * own.z)
+    point.set_vel(frame, 0)
+    body = me.RigidBody("b", point, own, 1, (me.inertia(own, 0, 0, size), point))
+    kane = me.KanesMethod(
+        frame,
+        [q],
+        [u],
+        kd_eqs=[q.diff(zoo.T) - u],
+        bodies=[body],
+        forcelist=[(own, torque * own.z)],
+    )
+    model = zoo.Model(kane, {size: 2.0, torque: 3.0})
+    (found,) = rates(model, "articulated bodies in body axes", (np.array([0.1, 0.2]), 0.0))
+    np.testing.assert_allclose(found, [0.2, 1.5])

@@ -256,3 +256,9 @@ def test_speeds_in_body_axes_cost_no_more_operations_than_they_did(name, most):
     system.generate_ode_function()
     count = system._current().compiled("rates").program.operation_count["run"]
     assert sum(count.values()) <= most
+
+
+def test_the_kinetic_energy_that_is_shown_is_an_expression_of_sympys():
+    model = zoo.undamped_chain()
+    shown = System(model.kane, equations="graph").kinetic_energy
+    assert sm.simplify(shown - System(model.kane).kinetic_energy) == 0

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -36,8 +37,17 @@ class Mechanism:
     @cached_property
     def kinetic_energy(self) -> Any:
         """The kinetic energy with the velocities as they were written, q' and all."""
-        if self.known_energy is not None:
-            return self.known_energy
+        with warnings.catch_warnings():
+            # SymPy makes up velocities that nobody set, and warns where there are several ways.
+            warnings.simplefilter("ignore", UserWarning)
+            return self._written_energy()
+
+    @property
+    def energy(self) -> Any:
+        """The kinetic energy as it is computed: as it was formed, where it was."""
+        return self.kinetic_energy if self.known_energy is None else self.known_energy
+
+    def _written_energy(self) -> Any:
         terms = []
         for body in self.bodies:
             velocity = body.masscenter.vel(self.frame)

@@ -134,7 +134,9 @@ def _seen(
         change = [kinematics.plus(a, b) for a, b in zip(change, both, strict=True)]
     if not kinematics.vanishes(_flat(change)):
         return home, tensor, change
-    while (parent := kinematics.tree.parent(home)) is not None:
+    while home in kinematics.tree.oriented:
+        if (parent := kinematics.tree.parent(home)) is None:
+            break
         # In the parent's axes: R' I R, with the axes here as the rows of R.
         rotation = list(zip(*kinematics.step(home), strict=True))
         half = [kinematics.turned(rotation, column) for column in zip(*tensor, strict=True)]

@@ -199,7 +199,7 @@ class Tree:
     def turns_in(self, frame: Any) -> Any:
         """Return the frame in which a frame's angular velocity is given, None for the inertial."""
         if frame not in self.turning:
-            self.parent(frame)
+            self.parent(frame)  # says more where it is not even oriented
             raise ValueError(
                 f"The frame {frame} has no angular velocity in the inertial frame "
                 f"{self.inertial}. Give it one: `{frame}.set_ang_vel({self.inertial}, ...)`."

@@ -74,6 +74,9 @@ class EnergyModel:
     def kernel(self, implementation: RightHandSide) -> Kernel:
         """Return the Kernel of kinetic, potential and total energy."""
         kinetic, potential = self.kinetic, self.potential
+        mechanism = self.equations.mechanism
+        if mechanism is not None and mechanism.known_energy is not None:
+            kinetic = mechanism.known_energy
         return implementation.compiled_expressions(
             "the energy", (3,), (kinetic, potential, sm.Add(kinetic, potential))
         )
