@@ -1445,7 +1445,8 @@ class System:
         True
         """
         product, progress = flag(product, "`product`"), flag(progress, "`progress`")
-        resume = resume if isinstance(resume, str) else flag(resume, "`resume`")
+        if not (resume and isinstance(resume, str)):
+            resume = flag(resume, "`resume`, unless it is a name for functions,")
         symbols = self._definition.specifieds
         varied, common = split_specifieds(specifieds)
         plan = self._plan(self._specifieds)
@@ -1481,8 +1482,6 @@ class System:
             progress=progress,
             units=units,
         )
-        if not (resume and isinstance(resume, str)):
-            resume = flag(resume, "`resume`, unless it is a name for functions,")
         if store is not None:
             return ensemble.into(store, resume)
         if resume:

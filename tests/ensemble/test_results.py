@@ -281,7 +281,7 @@ def test_a_terminal_event_leaves_nan_and_says_so(oscillator):
         ({"reduce": "mean"}, ValueError, "`reduce` must be 'final'"),
         ({"reduce": ("max", "speed")}, ValueError, "neither a state nor an output: x0, v0"),
         ({"reduce": "events"}, ValueError, "needs `events`"),
-        ({"workers": 0}, ValueError, "`workers` must be at least 1"),
+        ({"workers": 0}, ValueError, "`workers` must be a whole number from 1 on"),
         ({"chunks": 0}, ValueError, "positive whole number"),
         ({"chunks": {"row": 3}}, ValueError, "not one of the sample dimensions"),
         ({"units": {"weight": "kg"}}, ValueError, "neither a state nor an output"),
