@@ -381,7 +381,7 @@ def test_a_reset_to_where_the_constraints_have_no_rates_is_an_integration_error(
 
 
 WRONG = [
-    ({"constraints": "hold"}, r"`constraints` must be one of None, 'project', 'baumgarte', got"),
+    (
         {"constraints": "hold"},
         r"`constraints` must be one of None, 'project', 'baumgarte', got 'hold'",
     ),
