@@ -1445,7 +1445,7 @@ class System:
         True
         """
         product, progress = flag(product, "`product`"), flag(progress, "`progress`")
-        if not (resume and isinstance(resume, str)):
+        if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
         symbols = self._definition.specifieds
         varied, common = split_specifieds(specifieds)
