@@ -83,8 +83,8 @@ three:
 	cd build/three && npm install --no-save --no-audit --no-fund three@0.187.0 esbuild@0.28.2
 	cd build/three && npx esbuild three.entry.js --bundle --minify --format=iife --global-name=THREE \
 		--target=es2020 --charset=ascii --legal-comments=none --outfile=three.min.js
-	cp build/three/three.min.js src/pydy/viz/page/
-	cp build/three/node_modules/three/LICENSE src/pydy/viz/page/three.LICENSE
+	cp build/three/three.min.js src/pydy/viz/assets/
+	cp build/three/node_modules/three/LICENSE src/pydy/viz/assets/three.LICENSE
 
 clean:
 	rm -rf $(VENV) $(VENV)-lowest* $(VENV)-newest $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial .mypy_cache .pytest_cache .ruff_cache .hypothesis

@@ -24,7 +24,7 @@ from pydy.errors import PyDyUserWarning
 SCRIPT = """
 import sys
 import numpy as np
-from pydy._backends import background
+from pydy._backends.llvm import background
 from pydy.models import multi_mass_spring_damper
 background._QUIET_SECONDS = 0.0
 for n in (1, 2, 3):
@@ -340,7 +340,7 @@ def put_by_somebody_else(prepared, place):
 EQUATIONS = """
 import sys, warnings
 import numpy as np
-from pydy._backends import background, compiling
+from pydy._backends.llvm import background, compiling
 background._QUIET_SECONDS = 1e9
 if sys.argv[1:] == ["wrong"]:
     right = compiling.binding.parse_assembly

@@ -15,7 +15,7 @@ import pytest
 from llvmlite import binding
 
 from pydy import _forks
-from pydy._backends import background
+from pydy._backends.llvm import background
 from pydy._graph.collector import collector_paused
 
 if not hasattr(os, "fork"):
@@ -174,7 +174,7 @@ LOOP = """
 import os, signal, sys, threading, time, warnings
 warnings.simplefilter("ignore")
 import numpy as np
-from pydy._backends import jit
+from pydy._backends.llvm import jit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 large = [n_link_pendulum_on_cart(n) for n in (3, 4, 5)]

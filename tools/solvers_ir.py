@@ -2,7 +2,7 @@
 
 Needed after a change of the modules that numba compiles (`sources`); ``make solvers-ir`` runs it.
 What it writes to ``src/pydy/solvers/ir`` is committed, and compiled for the processor at hand by
-users, who need no numba (see `pydy.solvers.shipped`).
+users, who need no numba (see `pydy.solvers.run.shipped`).
 
 The IR is for no processor in particular: numba leaves it unoptimised, and the passes here only
 remove what numba's way of working leaves behind, so that less is shipped and compiled. The same
@@ -27,12 +27,12 @@ from typing import Any
 SRC = Path(__file__).resolve().parents[1] / "src"
 IR = SRC / "pydy" / "solvers" / "ir"
 ENTRIES = {
-    "advance": "explicit",
-    "advance_implicit": "implicit",
-    "step_lanes": "lanes",
-    "evaluate_lanes": "lane_kernels",
-    "project": "projecting",
-    "scan_events": "watching",
+    "advance": "loop.explicit",
+    "advance_implicit": "loop.implicit",
+    "step_lanes": "lanes.stepper",
+    "evaluate_lanes": "lanes.kernels",
+    "project": "loop.projection",
+    "scan_events": "loop.event_detection",
 }
 # What entries may call: of libm, where LLVM does not write it in line; nothing of Python or numba.
 LIBRARY = {"hypot", "sqrt"}
@@ -102,7 +102,7 @@ def unoptimised(name: str) -> tuple[str, str, str]:
     from numba.core.compiler_lock import global_compiler_lock
     from numba.core.dispatcher import _FunctionCompiler
 
-    from pydy.solvers.compiled import OPTIONS
+    from pydy.solvers.loop.compiled import OPTIONS
 
     class Plain(_FunctionCompiler):  # type: ignore[misc]
         """Compiles a function without a way in from Python."""
@@ -162,7 +162,7 @@ def reduced(name: str, text: str, inner: str, parameters: str) -> str:
     """Return a module with one function to be called from outside, without what nobody needs."""
     from llvmlite import binding
 
-    from pydy.solvers.compiled import APART
+    from pydy.solvers.loop.compiled import APART
 
     binding.initialize_native_target()
     module = binding.parse_assembly(text)

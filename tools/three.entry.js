@@ -1,4 +1,4 @@
-// What the animation page uses of three.js; `make three` bundles it into src/pydy/viz/page/three.min.js.
+// What the animation page uses of three.js; `make three` bundles it into src/pydy/viz/assets/three.min.js.
 export {
   BoxGeometry, BufferAttribute, BufferGeometry, CapsuleGeometry, Color, ConeGeometry, CylinderGeometry,
   DirectionalLight, DoubleSide, FrontSide, Group, HemisphereLight, InstancedMesh, MathUtils, Matrix4, Mesh, MeshStandardMaterial, Object3D,

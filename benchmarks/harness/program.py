@@ -10,8 +10,8 @@ import sympy as sm
 from sympy.physics.mechanics import dynamicsymbols
 
 from harness.frozen import Model
-from pydy._eom.equations import Equations
 from pydy._graph.passes import Passes
+from pydy._mechanics.equations import Equations
 from pydy._programs import Assembly, assemble_system
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.ode_function_generators import make_system_function

@@ -45,7 +45,7 @@ def first_use(name: str, cache: str, method: str) -> dict[str, float]:
     def load(what: str) -> Any:
         return __import__(what, fromlist=["*"])
 
-    times["solvers"] = time_of(lambda: load("pydy.solvers.integration"))
+    times["solvers"] = time_of(lambda: load("pydy.solvers.run.integration"))
     system.ode_solver = method
     times["first"] = time_of(system.integrate)
     times["second"] = time_of(system.integrate)

@@ -13,8 +13,8 @@ from harness.program import assembly_of, equations_of
 from harness.serve import time_of
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._backends.jit import memory
-from pydy._backends.llvm import LLVMBackend
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.jit import memory
 
 
 class Ours(Peer):

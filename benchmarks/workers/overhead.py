@@ -11,10 +11,10 @@ from harness.scenarios import scenario
 from harness.serve import Repeated, serve
 from numba import njit
 
-from pydy.solvers.intrinsics import address_of, call_kernel, combine
-from pydy.solvers.layout import ESTIMATES, KERNEL, STAGES, STATES
-from pydy.solvers.methods import method_arrays
-from pydy.solvers.problem import BLOCK, blocks, kernel_problem
+from pydy.solvers.loop.intrinsics import address_of, call_kernel, combine
+from pydy.solvers.run.layout import ESTIMATES, KERNEL, STAGES, STATES
+from pydy.solvers.run.methods import method_arrays
+from pydy.solvers.run.problem import BLOCK, blocks, kernel_problem
 from pydy.solvers.solver import SOLVERS
 
 HORIZON, SHORT, TOLERANCE = 10.0, 1e-3, 1e-9

@@ -13,9 +13,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import astuple, dataclass, field, replace
 from typing import Any
 
-from pydy._eom.equations import Equations
-from pydy._eom.mechanism import Mechanism
-from pydy._eom.symbols import find_symbols
 from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
@@ -28,6 +25,9 @@ from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.symbols import find_symbols
 
 __all__ = [
     "Assembly",

@@ -5,8 +5,8 @@ import pytest
 import sympy as sm
 
 from graphs import ELEMENTARY, on_tape
-from pydy._backends.cython_ import CythonBackend
-from pydy._backends.llvm import LLVMBackend
+from pydy._backends.c.cython_ import CythonBackend
+from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph import operations
 from pydy._graph.derivative import jacobian
@@ -88,7 +88,7 @@ def test_an_odd_function_of_a_table_lets_signs_out():
 
 
 def test_every_row_has_what_back_ends_need():
-    from pydy._backends.ir_emit import EMITTERS
+    from pydy._backends.llvm.emit import EMITTERS
 
     for name, row in OPERATIONS.items():
         assert row.name == name

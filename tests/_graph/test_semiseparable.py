@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from graphs import on_tape
-from pydy._backends.cython_ import CythonBackend
-from pydy._backends.llvm import LLVMBackend
+from pydy._backends.c.cython_ import CythonBackend
+from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph

@@ -6,11 +6,11 @@ import sympy.physics.mechanics as me
 from sympy.physics.mechanics import models
 
 import mechanisms
-from pydy._eom.kane import multibody_of_kane
 from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.lower import lower
 from pydy._graph.simplify import simplify
 from pydy._mechanics.choice import chosen
+from pydy._mechanics.kane import multibody_of_kane
 from pydy.models import n_link_pendulum_on_cart
 from pydy.system import System
 from zoo import T

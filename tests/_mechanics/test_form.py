@@ -9,10 +9,10 @@ import mechanisms
 import zoo
 from mechanisms import MECHANISMS, derived, state
 from oracle import oracle
-from pydy._eom.kane import multibody_of_kane
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._mechanics.form import form
+from pydy._mechanics.kane import multibody_of_kane
 
 FORMS = {
     "articulated bodies in body axes": {"in_bodies": True, "articulated": True},

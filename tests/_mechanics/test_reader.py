@@ -5,8 +5,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import mechanisms
-from pydy._eom.kane import multibody_of_kane
 from pydy._mechanics.form import form
+from pydy._mechanics.kane import multibody_of_kane
 from pydy._mechanics.reader import Tree, check_bodies, read_loads
 from pydy.system import System
 

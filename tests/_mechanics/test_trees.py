@@ -7,10 +7,10 @@ import pytest
 import sympy.physics.mechanics as me
 from scipy.spatial.transform import Rotation
 
-from pydy._eom.kane import multibody_of_kane
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._mechanics.form import forms
+from pydy._mechanics.kane import multibody_of_kane
 from zoo import T
 
 GRAVITY = np.array([0.3, -0.4, -9.2])

@@ -16,7 +16,7 @@ import json
 import numpy as np
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 from pydy import _programs
-from pydy._backends import background, compiling, native
+from pydy._backends.llvm import background, compiling, native
 from pydy.system import System
 
 background._QUIET_SECONDS = 0.0

@@ -13,7 +13,7 @@ from sympy.core.cache import clear_cache
 
 import zoo
 from graphs import P, X, program_of
-from pydy._backends.llvm import LLVMBackend
+from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.passes import Passes
 from pydy.system import System

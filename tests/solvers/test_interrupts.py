@@ -10,7 +10,8 @@ import pytest
 
 import solver_problems as problems
 from pydy._errors import IntegrationError, IntegrationInterrupted, MissingDependencyError
-from pydy.solvers import dop853, integration, radau, rk4, tsit5, vern9
+from pydy.solvers import dop853, radau, rk4, tsit5, vern9
+from pydy.solvers.run import integration
 
 ALL = [dop853, tsit5, vern9, rk4, radau]
 HUGE = 1e9  # seconds of simulated time that nobody waits for

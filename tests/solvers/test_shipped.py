@@ -12,7 +12,7 @@ import pytest
 import solvers_ir
 
 from pydy.models import multi_mass_spring_damper
-from pydy.solvers import shipped
+from pydy.solvers.run import shipped
 from pydy.solvers.solver import SOLVERS
 
 ENTRIES = sorted(solvers_ir.ENTRIES)
@@ -107,7 +107,7 @@ def test_the_digest_depends_on_every_module_that_compiled_code_is_made_of(tmp_pa
 # -- at first use ---------------------------------------------------------------------------------
 
 
-ASK = "from pydy.solvers import shipped; print(shipped.address_of('evaluate_lanes') != 0)"
+ASK = "from pydy.solvers.run import shipped; print(shipped.address_of('evaluate_lanes') != 0)"
 EXPLICIT = (
     "from pydy.solvers import dop853; print(dop853(lambda x, t: -x, [1.0], [0.0, 1.0]).shape)"
 )

@@ -6,7 +6,7 @@ from math import prod
 import numpy as np
 import pytest
 
-from pydy.solvers.methods import tableau_of
+from pydy.solvers.run.methods import tableau_of
 from pydy.solvers.tableaus import radau
 
 METHODS = ["dop853", "tsit5", "vern9", "rk4"]

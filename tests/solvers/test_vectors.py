@@ -4,7 +4,7 @@ import numba
 import numpy as np
 import pytest
 
-from pydy.solvers.vectors import (
+from pydy.solvers.loop.vectors import (
     absolute,
     bits,
     ceiling,

@@ -14,9 +14,9 @@ __all__ = ["compile_program", "names", "refusal", "register", "resolve"]
 
 # Names to classes, or to where a class lies: a back end's own imports wait until it is asked for.
 _BACKENDS: dict[str, Any] = {
-    "llvm": "pydy._backends.llvm:LLVMBackend",
+    "llvm": "pydy._backends.llvm.backend:LLVMBackend",
     "lambdify": "pydy._backends.numpy_:NumPyBackend",
-    "cython": "pydy._backends.cython_:CythonBackend",
+    "cython": "pydy._backends.c.cython_:CythonBackend",
 }
 
 

@@ -45,7 +45,7 @@ class Operation:
     c : str
         An expression in C with ``{0}``, ``{1}``, … for the operands.
     llvm : str
-        The name of an emitter of `pydy._backends.ir_emit` and its argument, such as
+        The name of an emitter of `pydy._backends.llvm.emit` and its argument, such as
         ``'libm cbrt'``: the C library's function of that name.
     partials : callable, optional
         ``partials(graph, node, *operands)`` returns the nodes of the partial derivatives with

@@ -1,62 +1,78 @@
-"""Lagrange's equations formed on the graph: from L and the forces that it does not hold.
-
-With the momenta p = ∂L/∂q', M = ∂p/∂q' and F = ∂L/∂q − dp/dt + Q, where dp/dt is taken at q'' = 0
-and Q are the generalized forces of the loads.
-"""
+"""Read a LagrangesMethod. The only module that touches its underscore attributes."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import Any
 
-from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import jacobian
-from pydy._mechanics.dynamics import loads_and_inertias
-from pydy._mechanics.elimination import composite
-from pydy._mechanics.form import Formed, moving
-from pydy._mechanics.reader import Multibody
+from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymbols
 
-__all__ = ["form_lagrangian"]
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.lagrangian import form_lagrangian
+from pydy._mechanics.reader import Multibody, read_loads
+
+__all__ = ["equations_of_lagrange"]
 
 
-@collector_paused()
-def form_lagrangian(lagrangian: Any, body: Multibody) -> Formed:
-    """Return the equations of motion of a Lagrangian.
+def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) -> Equations:
+    """Return the equations of a LagrangesMethod. The speeds are the derivatives q'.
 
     Parameters
     ----------
-    lagrangian : expression
-        In the coordinates, their derivatives, time, constants and specifieds.
-    body : Multibody
-        With the derivatives of the coordinates as speeds, the loads, and no bodies.
+    method : LagrangesMethod
+    source : {'graph', 'method'}, optional
+        Whether the equations are formed from the Lagrangian, which is the default, or those of
+        ``form_lagranges_equations()``.
 
     Raises
     ------
     ValueError
-        The Lagrangian holds second derivatives of coordinates.
+        There are constraints, loads without a frame, or no equations where the method's own are
+        asked for.
     """
-    kinematics = moving(replace(body, bodies=()), in_bodies=True)
-    inertias, loads = loads_and_inertias(kinematics)
-    g, speeds, n = kinematics.graph, kinematics.speeds, len(body.coordinates)
-    _, forces = composite(g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
-    node = kinematics.read(lagrangian)
-    if set(kinematics.accelerations) & set(g.reachable([node])):
+    if method.coneqs:
         raise ValueError(
-            "The Lagrangian holds second derivatives of coordinates. Leave out what is a "
-            "derivative by time: it does not change the equations."
+            "`eom_method` is a LagrangesMethod with constraints, whose multipliers System does not "
+            "solve for. Use a KanesMethod with `velocity_constraints`, or coordinates that satisfy "
+            "the constraints."
         )
-    coordinates = [g.input("x", k) for k in range(n)]
-    (by_speed,) = jacobian(g, [node], speeds)
-    momenta = [by_speed.get(k, g.zero) for k in range(n)]
-    (by_coordinate,) = jacobian(g, [node], coordinates)
-    rows = jacobian(g, momenta, speeds)
-    # One triangle for both, so that the matrix is symmetric to the last bit.
-    matrix = [[rows[max(i, j)].get(min(i, j), g.zero) for j in range(n)] for i in range(n)]
-    forcing = [
-        g.sum([(by_coordinate.get(k, g.zero), 1.0), (rate, -1.0), (forces[k], 1.0)])
-        for k, rate in enumerate(kinematics.dt(momenta))
-    ]
-    read = kinematics.read
-    return Formed(
-        g, read.constants, read.specifieds, kinematics.rates, matrix, forcing, None, g.zero
+    if method.forcelist and method.inertial is None:
+        raise ValueError(
+            "`eom_method` has a `forcelist` but no `frame`: give LagrangesMethod the inertial "
+            "frame in which velocities are taken."
+        )
+    t = dynamicsymbols._t
+    coordinates, rates = tuple(method.q), tuple(method._qdots)
+    matrix: Any = ()
+    forcing: tuple[Any, ...] = ()
+    formed = None
+    if source == "method":
+        if method.eom is None:
+            raise ValueError(
+                "`equations='method'` needs the equations of `eom_method`: call its "
+                "`form_lagranges_equations()` before it is handed to System."
+            )
+        matrix, forcing = method.mass_matrix, tuple(method.forcing)
+    else:
+        body = Multibody(
+            frame=method.inertial or ReferenceFrame("inertial"),
+            bodies=(),
+            loads=read_loads(method.forcelist or ()),
+            time=t,
+            coordinates=coordinates,
+            speeds=rates,
+            coordinate_rates=rates,
+            coordinate_derivatives=rates,
+        )
+        formed = form_lagrangian(method._L[0], body)
+    return Equations(
+        time=t,
+        coordinates=coordinates,
+        speeds=rates,
+        coordinate_rates=rates,
+        speed_rates=tuple(method._qdoubledots),
+        coordinate_derivatives=rates,
+        mass_matrix=matrix,
+        forcing=forcing,
+        positive_definite=True,
+        formed=formed,
     )

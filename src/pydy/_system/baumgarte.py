@@ -11,12 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from pydy._eom.equations import Equations
 from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.rewrite import substitute
+from pydy._mechanics.equations import Equations
 from pydy._programs import Assembly
 from pydy._system.definition import Definition
 from pydy.codegen.right_hand_side import RightHandSide

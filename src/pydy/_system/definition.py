@@ -10,11 +10,11 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import Places, listed
-from pydy._eom.equations import Equations
-from pydy._eom.symbols import find_symbols, sort_symbols
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
 from pydy._graph.passes import Passes
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of
 from pydy._programs import Assembly, Group, assemble_system, auxiliary_groups
 from pydy._system.inputs import check_forces, output_groups, sort_out

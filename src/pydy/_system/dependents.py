@@ -15,7 +15,7 @@ from pydy._system.definition import Definition
 from pydy._system.evaluation import evaluate
 from pydy.codegen.arguments import describe
 from pydy.codegen.right_hand_side import RightHandSide
-from pydy.solvers.constraints import satisfied
+from pydy.solvers.run.constraints import satisfied
 
 __all__ = ["check_dependents", "solve_dependents"]
 

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import sympy as sm
 
 from pydy._checks import shown
-from pydy._eom.equations import Equations
-from pydy._eom.potential import find_potential
-from pydy._eom.symbols import find_symbols
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.potential import find_potential
+from pydy._mechanics.symbols import find_symbols
 from pydy.codegen.arguments import checked_expression, describe
 from pydy.codegen.right_hand_side import RightHandSide
 

@@ -13,11 +13,11 @@ from typing import Any
 
 import sympy as sm
 
-from pydy._eom.symbols import find_symbols
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
+from pydy._mechanics.symbols import find_symbols
 from pydy._programs import Assembly
 from pydy._system.definition import Definition
 from pydy.codegen.arguments import SpecifiedsPlan, describe

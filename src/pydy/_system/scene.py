@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from pydy._eom.equations import Equations
+from pydy._mechanics.equations import Equations
 from pydy.viz.defaults import find_origin, guess_up, skeleton
 from pydy.viz.motion import Model
 from pydy.viz.scene import Scene

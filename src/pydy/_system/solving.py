@@ -7,18 +7,18 @@ from dataclasses import replace
 from typing import Any, Literal
 
 from pydy._checks import Places, choice, number
-from pydy._eom.equations import Equations
 from pydy._graph.derivative import jacobian
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
+from pydy._mechanics.equations import Equations
 from pydy._programs import Assembly
 from pydy._system.baumgarte import stabilised
 from pydy._system.definition import Definition
 from pydy.codegen.arguments import describe
 from pydy.codegen.right_hand_side import RightHandSide
-from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents, Event
 from pydy.solvers.options import StepOptions
+from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.solver import Solver
 
 __all__ = ["HANDLED", "EnsembleOptions", "constraint_names", "prepare"]

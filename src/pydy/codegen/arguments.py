@@ -14,7 +14,7 @@ import sympy as sm
 from sympy.logic.boolalg import Boolean
 
 from pydy._checks import Places, choice, describe, listed, number, real_array, shown, vector
-from pydy._eom.symbols import find_symbols
+from pydy._mechanics.symbols import find_symbols
 from pydy.inputs import SampledInput
 
 __all__ = [

@@ -24,7 +24,7 @@ def _circumstances() -> bytes:
     """Everything but the equations that decides what the Program is."""
     sha = hashlib.sha256(sys.version.encode())
     folder = Path(pydy._graph.__file__).parent
-    for source in (folder.with_name("_programs.py"), *sorted(folder.glob("*.py"))):
+    for source in (folder.with_name("_programs.py"), *sorted(folder.rglob("*.py"))):
         sha.update(source.read_bytes())
     return sha.digest()
 

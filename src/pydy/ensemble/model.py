@@ -112,7 +112,7 @@ def run(
         states = np.empty((x.shape[1], len(x), len(times)))
     if not model.in_lanes:
         return _run_one_by_one(model, x, r, p, times, stopped, states)
-    from pydy.solvers.lane_runs import integrate_samples
+    from pydy.solvers.lanes.runs import integrate_samples
 
     kernel = _kernel(model.rates, _LANES)
     found = integrate_samples(
@@ -135,7 +135,7 @@ def evaluate_outputs(
     if program is None:
         return np.empty((0, *states.shape[1:]))
     if not model.functions:
-        from pydy.solvers.lane_runs import evaluate_samples
+        from pydy.solvers.lanes.runs import evaluate_samples
 
         return evaluate_samples(_kernel(program, _LANES), r, p, model.sampled, times, states)
     kernel = _kernel(program, 1)
@@ -188,7 +188,7 @@ def _run_one_by_one(
 ) -> Results:
     """Integrate with the solver of single trajectories."""
     from pydy._errors import IntegrationError, warn_user
-    from pydy.solvers.integration import Integration
+    from pydy.solvers.run.integration import Integration
 
     m, n = x.shape
     kernel = _kernel(model.rates, 1)

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any, TypedDict
 import numpy as np
 
 from pydy._checks import number, real_array
-from pydy.solvers.constraints import CompiledConstraints
 from pydy.solvers.events import CompiledEvents
+from pydy.solvers.run.constraints import CompiledConstraints
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from pydy.solvers.integration import Integration
     from pydy.solvers.options import SolverOptions
+    from pydy.solvers.run.integration import Integration
 
 __all__ = ["SOLVERS", "Prepared", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]
 
@@ -162,7 +162,7 @@ class Solver:
         [0.877583, 1.755165]
         """
         with whole:
-            from pydy.solvers.integration import Integration
+            from pydy.solvers.run.integration import Integration
 
         if not callable(f):
             raise TypeError(f"`f` must be a function f(x, t), got {f!r}.")

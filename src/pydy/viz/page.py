@@ -50,7 +50,7 @@ def page(animation: Animation, look: Look, speed: float, theme: str) -> str:
 
 @cache
 def _resource(name: str) -> str:
-    return (files("pydy.viz") / "page" / name).read_text(encoding="utf-8")
+    return (files("pydy.viz") / "assets" / name).read_text(encoding="utf-8")
 
 
 def page_data(animation: Animation, look: Look, speed: float) -> dict[str, Any]:

@@ -18,13 +18,13 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends.registry import compile_program
-from pydy._eom.symbols import find_symbols
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
+from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of
 
 __all__ = ["Geometry", "Names", "Placement", "place", "pose_program"]

@@ -1,4 +1,4 @@
-; sources ae85c9e1e536a7e8ff532393432a53f8291a1c2fd181dd507d60d6c9e50a5eb9
+; sources e932008b0d26ac8af9b471b8df50d46851d1fd65d3c3a6691d2f493eef00928b
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

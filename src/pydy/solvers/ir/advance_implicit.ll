@@ -1,4 +1,4 @@
-; sources 8a264c3917cdb28a9da84f77679efa5cda4b75c867518ff8a5b5414337c3db2e
+; sources 9a556a5094612fbe843773e2d258d58fbd95b653bfa01d0b16d23997eabad799
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8

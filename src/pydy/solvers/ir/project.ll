@@ -1,4 +1,4 @@
-; sources 48a1aa32c4b925b5016822256b7182152433faea903d74ffea82442bf05136a0
+; sources d96b200012e32c8934f54b2cc1aaf8b45581308f2edb084533b4ba229dda107a
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

@@ -1,4 +1,4 @@
-; sources 3f103cd6d542dbbaeae8fd3347eb98f963407d526e3cb7be18f49b48973d5f5a
+; sources 98acb1b09c25f2803e09e62a6a01699a2e69d7317b95e13e08d408f143f00e3c
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

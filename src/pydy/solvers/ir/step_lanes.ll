@@ -1,4 +1,4 @@
-; sources a05cfe736385da8480a179ee2a9ca29725dad20b38547698c48a5422a245a133
+; sources 60ddc29af4b97255959095e62275aa29f23ec34884194b856d855dd3ff8cd465
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0

@@ -1,0 +1,309 @@
+"""The default back end: straight-line LLVM IR for a Program, compiled in the process.
+
+No compiler is needed on the user's machine. There are no fast-math flags: NaN, infinity and the
+order of operations are kept, and fused multiply-adds are those that the IR spells out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+from weakref import ref
+
+from pydy import _forks
+from pydy._backends.llvm import background, jit
+from pydy._backends.llvm.background import Compile
+from pydy._backends.llvm.compiling import object_code
+from pydy._backends.llvm.emit import BRANCH_WEIGHTS, SOLVES, Emitter, called
+from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, Function, vector_type
+from pydy._backends.llvm.native import Entry, native_kernel
+from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions, sincos_names
+from pydy._backends.llvm.solve import solver_declarations, solver_functions, solver_names
+from pydy._backends.registry import compile_program
+from pydy._graph.operations import ANGLES
+from pydy._graph.program import Program
+from pydy._kernel import Kernel
+
+__all__ = ["LLVMBackend", "kernel_text"]
+
+
+class LLVMBackend:
+    """Compiles Programs with LLVM.
+
+    Parameters
+    ----------
+    cse : bool, optional
+        Accepted for scripts that pass it; common sub-expressions are always shared.
+    lanes : {1, 2, 4, 8}, optional
+        How many states the native code takes at once. Right-hand sides for Python need 1.
+    """
+
+    def __init__(self, cse: bool = True, lanes: int = 1) -> None:
+        if lanes not in (1, 2, 4, 8):
+            raise ValueError(f"`lanes` is {lanes!r}, but it must be 1, 2, 4 or 8.")
+        self.options: dict[str, Any] = {"cse": cse, "lanes": lanes}
+
+    def compile(self, program: Program) -> Kernel:
+        """Return the Kernel of a Program.
+
+        Code that is not in the cache is compiled quickly first, so that a simulation can begin,
+        and at LLVM's best on the side, which takes its place when it is ready. Both compute the
+        same bits. Wide kernels are for long work and get the best at once.
+        """
+        lanes: int = self.options["lanes"]
+        source = jit.Source(
+            f"kernel {program.digest} {lanes}",
+            _Text(program, lanes),
+            ("kernel", "prepare", "strided")[: 2 + (lanes > 1)],
+            loops=lanes == 1 and _repeats(program),
+        )
+        calls = bool({*SOLVES, *ANGLES} & set(program.ops))
+        routines = _routines(lanes, at_best=lanes > 1) if calls else None
+        code = jit.load(source, routines) if lanes > 1 else jit.find(source, routines)
+        quick = code is None
+        if code is None:
+            code = jit.load_quickly(source, routines)
+        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), code)
+        if quick:
+            entry.better = background.Task(partial(_improve, ref(entry), source, calls))
+            background.submit(entry.better)
+        recipe = ("llvm", self.options)
+        strided = code.addresses.get("strided", 0)
+        return native_kernel(program, entry, lanes, compile_program, recipe, strided)
+
+
+@dataclass(frozen=True)
+class _Text:
+    """The IR of a Program; pickled as bytes that the interpreter writes in a sixth of the time."""
+
+    program: Program
+    lanes: int
+
+    def __call__(self, brief: bool) -> str:
+        return kernel_text(self.program, self.lanes, brief)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _read_text, (self.program.to_bytes(), self.lanes)
+
+
+def _read_text(program: bytes, lanes: int) -> _Text:
+    return _Text(Program.from_bytes(program), lanes)
+
+
+# Operations from which code does not fit the processor's cache for it, and those for one result of
+# models that do little but the same for each: chains and nets of masses.
+_LARGE, _SHORT = 1500, 6
+
+
+def _repeats(program: Program) -> bool:
+    """Return whether LLVM should look for operations that can be done side by side in one state.
+
+    It then writes vectors for a chain's masses: half the code, and half the time for 300 of them;
+    compiling takes 3 to 5 times as long.
+    """
+    count = sum(program.operation_count["run"].values())
+    return _LARGE < count < _SHORT * len(program.outputs)
+
+
+def _improve(known: ref[Entry], source: jit.Source, calls: bool, compile_source: Compile) -> None:
+    """Compile at LLVM's best and put the result in the entry's place, if it is still there."""
+    routines = _routines(1, True, compile_source) if calls else None
+    code = jit.load(source, routines, compile_source)
+    entry = known()
+    if entry is not None:
+        entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
+
+
+_ROUTINES: dict[tuple[int, bool], jit.Code] = {}
+_ROUTINES_LOCK = _forks.Lock()
+
+
+def _routines(lanes: int, at_best: bool, compile_source: Compile = object_code) -> jit.Code:
+    """Return the routines kernels call; unless they are cached, quickly compiled will do."""
+    best = _ROUTINES.get((lanes, True))
+    if best is not None:
+        return best
+    names = solver_names(lanes) + sincos_names(lanes)
+    source = jit.Source(f"routines {lanes}", partial(_routines_text, lanes), names, loops=True)
+    code: jit.Code | None
+    if not at_best:
+        code = jit.find(source)
+    elif compile_source is object_code:
+        with _ROUTINES_LOCK:  # whoever comes second finds what the first one compiled
+            code = jit.load(source)
+    else:
+        code = jit.load(source, None, compile_source)
+    if code is not None:
+        return _ROUTINES.setdefault((lanes, True), code)
+    quick = _ROUTINES.get((lanes, False))
+    if quick is None:
+        quick = _ROUTINES[lanes, False] = jit.load_quickly(source)
+    return quick
+
+
+def _routines_text(lanes: int, brief: bool) -> str:
+    """Return the module of what many kernels share: linear solves, sine and cosine."""
+    widths = (1, 2, 4, 8) if lanes == 1 else (1, lanes)
+    parts = [_arithmetic_declarations(widths), *_LIBM_ANGLES, *BRANCH_WEIGHTS]
+    parts += [sincos_functions(w) for w in widths if w == lanes or lanes == 1]
+    return "\n".join([*parts, solver_functions(lanes)])
+
+
+def kernel_text(program: Program, lanes: int, brief: bool = False) -> str:
+    """Return the module of a Program, with the functions `kernel` and `prepare`.
+
+    A `brief` one calls a routine for sines and cosines instead of writing them in line.
+    """
+    body = _prepare(program, lanes, brief) + _kernel(program, lanes, brief)
+    parts = [_declarations(program, lanes)]
+    if f"{MALLOC}(" in body:
+        parts.append(HEAP_DECLARATIONS)
+    # Sines and cosines are taken several at a time, in as many widths as they come.
+    parts += [
+        sincos_declarations(width, kind)
+        for kind in ("", "far_")
+        for width in (1, 2, 4, 8)
+        if f"@pydy_sincos_{kind}{width}(" in body
+    ]
+    if lanes > 1:
+        parts += [_lane_by_lane(*call, lanes) for call in called(program, "libm").items()]
+    return "\n".join([*parts, body])
+
+
+_LIBM_ANGLES = tuple(f"declare double @{name}(double) nounwind" for name in ANGLES)
+
+
+def _arithmetic_declarations(widths: Iterable[int]) -> str:
+    lines = []
+    for width in widths:
+        v, end = vector_type("double", width), "f64" if width == 1 else f"v{width}f64"
+        lines.append(f"declare {v} @llvm.fma.{end}({v}, {v}, {v})")
+        lines.append(f"declare {v} @llvm.fabs.{end}({v})")
+    return "\n".join(lines)
+
+
+def _declarations(program: Program, lanes: int) -> str:
+    v = vector_type("double", lanes)
+    suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+    lines = [
+        f"declare double @{name}({', '.join(['double'] * arity)}) nounwind willreturn memory(none)"
+        for name, arity in called(program, "libm").items()
+    ]
+    if SOLVES.keys() & set(program.ops):
+        lines.append(solver_declarations(lanes))
+    packs = (1, 2, 4, 8) if lanes == 1 and set(ANGLES) & set(program.ops) else (lanes,)
+    lines.append(_arithmetic_declarations(packs))
+    for name, arity in called(program, "intrinsic").items():
+        if name != "fabs":
+            lines.append(f"declare {v} @llvm.{name}.{suffix}({', '.join([v] * arity)})")
+    return "\n".join(lines) + "\n"
+
+
+def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
+    """Return a vector function that calls libm for each lane."""
+    v = vector_type("double", lanes)
+    vectors = [f"{v} %a{k}" for k in range(arity)]
+    f = Function(f"{name}.lanes", v, ", ".join(vectors), "internal|nounwind memory(none)")
+    result = "poison"
+    for lane in range(lanes):
+        args = [f.let(f"extractelement {vector}, i32 {lane}") for vector in vectors]
+        value = f.let(f"call double @{name}({', '.join('double ' + a for a in args)})")
+        result = f.let(f"insertelement {v} {result}, double {value}, i32 {lane}")
+    f.do(f"ret {v} {result}")
+    return f.text()
+
+
+def _prepare(program: Program, lanes: int, brief: bool) -> str:
+    f = Function("prepare", "void", "ptr noalias readonly %p, ptr noalias %c", "|nounwind")
+    Emitter(f, program, lanes, jit.registers(lanes), True, brief).stage()
+    f.do("ret void")
+    f.label("%bail")
+    f.do("ret void")
+    return f.text()
+
+
+_ARRAYS = ("t", "x", "r", "c", "out")
+
+
+def _parameters(suffix: str = "") -> str:
+    inputs = ", ".join(f"ptr noalias readonly %{name}{suffix}" for name in _ARRAYS[:-1])
+    return f"{inputs}, ptr noalias %out{suffix}"
+
+
+# Up to so many operations at every call a strided kernel is a loop.
+_LOOP = 100
+
+
+def _kernel(program: Program, lanes: int, brief: bool) -> str:
+    """Return the functions of the second stage; wide code has a `strided` form beside `kernel`.
+
+    It reads from memory, after the arrays, the distances between two items of x, r and out; how
+    many blocks of states there are; and the distance between two blocks of r. It does as many as it
+    likes, stops at the first that fails, and returns the status of the last one and, above 32
+    bits, how many it did.
+
+    For small models it is a loop: what leads in and out of a function would take as long as their
+    equations. Larger ones do one block: the numbers that LLVM takes out of a loop's body would have
+    to wait in memory.
+    """
+    parts = [*BRANCH_WEIGHTS, ""]
+    small = sum(not setup for setup in program.setup) <= _LOOP
+    if lanes == 1 or small:
+        f = Function("kernel", "i32", _parameters(), "|nounwind")
+        e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+        e.solves.status = f.variable("i32", "0")
+        e.stage()
+        f.do(f"ret i32 {f.get('i32', e.solves.status)}")
+        f.label("%bail")
+        f.do("ret i32 0")
+        parts.insert(0, f.text())
+    else:
+        parts.append(_packed_kernel(lanes))
+    if lanes > 1:
+        parts.insert(0, _strided(program, lanes, brief, small))
+    return "\n".join(parts)
+
+
+def _strided(program: Program, lanes: int, brief: bool, loop: bool) -> str:
+    parameters = f"{_parameters('.first' if loop else '')}, ptr noalias readonly %steps"
+    f = Function("strided", "i64", parameters, "|nounwind")
+    e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+    e.solves.status = f.variable("i32", "0")
+    for place, group in enumerate(("%x", "%r", "%out")):
+        e.names.steps[group] = f.load("i64", "%steps", str(place))
+    count, r_block = (f.load("i64", "%steps", str(k)) for k in (3, 4)) if loop else ("", "")
+    if loop:
+        f.do("br label %block")
+        f.label("%block")
+        f.do("%k = phi i64 [ 0, %entry ], [ %done, %more ]")
+        offset = f.let(f"mul i64 %k, {lanes}")
+        r_offset = f.let(f"mul i64 %k, {r_block}")
+        for name, start in zip(_ARRAYS, (offset, offset, r_offset, "0", offset), strict=True):
+            f.do(f"%{name} = getelementptr double, ptr %{name}.first, i64 {start}")
+    e.stage()
+    status = f.get("i32", e.solves.status)
+    f.do(f"%done = add i64 {'%k' if loop else '0'}, 1")
+    if loop:
+        good = f.let(f"icmp eq i32 {status}, 0")
+        rest = f.let(f"icmp slt i64 %done, {count}")
+        f.do(f"br i1 {f.let(f'and i1 {good}, {rest}')}, label %more, label %finish")
+        f.label("%more")
+        f.do("br label %block")
+        f.label("%finish")
+    high, low = f.let("shl i64 %done, 32"), f.let(f"zext i32 {status} to i64")
+    f.do(f"ret i64 {f.let(f'or i64 {high}, {low}')}")
+    f.label("%bail")
+    f.do("ret i64 0")
+    return f.text()
+
+
+def _packed_kernel(lanes: int) -> str:
+    """Return the `kernel` that hands ``[item][lane]`` to its strided form."""
+    f = Function("kernel", "i32", _parameters(), "|nounwind")
+    arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
+    both = f.let(f"tail call i64 @strided({arguments}, ptr @packed)")
+    f.do(f"ret i32 {f.let(f'trunc i64 {both} to i32')}")
+    steps = ", ".join(f"i64 {n}" for n in (lanes, lanes, lanes, 1, lanes))
+    return f"@packed = private constant [5 x i64] [{steps}]\n" + f.text()

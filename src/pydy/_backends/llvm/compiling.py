@@ -1,0 +1,253 @@
+"""From IR text to object code, in this process or in another one."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import pickle
+import platform
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cache as once
+from pathlib import Path
+from typing import Any
+
+from llvmlite import __version__ as llvmlite_version
+from llvmlite import binding
+
+__all__ = [
+    "Helper",
+    "HelperError",
+    "Source",
+    "object_code",
+    "registers",
+    "serve",
+    "target",
+    "target_machine",
+]
+
+
+@once
+def _host() -> tuple[Any, str, str]:
+    """Return the target, the processor and its features, and set LLVM up."""
+    binding.initialize_native_target()
+    binding.initialize_native_asmprinter()
+    features = binding.get_host_cpu_features().flatten()
+    return binding.Target.from_default_triple(), binding.get_host_cpu_name(), features
+
+
+@once
+def _circumstances() -> bytes:
+    """Everything but the Program that decides what the machine code is."""
+    _, processor, features = _host()
+    sha = hashlib.sha256()
+    parts = (processor, features, llvmlite_version, *map(str, binding.llvm_version_info))
+    sha.update("\n".join((binding.get_default_triple(), *parts)).encode())
+    # The code that writes the IR: a new version of it must not meet the old one's output.
+    backends = Path(__file__).parents[1]
+    for source in (backends.with_name("_array_layout.py"), *sorted(backends.rglob("*.py"))):
+        sha.update(source.read_bytes())
+    return sha.digest()
+
+
+def registers(lanes: int) -> int:
+    """Return how many vectors of that many doubles the processor's registers hold."""
+    features = _host()[2].split(",")
+    if "+avx512vl" in features:
+        count, width = 32, 8
+    elif platform.machine().lower() in ("arm64", "aarch64"):
+        count, width = 32, 2
+    else:
+        count, width = 16, 4 if "+avx" in features else 2
+    return count // max(lanes // width, 1)
+
+
+def target_machine(quick: bool = False) -> Any:
+    """Return a machine to write object code for this processor."""
+    target, processor, features = _host()
+    return target.create_target_machine(
+        cpu=processor,
+        features=features,
+        opt=0 if quick else 2,
+        codemodel="jitdefault",
+        jit=True,
+    )
+
+
+def target() -> str:
+    """Return the lines of IR that say what LLVM compiles for: passes lay data out by them."""
+    layout = _emitter(False).target_data
+    return f'target datalayout = "{layout}"\ntarget triple = "{binding.get_default_triple()}"\n'
+
+
+@dataclass(frozen=True)
+class Source:
+    """What can be compiled.
+
+    Attributes
+    ----------
+    what : str
+        Identifies the IR: a Program's digest with the options.
+    text : callable
+        Returns the IR, a module; ``text(True)`` the same in brief, for code that must be ready
+        quickly. It knows the functions of libm, of Python's C interface, and
+        those of the code that is passed as `calls`. It can be pickled.
+    names : tuple of str
+        The functions whose addresses are wanted.
+    loops : bool
+        Whether the code has loops, or does the same many times side by side: LLVM's optimisation
+        passes then pay.
+    """
+
+    what: str
+    text: Callable[[bool], str]
+    names: tuple[str, ...]
+    loops: bool = False
+
+    @property
+    def key(self) -> str:
+        """The name under which the caches know it."""
+        return hashlib.sha256(_circumstances() + self.what.encode()).hexdigest()
+
+
+@once
+def _emitter(quick: bool) -> Any:
+    """Return the machine that writes object code; an engine needs one of its own, and keeps it."""
+    return target_machine(quick)
+
+
+def object_code(source: Source, quick: bool = False) -> bytes:
+    """Compile a module of IR text.
+
+    LLVM's optimisation passes run only for code with loops, in the text or in the model: on
+    straight-line code that comes from a graph without redundancy they cost a third of the time and
+    change nothing (measured on pendulums of 10 and 20 links).
+    """
+    # A context of its own lets two threads compile at the same time.
+    module = binding.parse_assembly(source.text(quick), binding.create_context())
+    machine = _emitter(quick)
+    if source.loops and not quick:
+        tuning = binding.create_pipeline_tuning_options(speed_level=2)
+        tuning.slp_vectorization = True
+        passes = binding.create_pass_builder(machine, tuning)
+        passes.getModulePassManager().run(module, passes)
+    code: bytes = machine.emit_object(module)
+    return code
+
+
+# -- another process ------------------------------------------------------------------------------
+
+
+class HelperError(RuntimeError):
+    """The other process cannot be started, or has ended."""
+
+
+_BEGIN = """\
+import sys
+sys.path[:] = sys.argv[1:]
+from pydy._backends.llvm.compiling import serve
+serve()
+"""
+
+
+class Helper:
+    """A process that compiles; it starts when it is first needed, and ends with this one."""
+
+    def __init__(self) -> None:
+        self._process: Any = None
+
+    def compile(self, source: Source) -> bytes:
+        """Compile as `object_code` does, elsewhere.
+
+        Raises
+        ------
+        HelperError
+        """
+        try:
+            process = self._process  # `close` may be called meanwhile, when the program ends
+            if process is None:
+                process = self._process = _started()
+                _wait_until_ready(process.stdout)
+            rest = memoryview(pickle.dumps(source))
+            while rest:
+                rest = rest[process.stdin.write(rest) :]
+            size = int.from_bytes(_received(process.stdout, _SIZE))
+            return _received(process.stdout, size)
+        except (OSError, EOFError, ValueError) as error:
+            raise HelperError("the process that compiles does not answer") from error
+
+    def close(self) -> None:
+        """End the process, whatever it is doing."""
+        process, self._process = self._process, None
+        if process is not None:
+            process.kill()
+            process.wait()
+            self._leave(process)
+
+    def leave(self) -> None:
+        """Have no more to do with the process: it belongs to the one that this was forked from."""
+        process, self._process = self._process, None
+        if process is not None:
+            process.returncode = 0
+            self._leave(process)
+
+    def _leave(self, process: Any) -> None:
+        for pipe in (process.stdin, process.stdout):
+            with suppress(OSError):
+                pipe.close()
+
+
+_SIZE = 8  # bytes that say how many follow
+_READY = b"\npydy is ready to compile\n"
+
+
+def _wait_until_ready(pipe: Any) -> None:
+    """Pass over what the user's own settings of Python print when it starts."""
+    seen = b""
+    while not seen.endswith(_READY):
+        seen = seen[-len(_READY) :] + _received(pipe, 1)
+
+
+def _received(pipe: Any, size: int) -> bytes:
+    """Read so many bytes."""
+    data = bytearray()
+    while len(data) < size:
+        chunk = pipe.read(min(size - len(data), 2**20))
+        if not chunk:
+            raise EOFError
+        data += chunk
+    return bytes(data)
+
+
+def _started() -> subprocess.Popen[bytes]:
+    # Python may live inside another program, which is then the executable.
+    if "python" not in Path(sys.executable or "").name.lower():
+        raise OSError("this program is not Python itself")
+    return subprocess.Popen(
+        [sys.executable, "-P", "-c", _BEGIN, *map(os.path.abspath, sys.path)],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        bufsize=0,  # a forked child must not write again what is under way
+        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+    )
+
+
+def serve() -> None:
+    """Compile what comes in, until nothing more can come."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a Ctrl-C is meant for the program
+    if hasattr(os, "nice"):
+        os.nice(10)
+    with suppress(EOFError, OSError), os.fdopen(os.dup(1), "wb") as replies:
+        os.dup2(2, 1)  # whatever is printed is no reply
+        replies.write(_READY)
+        replies.flush()
+        while True:
+            source = pickle.load(sys.stdin.buffer)
+            code = object_code(source)
+            replies.write(len(code).to_bytes(_SIZE) + code)
+            replies.flush()

@@ -1,0 +1,335 @@
+"""The operations of a Program as LLVM instructions, one stage at a time.
+
+Instructions carry no fast-math flags. Products go into sums as fused
+multiply-adds here, not in LLVM, so that the last bit depends neither on its level of effort nor on
+how many states are taken at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from pydy._backends.llvm.guards import Solves
+from pydy._backends.llvm.ir import Function, literal, vector_type
+from pydy._backends.llvm.plan import BLOCK, Place, Registers, fusion, readers
+from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
+from pydy._graph.operations import ANGLES, OPERATIONS, TRUTHS, operands
+from pydy._graph.program import Program
+
+__all__ = ["BRANCH_WEIGHTS", "Emitter", "called"]
+
+# Hints for the two kinds of branches: to a fallback when true, and when false.
+BRANCH_WEIGHTS = (
+    '!0 = !{!"branch_weights", i32 1, i32 2000}',
+    '!1 = !{!"branch_weights", i32 2000, i32 1}',
+)
+# Registers for intermediate results, and for those of sine and cosine.
+_TEMPORARY = 5
+_SINCOS = 12
+# Angles whose sines and cosines are taken with one look at their sizes.
+_TOGETHER = 8
+
+
+class Emitter:
+    """Writes the operations of one stage.
+
+    Parameters
+    ----------
+    f : Function
+        Receives them.
+    program : Program
+    lanes : int
+    registers : int
+        How many values of all lanes the processor can hold.
+    setup : bool
+        Which stage.
+    brief : bool
+        Call routines where there are any.
+    """
+
+    def __init__(
+        self,
+        f: Function,
+        program: Program,
+        lanes: int,
+        registers: int,
+        setup: bool,
+        brief: bool = False,
+    ) -> None:
+        self.f = f
+        self.program = program
+        self.lanes = lanes
+        self.setup = setup
+        self.sincos = sincos_call if brief else sincos
+        self.v = vector_type("double", lanes)
+        self.b = vector_type("i1", lanes)
+        self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
+        self.fused, self.swallowed = fusion(program)
+        uses = readers(program, self.swallowed, setup)
+        self.capacity = max(registers - _TEMPORARY, 4)
+        self.names = Registers(f, self.v, self.capacity, uses)
+        self.written = 0
+        # A parameter that is never null.
+        self.pointer = "%p" if setup else "%t"
+        self.places: dict[int, list[tuple[str, int, int]]] = {}
+        self.solves = Solves(self)
+        self.angles: dict[int, tuple[Place, Place]] = {}
+        self.put_off = {k for nodes in program.fallback.values() for k in nodes}
+        self.carried: dict[int, int] = {}
+        if not setup:
+            self.carried = {node: index for index, node in enumerate(program.carried)}
+        self._constants()
+
+    def _constants(self) -> None:
+        """Name the numbers, which need no instruction."""
+        for k, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
+            if op == "const":
+                self.names.fix(k, literal(args[0], self.lanes))
+            elif op == "bool":
+                text = "true" if args[0] else "false"
+                self.names.fix(k, text if self.lanes == 1 else f"splat (i1 {text})")
+
+    def stage(self) -> None:
+        """Write all operations, and the results of each as soon as it is known."""
+        program = self.program
+        self.solves.reserve()
+        if self.setup:
+            for index, k in enumerate(program.carried):
+                self.place(k, "%c", index)
+        else:
+            for index, k in enumerate(program.outputs):
+                self.place(k, "%out", index)
+        for k, op in enumerate(program.ops):
+            if program.setup[k] != self.setup or op in ("const", "bool"):
+                continue
+            if op == "input":
+                group, index = program.args[k]
+                self.names.home(k, f"%{group}", index)
+                self._keep(k)
+            else:
+                self.node(k)
+        if not self.setup:
+            for index, k in enumerate(program.outputs):
+                if program.setup[k]:
+                    self.load_carried(k)
+                    self.f.store(self.v, self.names[k], self.names.place("%out", index))
+
+    def computed(self, node: int) -> bool:
+        """Return whether an operation of this stage gives the value."""
+        op = self.program.ops[node]
+        return self.program.setup[node] == self.setup and op not in ("const", "bool", "input")
+
+    def place(self, node: int, pointer: str, index: int, until: int = -1) -> None:
+        """Have a value written to memory as soon as it is computed.
+
+        Up to the operation `until` it can be read there; always, unless one is given.
+        """
+        self.places.setdefault(node, []).append((pointer, index, until))
+
+    def load_carried(self, node: int) -> None:
+        """Read a value of the setup stage, unless it is known or none."""
+        if node not in self.carried or node in self.names:
+            return
+        if self.program.ops[node] in TRUTHS:
+            number = self.f.load(self.v, "%c", str(self.carried[node]))
+            zero = literal(0.0, self.lanes)
+            self.names.fix(node, self.f.let(f"fcmp une {self.v} {number}, {zero}"))
+        else:
+            self.names.home(node, "%c", self.carried[node])
+
+    def _keep(self, node: int) -> None:
+        """Write a value to where it is wanted; there it can be read again."""
+        for pointer, index, until in self.places.get(node, ()):
+            if self.names.lies_at(node, pointer, index):
+                continue
+            value = self.names[node]
+            if self.program.ops[node] in TRUTHS:
+                value = self.f.let(f"uitofp {self.b} {value} to {self.v}")
+            elif until == -1 or until >= self.names.last_use(node):
+                self.names.home(node, pointer, index)
+            self.f.store(self.v, value, self.names.place(pointer, index))
+
+    def node(self, node: int) -> None:
+        """Write one operation; what only a fallback needs is written there."""
+        if node in self.put_off or node in self.swallowed:
+            return
+        self._count()
+        self._write_and_keep(node)
+
+    def _count(self) -> None:
+        if self.written and self.written % BLOCK == 0:
+            self._next_block()
+        self.written += 1
+
+    def _write_and_keep(self, node: int) -> None:
+        self._carried_by(node)
+        self._write(node)
+        self._keep(node)
+        self.names.leave(node)
+
+    def _carried_by(self, node: int) -> None:
+        for other in operands(self.program.ops[node], self.program.args[node]):
+            if other in self.swallowed:
+                self._carried_by(other)
+            elif other not in self.put_off:
+                self.load_carried(other)
+
+    def write_fallback(self, guard: int) -> None:
+        """Write what only the fallback of a guard needs."""
+        for node in self.program.fallback[guard]:
+            if node not in self.swallowed:
+                self._count()
+                self._write_and_keep(node)
+
+    def _next_block(self) -> None:
+        """Begin another basic block, in a way that LLVM does not see through."""
+        self.written = 0
+        f = self.f
+        block = f.name("block")
+        f.do(f"br i1 {f.let(f'icmp ne ptr {self.pointer}, null')}, label {block}, label %bail")
+        f.label(block)
+
+    def _write(self, node: int) -> None:
+        op, args = self.program.ops[node], self.program.args[node]
+        if node in self.fused:
+            self.names[node] = self._fused(op, *args)
+        elif op in OPERATIONS:
+            kind, _, word = OPERATIONS[op].llvm.partition(" ")
+            EMITTERS[kind](self, node, word, *args)
+        elif op == "item":
+            self._name(node, self.solves.vectors[args[0]][args[1]])
+        else:
+            SOLVES[op](self.solves, node, *args)
+
+    # What the table of operations names: each writes one, given its word and its operands.
+
+    def _arithmetic(self, node: int, word: str, a: int, b: int) -> None:
+        names = self.names
+        names[node] = self.f.let(f"{word} {self.v} {names[a]}, {names[b]}")
+
+    def _negation(self, node: int, word: str, a: int) -> None:
+        self.names[node] = self.f.let(f"fneg {self.v} {self.names[a]}")
+
+    def _intrinsic(self, node: int, word: str, *args: int) -> None:
+        self._call(node, f"llvm.{word}.{self.suffix}", args)
+
+    def _libm(self, node: int, word: str, *args: int) -> None:
+        self._call(node, word if self.lanes == 1 else f"{word}.lanes", args)
+
+    def _call(self, node: int, name: str, args: tuple[int, ...]) -> None:
+        text = ", ".join(f"{self.v} {self.names[k]}" for k in args)
+        self.names[node] = self.f.let(f"call {self.v} @{name}({text})")
+
+    def _sincos(self, node: int, word: str, angle: int) -> None:
+        if angle not in self.angles:
+            self._take_angles(node)
+        self._name(node, self.angles[angle][int(word)])
+
+    def _comparison(self, node: int, word: str, a: int, b: int) -> None:
+        names = self.names
+        names.fix(node, self.f.let(f"fcmp {word} {self.v} {names[a]}, {names[b]}"))
+
+    def _logic(self, node: int, word: str, a: int, b: int) -> None:
+        names = self.names
+        names.fix(node, self.f.let(f"{word} {self.b} {names[a]}, {names[b]}"))
+
+    def _inversion(self, node: int, word: str, a: int) -> None:
+        true = "true" if self.lanes == 1 else "splat (i1 true)"
+        self.names.fix(node, self.f.let(f"xor {self.b} {self.names[a]}, {true}"))
+
+    def _selection(self, node: int, word: str, *args: int) -> None:
+        c, yes, no = (self.names[k] for k in args)
+        self.names[node] = self.f.let(f"select {self.b} {c}, {self.v} {yes}, {self.v} {no}")
+
+    def _sign(self, node: int, word: str, a: int) -> None:
+        f, v, n, x = self.f, self.v, self.lanes, self.names[a]
+        above = f.let(f"fcmp ogt {v} {x}, {literal(0.0, n)}")
+        below = f.let(f"fcmp olt {v} {x}, {literal(0.0, n)}")
+        inner = f.let(f"select {self.b} {below}, {v} {literal(-1.0, n)}, {v} {x}")
+        self.names[node] = f.let(f"select {self.b} {above}, {v} {literal(1.0, n)}, {v} {inner}")
+
+    def _name(self, node: int, place: Place) -> None:
+        """Name a value, or say where in memory it lies."""
+        if isinstance(place, tuple):
+            self.names.home(node, *place)
+        else:
+            self.names[node] = place
+
+    def _fused(self, op: str, a: int, b: int) -> str:
+        """Write a sum with a product as one fused multiply-add."""
+        f, v, names = self.f, self.v, self.names
+        product, other = (b, a) if b in self.swallowed else (a, b)
+        x, y = (names[k] for k in self.program.args[product])
+        z = names[other]
+        if op == "sub":
+            if product == b:
+                x = f.let(f"fneg {v} {x}")
+            else:
+                z = f.let(f"fneg {v} {z}")
+        return f.let(f"call {v} @llvm.fma.{self.suffix}({v} {x}, {v} {y}, {v} {z})")
+
+    def _take_angles(self, node: int) -> None:
+        """Write sine and cosine of an angle and of all others known by now, side by side."""
+        f, program = self.f, self.program
+        waiting = dict.fromkeys(
+            program.args[k][0]
+            for k in range(node, len(program.ops))
+            if program.ops[k] in ANGLES and program.setup[k] == program.setup[node]
+        )
+        ready = [k for k in waiting if k in self.names and k not in self.angles]
+        if self.lanes > 1:
+            for start in range(0, len(ready), _TOGETHER):
+                group = ready[start : start + _TOGETHER]
+                self.names.leave(node - 1, min(_SINCOS, self.capacity - 1))
+                pairs = sincos_together(f, [self.names[k] for k in group], self.lanes)
+                self.angles.update(zip(group, pairs, strict=True))
+            return
+        while ready:
+            width = next(w for w in (8, 4, 2, 1) if w <= len(ready) or w == 1)
+            if len(ready) > width:
+                width = min(8, 2 * width)
+            group, ready = ready[:width], ready[width:]
+            self._side_by_side(group, width)
+
+    def _side_by_side(self, group: list[int], width: int) -> None:
+        f = self.f
+        if width == 1:
+            self.angles[group[0]] = self.sincos(f, self.names[group[0]], 1)
+            return
+        v = vector_type("double", width)
+        packed = "poison"
+        for lane in range(width):
+            value = self.names[group[min(lane, len(group) - 1)]]
+            packed = f.let(f"insertelement {v} {packed}, double {value}, i32 {lane}")
+        sine, cosine = self.sincos(f, packed, width)
+        room = f.slot(v, 2)
+        f.store(v, sine, room)
+        f.store(v, cosine, room, "1")
+        for lane, angle in enumerate(group):
+            self.angles[angle] = ((room, lane), (room, width + lane))
+
+
+EMITTERS: dict[str, Callable[..., None]] = {
+    "arithmetic": Emitter._arithmetic,
+    "negation": Emitter._negation,
+    "intrinsic": Emitter._intrinsic,
+    "libm": Emitter._libm,
+    "sincos": Emitter._sincos,
+    "comparison": Emitter._comparison,
+    "logic": Emitter._logic,
+    "inversion": Emitter._inversion,
+    "selection": Emitter._selection,
+    "sign": Emitter._sign,
+}
+SOLVES: dict[str, Callable[..., None]] = {
+    "factor": Solves.factor,
+    "solve": Solves.solve,
+    "guard": Solves.guard,
+}
+
+
+def called(program: Program, kind: str) -> dict[str, int]:
+    """Return what a Program's operations call by an emitter: names, with how many arguments."""
+    rows = [OPERATIONS[op] for op in sorted(set(program.ops)) if op in OPERATIONS]
+    words = [(row.llvm.partition(" "), row.arity) for row in rows]
+    return {word: arity for (name, _, word), arity in words if name == kind}

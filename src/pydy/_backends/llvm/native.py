@@ -1,0 +1,289 @@
+"""What every native kernel needs around it: a sweep over many states, and a gate from Python.
+
+Both are written once in LLVM IR and take a kernel by its address, so a model compiles nothing but
+its own equations. Sweeps are in `sweep`. The *gate* is a C function of Python's own interface:
+for arguments that are already float64 arrays of the right length it costs about a tenth of a
+microsecond, where ctypes alone would cost ten times as much. It reads NumPy's array object at the
+offsets of `_array_layout`; where those do not hold, ctypes does it after all.
+
+What a kernel is, and the binding of its constants, lies in an array of 64-bit words::
+
+    0 kernel   1 prepare   2 n   3 s   4 k   5 carried   6 outputs   7 bound   8… p   8+k… c
+"""
+
+from __future__ import annotations
+
+import ctypes
+import sysconfig
+from collections.abc import Callable
+from functools import cache, partial
+from typing import Any, Literal
+
+import numpy as np
+
+from pydy import _array_layout, _cache_folder
+from pydy._array_layout import DATA, DESCR, FLAGS, FLOAT, KIND, NDIM, SHAPE
+from pydy._backends.base import strict
+from pydy._backends.llvm import jit
+from pydy._backends.llvm.background import Compile, Task, submit
+from pydy._backends.llvm.gate import Gate
+from pydy._backends.llvm.ir import Function
+from pydy._backends.llvm.sweep import (
+    ARRAYS,
+    KERNEL_WORDS,
+    SWEEP_GATE,
+    row_sweep_function,
+    scratch_size,
+    sweep_gate_function,
+    sweep_module,
+    sweep_name,
+)
+from pydy._graph.program import Program
+from pydy._kernel import Kernel
+
+__all__ = ["Entry", "native_kernel"]
+
+_HEADER = 8
+
+
+class Entry:
+    """The native functions of a Program, which better ones may replace at any time.
+
+    Parameters
+    ----------
+    addresses : (int, int)
+        Of `kernel` and `prepare`.
+    owner : object
+        Keeps their code alive.
+    """
+
+    def __init__(self, addresses: tuple[int, int], owner: Any) -> None:
+        self.addresses = addresses
+        self.better: Task | None = None
+        self._owners = [owner]  # a call may be under way in the old code: it stays
+        self._words: list[np.ndarray] = []
+
+    def replace(self, addresses: tuple[int, int], owner: Any) -> None:
+        """Use other functions from the next call on."""
+        if addresses == self.addresses:
+            return
+        self._owners.append(owner)
+        self.addresses = addresses
+        for words in self._words:
+            words[:2] = addresses
+
+    def bind(self, words: np.ndarray) -> None:
+        """Keep the first two words of an array up to date."""
+        self._words.append(words)
+        words[:2] = self.addresses
+
+    def settled(self) -> tuple[int, int]:
+        """Return the addresses of the best code, compiling it now if need be."""
+        if self.better is not None:
+            self.better.run()
+        return self.addresses
+
+
+def native_kernel(
+    program: Program,
+    entry: Entry,
+    lanes: int,
+    rebuild: Callable[..., Kernel],
+    recipe: tuple[Any, ...],
+    strided: int = 0,
+) -> Kernel:
+    """Wrap native functions of the package's signature as a Kernel.
+
+    `strided` is the address of the form that takes items at any distance; see `sweep`.
+    """
+    runtime = _runtime()
+    sweep = _make_sweep(program, entry, lanes, strided, runtime)
+    call = _make_call(program, entry, lanes, sweep, runtime)
+    return Kernel(program, sweep, call, rebuild, recipe, entry.settled, lanes, (entry, runtime))
+
+
+def _text(brief: bool) -> str:
+    return row_sweep_function() + sweep_gate_function() + _gate_text()
+
+
+def _keep(source: jit.Source, compile_source: Compile) -> None:
+    """Compile for the next process; this one goes on with what is there at once."""
+    _cache_folder.write(source.key, compile_source(source))
+
+
+class _Runtime:
+    def __init__(self) -> None:
+        names = (sweep_name(1), SWEEP_GATE, "gate")
+        source = jit.Source("runtime", _text, names, loops=True)
+        self.better: Task | None = None
+        code = jit.find(source)
+        if code is None:
+            if _cache_folder.folder() is not None:
+                self.better = Task(partial(_keep, source))
+                submit(self.better)
+            code = jit.load_quickly(source)
+        self.code = code
+        self.gate = Gate(b"native_call", code, "gate")
+        self._sweep = Gate(b"native_sweep", code, SWEEP_GATE)
+        gate: Callable[..., None] = self._sweep.function(None)
+        self.sweep = gate if _array_layout.FITS else _careful_sweep
+
+
+_SWEEP = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * (1 + len(ARRAYS)))
+
+
+def _careful_sweep(words: np.ndarray, *arrays: np.ndarray) -> None:
+    """Do what the sweep's gate does, without a look into NumPy's objects."""
+    t, x, r = arrays[:3]
+    r_step = r.shape[1] if len(r) > 1 else 0
+    by_columns = x.flags.f_contiguous and not x.flags.c_contiguous
+    words = np.array([*words, len(t), r_step, by_columns], np.int64)
+    _SWEEP(int(words[3]))(*(array.ctypes.data for array in (words, *arrays)))
+
+
+@cache
+def _runtime() -> _Runtime:
+    return _Runtime()
+
+
+def _make_sweep(
+    program: Program, entry: Entry, lanes: int, strided: int, runtime: _Runtime
+) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
+    n, s, outputs = program.num_states, program.num_specifieds, len(program.outputs)
+    sizes = (n, s, program.num_constants, len(program.carried), outputs)
+    native = runtime.code.addresses[sweep_name(1)] if lanes == 1 else _wide_sweep(lanes)
+    room = scratch_size(lanes, *sizes)
+    run, columns = runtime.sweep, lanes > 1
+    words = np.array([0, 0, strided, native, *sizes], np.int64)
+    assert len(words) == len(KERNEL_WORDS)
+    entry.bind(words)
+
+    def sweep(
+        t: np.ndarray,
+        x: np.ndarray,
+        r: np.ndarray,
+        p: np.ndarray,
+        out: np.ndarray | None = None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        m = len(t)
+        order: Literal["C", "F"] = "C"
+        if columns and m > 1 and n > 1 and x.flags.f_contiguous:
+            order, r = "F", np.asfortranarray(r)
+        else:
+            x, r = np.ascontiguousarray(x), np.ascontiguousarray(r)
+        values = np.empty((m, outputs), order=order) if out is None else out
+        failed = np.zeros(m, dtype=np.bool_)
+        run(words, t, x, r, p, values, failed, np.empty(room))
+        return values, failed
+
+    return sweep
+
+
+def _sweep_text(lanes: int, brief: bool) -> str:
+    return sweep_module(lanes)
+
+
+_WIDE: dict[int, jit.Code] = {}
+
+
+def _wide_sweep(lanes: int) -> int:
+    if lanes not in _WIDE:
+        name = sweep_name(lanes)
+        source = jit.Source(f"sweep {lanes}", partial(_sweep_text, lanes), (name,), True)
+        _WIDE[lanes] = jit.load(source)
+    return _WIDE[lanes].addresses[sweep_name(lanes)]
+
+
+def _make_call(
+    program: Program,
+    entry: Entry,
+    lanes: int,
+    sweep: Callable[..., tuple[np.ndarray, np.ndarray]],
+    runtime: _Runtime,
+) -> Callable[..., int]:
+    if lanes == 1 and _array_layout.FITS and not sysconfig.get_config_var("Py_GIL_DISABLED"):
+        words = np.zeros(_HEADER + program.num_constants + len(program.carried), dtype=np.int64)
+        words[2:7] = [
+            program.num_states,
+            program.num_specifieds,
+            program.num_constants,
+            len(program.carried),
+            len(program.outputs),
+        ]
+        entry.bind(words)
+        gate: Callable[..., int] = runtime.gate.function(words)
+        return gate
+
+    # Without the interpreter's lock the gate's shared binding of constants would be a race.
+    def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
+        if type(t) is not float or not strict(program, x, r, p):
+            return -1
+        values, failed = sweep(np.array([t], float), x[None, :], r[None, :], p)
+        out[:] = values[0]
+        return int(failed[0])
+
+    return call
+
+
+def _gate_text() -> str:
+    """IR of gate(self, args, count): native_call(x, t, r, p, out) -> int."""
+    f = Function("gate", "ptr", "ptr %self, ptr %args, i64 %count", "|nounwind")
+    slow = "%slow"
+
+    def need(condition: str) -> None:
+        ok = f.name("ok")
+        f.do(f"br i1 {condition}, label {ok}, label {slow}")
+        f.label(ok)
+
+    def field(pointer: str, offset: int, kind: str) -> str:
+        return f.load(kind, f.at(pointer, str(offset), "i8"))
+
+    def array(value: str, kind: str, descr: str, size: str) -> str:
+        """Return the data of a float64 vector of that size, or leave by the slow exit."""
+        need(f.let(f"icmp eq ptr {field(value, KIND, 'ptr')}, {kind}"))
+        need(f.let(f"icmp eq ptr {field(value, DESCR, 'ptr')}, {descr}"))
+        need(f.let(f"icmp eq i32 {field(value, NDIM, 'i32')}, 1"))
+        flags = f.let(f"and i32 {field(value, FLAGS, 'i32')}, {0x0101}")  # contiguous, aligned
+        need(f.let(f"icmp eq i32 {flags}, {0x0101}"))
+        need(f.let(f"icmp eq i64 {f.load('i64', field(value, SHAPE, 'ptr'))}, {size}"))
+        return field(value, DATA, "ptr")
+
+    need(f.let("icmp eq i64 %count, 5"))
+    words = field("%self", DATA, "ptr")
+    kernel, prepare = f.load("ptr", words), f.load("ptr", words, "1")
+    n, s, k = (f.load("i64", words, str(j)) for j in (2, 3, 4))
+    x, t, r, p, out = (f.load("ptr", "%args", str(j)) for j in range(5))
+    kind, descr = field(out, KIND, "ptr"), field(out, DESCR, "ptr")  # our own np.empty: the pattern
+    x_data = array(x, kind, descr, n)
+    need(f.let(f"icmp eq ptr {field(t, KIND, 'ptr')}, @PyFloat_Type"))
+    t_slot = f.variable("double", field(t, FLOAT, "double"))
+    r_data = array(r, kind, descr, s)
+    p_data = array(p, kind, descr, k)
+    out_data = field(out, DATA, "ptr")
+    p_bound = f.at(words, str(_HEADER), "i64")
+    c = f.at(p_bound, k, "i64")
+    size = f.let(f"mul i64 {k}, 8")
+    same = f.let(
+        f"icmp eq i32 {f.let(f'call i32 @memcmp(ptr {p_bound}, ptr {p_data}, i64 {size})')}, 0"
+    )
+    bound = f.let(f"icmp ne i64 {f.load('i64', words, '7')}, 0")
+    current = f.let(f"and i1 {same}, {bound}")
+    with f.when(f.let(f"xor i1 {current}, true")):
+        f.let(f"call ptr @memcpy(ptr {p_bound}, ptr {p_data}, i64 {size})")
+        f.do(f"call void {prepare}(ptr {p_bound}, ptr {c})")
+        f.store("i64", "1", words, "7")
+    status = f.let(
+        f"call i32 {kernel}(ptr {t_slot}, ptr {x_data}, ptr {r_data}, ptr {c}, ptr {out_data})"
+    )
+    wide = f.let(f"zext i32 {status} to i64")
+    f.do(f"ret ptr {f.let(f'call ptr @PyLong_FromLong(i64 {wide})')}")
+    f.label(slow)
+    f.do(f"ret ptr {f.let('call ptr @PyLong_FromLong(i64 -1)')}")
+    declarations = [
+        "@PyFloat_Type = external global i8",
+        "declare ptr @PyLong_FromLong(i64)",
+        "declare i32 @memcmp(ptr, ptr, i64)",
+        "declare ptr @memcpy(ptr, ptr, i64)",
+        "",
+    ]
+    return "\n".join(declarations) + f.text()

@@ -1,1 +1,0 @@
-"""From a method of `sympy.physics.mechanics` to plain `Equations`. Import the module you need."""

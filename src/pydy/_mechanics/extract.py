@@ -1,0 +1,39 @@
+"""Dispatch from a method object to its `Equations`, by type."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+from typing import Any
+
+from sympy.physics.mechanics import KanesMethod, LagrangesMethod
+
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.kane import equations_of_kane
+from pydy._mechanics.lagrange import equations_of_lagrange
+
+__all__ = ["extract"]
+
+
+@singledispatch
+def extract(eom_method: Any, source: str | None = None) -> Equations:
+    """Return the equations that a method object holds, or that its bodies and loads give.
+
+    Parameters
+    ----------
+    eom_method : object
+    source : {'graph', 'method'}, optional
+        See `pydy.system.System`.
+
+    Raises
+    ------
+    TypeError
+        There is no reader for an object of this type.
+    """
+    raise TypeError(
+        "`eom_method` must be a KanesMethod or LagrangesMethod of sympy.physics.mechanics, "
+        f"got an object of type {type(eom_method).__name__}."
+    )
+
+
+extract.register(KanesMethod, equations_of_kane)
+extract.register(LagrangesMethod, equations_of_lagrange)

@@ -1,0 +1,118 @@
+"""Read a KanesMethod. The only module that touches its underscore attributes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from sympy.physics.mechanics import KanesMethod, dynamicsymbols
+
+from pydy._mechanics.choice import chosen
+from pydy._mechanics.classify import classify
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.form import auxiliary_equations
+from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.reader import Multibody, check_bodies, read_loads
+
+__all__ = ["equations_of_kane", "multibody_of_kane"]
+
+
+def multibody_of_kane(kane: KanesMethod) -> Multibody:
+    """Return what the equations of a KanesMethod are made from.
+
+    ``kanes_equations()`` need not have been called.
+    """
+    rates = kane.kindiffdict()
+    velocity: tuple[Any, ...] = ()
+    acceleration: tuple[Any, ...] = ()
+    if kane._k_nh:
+        velocity = tuple(kane._k_nh * kane.u + kane._f_nh)
+        # SymPy hands the same matrix on when no acceleration constraints were given.
+        if kane._k_dnh is not kane._k_nh:
+            acceleration = tuple(kane._k_dnh * kane._udot + kane._f_dnh)
+    return Multibody(
+        frame=kane._inertial,
+        bodies=check_bodies(kane._bodylist or ()),
+        loads=read_loads(kane._forcelist or ()),
+        time=dynamicsymbols._t,
+        coordinates=tuple(kane.q),
+        speeds=tuple(kane.u),
+        coordinate_rates=tuple(kane._qdot),
+        coordinate_derivatives=tuple(rates[rate] for rate in kane._qdot),
+        velocity=velocity,
+        acceleration=acceleration,
+        auxiliary=tuple(kane._uaux),
+    )
+
+
+def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations:
+    """Return the equations of a KanesMethod.
+
+    Parameters
+    ----------
+    kane : KanesMethod
+    source : {'graph', 'method'}, optional
+        Whether the equations of motion are formed from bodies and loads, or those of
+        ``kanes_equations()``. By default the latter where that has been called.
+
+    Raises
+    ------
+    ValueError
+        The equations can be had neither way, or not in the one that is asked for.
+    """
+    called = kane._fr is not None and kane._frstar is not None
+    if source == "method" and not called:
+        raise ValueError(
+            "`equations='method'` needs the equations of `eom_method`: call its "
+            "`kanes_equations(bodies, loads)` before it is handed to System."
+        )
+    formed = source == "graph" or not called
+    if formed and not kane._bodylist:
+        raise ValueError(
+            "`eom_method` holds no equations of motion yet, and no bodies to form them from: "
+            "construct it with `bodies=` and `forcelist=`, or call its `kanes_equations(bodies, "
+            "loads)` before it is handed to System."
+        )
+    if formed and not kane._qdot_u_map:
+        raise ValueError(
+            "`eom_method` has no kinematic differential equations: construct it with `kd_eqs=`."
+        )
+    t = dynamicsymbols._t
+    rates = kane.kindiffdict()
+    auxiliary = tuple(kane._uaux)
+    velocity: tuple[Any, ...] = ()
+    if kane._k_nh:
+        velocity = tuple(kane._k_nh * kane.u + kane._f_nh)
+    base = Equations(
+        time=t,
+        coordinates=tuple(kane.q),
+        speeds=tuple(kane.u),
+        coordinate_rates=tuple(kane._qdot),
+        speed_rates=tuple(kane._udot),
+        coordinate_derivatives=tuple(rates[rate] for rate in kane._qdot),
+        mass_matrix=() if formed else kane.mass_matrix,
+        forcing=() if formed else tuple(kane.forcing),
+        positive_definite=not kane._udep,
+        holonomic=tuple(kane._f_h),
+        velocity=velocity,
+        dependent_coordinates=tuple(kane._qdep),
+        dependent_speeds=tuple(kane._udep),
+        auxiliary_speeds=auxiliary,
+        auxiliary_equations=() if formed or not auxiliary else tuple(kane.auxiliary_eqs),
+        # In motion the auxiliary speeds are zero at all times.
+        zeros=(*auxiliary, *(u.diff(t) for u in auxiliary)),
+        mechanism=Mechanism(
+            kane._inertial, tuple(kane._bodylist or ()), read_loads(kane._forcelist or ())
+        ),
+    )
+    if formed:
+        body = multibody_of_kane(kane)
+        found = chosen(body)
+        energy = found.energy(t, base.coordinates, base.speeds)
+        base = replace(
+            base,
+            formed=found,
+            mechanism=Mechanism(body.frame, body.bodies, body.loads, energy),
+            auxiliary_equations=tuple(auxiliary_equations(body)) if auxiliary else (),
+        )
+    return classify(base)

@@ -1,0 +1,373 @@
+"""The potential energy of loads that can be recognised as conservative.
+
+Only what follows from the form of a load is taken: a force that is constant in the inertial frame,
+equal and opposite forces between two points that depend on their distance alone, and loads whose
+work is a closed form: with polynomial coefficients, such as those of linear springs along a
+coordinate, or with others that SymPy integrates, such as -K sin 2q or a Piecewise force of a
+contact. What depends on speeds, time or specifieds has no potential. What depends on the
+configuration in another way may have one or not: it is named rather than left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cache
+from typing import Any
+
+import sympy as sm
+from sympy.physics.mechanics import Point, ReferenceFrame, Vector
+
+from pydy._errors import UnsupportedFunctionError
+from pydy._mechanics.balance import is_potential_of
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.reader import given_velocity, places
+from pydy._mechanics.symbols import find_symbols, replace_symbols
+
+__all__ = ["Potential", "find_potential"]
+
+
+@dataclass
+class Potential:
+    """What is known about the potential energy.
+
+    Attributes
+    ----------
+    expression : expression
+        Of the loads that were recognised, in terms of q, t, constants and specifieds.
+    unknown : list of str
+        The loads that depend on the configuration but could not be recognised, for messages.
+    advice : str
+        What they lack.
+    """
+
+    expression: Any = sm.S.Zero
+    unknown: list[str] = field(default_factory=list)
+    advice: str = ""
+
+
+_NO_PLACE = (
+    "A constant force needs the position of its point from a point that stands still in the "
+    "inertial frame (`Point.set_pos`)."
+)
+_NO_INTEGRAL = (
+    "The work of a load that depends on the configuration must be one that SymPy can integrate, "
+    "along coordinates whose derivatives are speeds, and the same on every path."
+)
+
+
+@dataclass(frozen=True, eq=False)
+class _Term:
+    """A part of a load: one size along one unit vector."""
+
+    where: Any
+    size: Any
+    frame: ReferenceFrame
+    axis: int
+
+    @property
+    def vector(self) -> Vector:
+        return self.size * (self.frame.x, self.frame.y, self.frame.z)[self.axis]
+
+    def __str__(self) -> str:
+        kind = "force on the point" if isinstance(self.where, Point) else "torque on the frame"
+        return f"the {kind} {self.where}, `{self.vector}`"
+
+
+def find_potential(equations: Equations) -> Potential:
+    """Return the potential energy of the loads, as far as they are recognised."""
+    mechanism = equations.mechanism
+    if mechanism is None:
+        return Potential()
+    return _Search(equations, mechanism).result()
+
+
+class _Search:
+    def __init__(self, equations: Equations, mechanism: Mechanism) -> None:
+        self.equations, self.mechanism = equations, mechanism
+        self.frame = mechanism.frame
+        self.coordinates = set(equations.coordinates)
+        self.energies: list[Any] = []
+        self.powers: list[Any] = []  # of the loads whose energies these are
+        self.fixed = cache(self._fixed)
+
+    def result(self) -> Potential:
+        loads = [load for load in self.mechanism.loads if self._moves(load[0])]
+        terms = [
+            term
+            for where, vector in self._radial(loads)
+            for term in self._terms(where, vector)
+            if self._is_static(term.size)
+        ]
+        terms = [term for term in terms if not self._constant_force(term)]
+        rest = self._polynomial(terms)
+        lost = [term for term in rest if self._is_lost(term)]
+        others = [term for term in rest if term not in lost]
+        unknown = [*lost, *self._integrable(others, self._antiderivative)]
+        found = sm.Add(*self.energies)
+        own = self.equations.in_states(
+            sm.Add(*(body.potential_energy for body in self.mechanism.bodies))
+        )
+        everything = [*self.powers, *(self._power(t.where, t.vector) for t in unknown)]
+        sound = not self.powers or is_potential_of(self.equations, found, self.powers)
+        if sound and not unknown:
+            return Potential(found)
+        # The bodies' own potential energies tell of loads: of all of them, or of the others.
+        for candidate in (own, found + own):
+            if own != 0 and is_potential_of(self.equations, candidate, everything):
+                return Potential(candidate)
+        if not sound:
+            return Potential(
+                sm.S.Zero,
+                [f"the load on {where}, `{vector}`" for where, vector in self.mechanism.loads],
+                _NO_INTEGRAL,
+            )
+        advice = [_NO_PLACE] * bool(lost) + [_NO_INTEGRAL] * (len(unknown) > len(lost))
+        return Potential(found, [str(term) for term in unknown], " ".join(advice))
+
+    # -- what there is ----------------------------------------------------------------------------
+
+    def _velocity(self, where: Any) -> Vector:
+        return where.vel(self.frame) if isinstance(where, Point) else where.ang_vel_in(self.frame)
+
+    def _power(self, where: Any, vector: Vector) -> Any:
+        return self.equations.in_states(self.mechanism.dot(self._velocity(where), vector))
+
+    def _moves(self, where: Any) -> bool:
+        """Whether a load there does work, other than on the fictitious auxiliary motion."""
+        in_states = self.equations.in_states
+        return any(
+            in_states(part) != 0 for parts, _ in self._velocity(where).args for part in parts
+        )
+
+    def _is_constant(self, expression: Any) -> bool:
+        time = self.equations.time
+        return all(s.is_Symbol and s != time for s in find_symbols([sm.sympify(expression)]))
+
+    def _is_static(self, expression: Any) -> bool:
+        """Whether an expression depends on coordinates and constants alone."""
+        time = self.equations.time
+        return all(
+            s in self.coordinates or (s.is_Symbol and s != time) for s in find_symbols([expression])
+        )
+
+    def _terms(self, where: Any, vector: Vector) -> Iterator[_Term]:
+        for parts, frame in vector.args:
+            for axis, part in enumerate(parts):
+                for size in sm.Add.make_args(sm.expand_mul(part)):
+                    if size != 0:
+                        yield _Term(where, size, frame, axis)
+
+    def _fixed(self, point: Point) -> list[Point]:
+        """Return the points that stand still in the inertial frame and whose places are known."""
+        queue = [point]
+        for other in queue:  # nearest first
+            queue += [p for p in places(other) if p not in queue]
+        return [p for p in queue if given_velocity(p, self.frame) == 0]
+
+    def _take(self, energy: Any, power: Any) -> None:
+        self.energies.append(energy)
+        self.powers.append(power)
+
+    # -- forces between two points ----------------------------------------------------------------
+
+    def _radial(self, loads: Sequence[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
+        """Take forces along the line between two points; return the other loads."""
+        rest: list[tuple[Any, Any]] = []
+        for where, vector in loads:
+            partner = next(
+                (k for k, (_, v) in enumerate(rest) if (v + vector) == 0 and v != 0), None
+            )
+            others = self.fixed(where) if isinstance(where, Point) else []
+            if partner is not None and self._pair(where, rest[partner][0], vector):
+                self.powers.append(self._power(*rest.pop(partner)))
+            elif not any(self._pair(where, other, vector) for other in others):
+                rest.append((where, vector))
+        return rest
+
+    def _pair(self, point: Any, other: Any, force: Vector) -> bool:
+        """Take a force on `point` that pulls to or pushes from `other`, by their distance alone."""
+        if not (isinstance(point, Point) and isinstance(other, Point)):
+            return False
+        try:
+            line = point.pos_from(other)
+        except ValueError:  # nobody said where they are
+            return False
+        ratio = _ratio(force, line)
+        if ratio is None:
+            return False
+        square = line.dot(line)
+        if self._is_constant(square):
+            return False
+        distance = sm.Dummy("L", positive=True)
+        law = _in_terms_of(ratio, square, distance) * distance
+        if not self._is_constant(law):
+            return False
+        energy = _integral(-law, distance)
+        if energy is None:
+            return False
+        self._take(replace_symbols(energy, {distance: sm.sqrt(square)}), self._power(point, force))
+        return True
+
+    # -- constant forces --------------------------------------------------------------------------
+
+    def _constant_force(self, term: _Term) -> bool:
+        if not (isinstance(term.where, Point) and self._is_constant(term.size)):
+            return False
+        direction = self.mechanism.components(
+            (term.frame.x, term.frame.y, term.frame.z)[term.axis], self.frame
+        )
+        origins = self.fixed(term.where)
+        if not origins or not all(self._is_constant(part) for part in direction):
+            return False
+        place = self.mechanism.components(term.where.pos_from(origins[0]), self.frame)
+        self._take(-term.size * (direction.T * place)[0], self._power(term.where, term.vector))
+        return True
+
+    # -- closed forms -----------------------------------------------------------------------------
+
+    def _is_lost(self, term: _Term) -> bool:
+        """Whether a constant force lacks a place that would tell its potential."""
+        constant = isinstance(term.where, Point) and self._is_constant(term.size)
+        return constant and not self.fixed(term.where)
+
+    def _polynomial(self, terms: list[_Term]) -> list[_Term]:
+        """Take loads whose work is a closed polynomial form; return the others."""
+        return self._integrable(terms, self._integrate)
+
+    def _integrable(
+        self, terms: list[_Term], integrate: Callable[[Sequence[Any]], Any]
+    ) -> list[_Term]:
+        """Take loads whose work can be integrated; return the others.
+
+        All of them together, as a spring between two bodies needs; else each alone.
+        """
+        if not terms:
+            return []
+        powers = [self._power(t.where, t.vector) for t in terms]
+        energy = integrate(powers)
+        if energy is not None:
+            self._take(energy, sm.Add(*powers))
+            return []
+        rest = []
+        for term, power in zip(terms, powers, strict=True):
+            energy = integrate([power])
+            if energy is None:
+                rest.append(term)
+            else:
+                self._take(energy, power)
+        return rest
+
+    def _integrate(self, powers: Sequence[Any]) -> Any:
+        """Return minus the integral of the work, along straight lines from q = 0, or None."""
+        q = list(self.equations.coordinates)
+        rates = zip(self.equations.coordinate_derivatives, q, strict=True)
+        speed = {rate: c for rate, c in rates if rate in self.equations.speeds}
+        try:
+            poly = sm.Poly(sm.Add(*powers), *q, *speed)
+        except sm.PolynomialError:
+            return None
+        work: dict[Any, Any] = {}
+        for monomial, size in poly.terms():
+            moved = [s for s, power in zip(speed, monomial[len(q) :], strict=True) if power]
+            if sum(monomial[len(q) :]) != 1 or not self._is_constant(size):
+                return None
+            place = sm.Mul(*(c**p for c, p in zip(q, monomial[: len(q)], strict=True)))
+            work.setdefault(speed[moved[0]], []).append((size * place, sum(monomial[: len(q)])))
+        force = {c: sm.Add(*(part for part, _ in parts)) for c, parts in work.items()}
+        for a in q:
+            for b in q:
+                if sm.expand(sm.diff(force.get(a, 0), b) - sm.diff(force.get(b, 0), a)) != 0:
+                    return None
+        return sm.Add(
+            *(-part * c / (degree + 1) for c, parts in work.items() for part, degree in parts)
+        )
+
+    def _antiderivative(self, powers: Sequence[Any]) -> Any:
+        """Return minus the integral of the work, one coordinate after the other, or None."""
+        q = self.equations.coordinates
+        real = {c: sm.Dummy(c.func.__name__, real=True) for c in q}
+        rates = zip(self.equations.coordinate_derivatives, q, strict=True)
+        speed = {rate: c for rate, c in rates if rate in self.equations.speeds}
+        try:
+            terms = sm.Poly(sm.Add(*powers), *speed).terms()
+        except sm.PolynomialError:
+            return None
+        energy: Any = sm.S.Zero
+        done: set[Any] = set()
+        for monomial, force in terms:
+            if sum(monomial) != 1 or not self._is_static(force):
+                return None
+            x = real[list(speed.values())[monomial.index(1)]]
+            rest = sm.expand(replace_symbols(force, real) + energy.diff(x))
+            if rest.free_symbols & done:  # the work depends on the path, as far as can be seen
+                return None
+            part = _primitive(rest, x)
+            if part is None:
+                return None
+            energy -= part
+            done.add(x)
+        energy = replace_symbols(energy, {x: c for c, x in real.items()})
+        try:
+            sound = is_potential_of(self.equations, energy, powers)
+        except UnsupportedFunctionError:
+            return None
+        return energy if sound else None
+
+
+def _primitive(force: Any, x: Any) -> Any:
+    """Return a continuous integral over x, or None where SymPy finds none."""
+    if force.has(sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside):
+        force = sm.piecewise_fold(force.rewrite(sm.Piecewise))
+    try:
+        found = sm.integrate(force, x, manual=True)
+    except (NotImplementedError, ValueError, TypeError, AttributeError, RecursionError):
+        return None  # what SymPy raises for intervals that it cannot sort
+    return None if found.has(sm.Integral) else found
+
+
+def _ratio(force: Vector, line: Vector) -> Any:
+    """Return s of ``force = s · line``, or None when it cannot be seen."""
+    along = {frame: parts for parts, frame in line.args}
+    if {frame for _, frame in force.args} != set(along):
+        return None
+    found = None
+    for parts, frame in force.args:
+        for f, r in zip(parts, along[frame], strict=True):
+            if f == 0 and r == 0:
+                continue
+            if r == 0:
+                return None
+            ratio = f / r
+            if found is None:
+                found = ratio
+            elif ratio != found:
+                return None
+    return found
+
+
+def _in_terms_of(expression: Any, square: Any, distance: Any) -> Any:
+    """Write an expression in terms of a distance, where it holds the distance's square."""
+
+    def is_power(e: Any) -> bool:
+        return bool(e == square or (e.is_Pow and e.base == square))
+
+    return expression.replace(
+        is_power, lambda e: distance**2 if e == square else distance ** (2 * e.exp)
+    )
+
+
+def _integral(law: Any, distance: Any) -> Any:
+    """Integrate a sum of powers of the distance; None for anything else."""
+    parts = []
+    for term in sm.Add.make_args(sm.expand(law)):
+        size, power = term.as_independent(distance, as_Add=False)
+        _, exponent = power.as_base_exp() if power != 1 else (distance, sm.S.Zero)
+        if power not in (1, distance**exponent) or not exponent.is_number:
+            return None
+        if exponent == -1:
+            parts.append(size * sm.log(distance))
+        else:
+            parts.append(size * distance ** (exponent + 1) / (exponent + 1))
+    return sm.Add(*parts)

@@ -1,0 +1,173 @@
+"""Integrations of many samples from Python's side: arrays for the stepper of lanes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+
+from pydy._kernel import Kernel
+from pydy.solvers.lanes import layout as at
+from pydy.solvers.lanes.layout import Evaluation, LaneProblem, Lanes, Queue
+from pydy.solvers.options import Options
+from pydy.solvers.run import layout
+from pydy.solvers.run.layout import Memory
+from pydy.solvers.run.methods import method_arrays
+from pydy.solvers.run.problem import BLOCK, address, lined_up, tables_of
+from pydy.solvers.run.shipped import function_of
+from pydy.solvers.run.table import rows_of, table_of
+
+__all__ = ["LANES", "LaneResult", "evaluate_samples", "integrate_samples"]
+
+LANES = BLOCK
+_SLICE = 0.02  # seconds in compiled code, about, between two looks at whether to go on
+
+
+@dataclass(frozen=True, eq=False)
+class LaneResult:
+    """What became of m samples.
+
+    Attributes
+    ----------
+    counts : ndarray of int64, shape (m, 4)
+        Steps, rejected ones, evaluations, and how it ended: a code of `outcome`.
+    reached : ndarray, shape (m,)
+        The time up to which each was integrated.
+    """
+
+    counts: np.ndarray
+    reached: np.ndarray
+
+
+def integrate_samples(
+    kernel: Kernel,
+    method: str,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+    sampled: Sequence[tuple[np.ndarray, Any]],
+    times: np.ndarray,
+    options: Options,
+    states: np.ndarray,
+    stopped: Callable[[], bool] = lambda: False,
+) -> LaneResult:
+    """Integrate m samples, `LANES` at a time.
+
+    Parameters
+    ----------
+    kernel : Kernel
+        Of `LANES` lanes.
+    method : str
+        An explicit one.
+    x, r, p : ndarray, shapes (m, n), (m, s), (m, k)
+    sampled : sequence of (columns, SampledInput)
+        The places in r that samples in time take, the same for all.
+    times : ndarray
+    options : Options
+    states : ndarray, shape (n, m, times)
+        Where the states go, NaN from where a sample failed. Those of one sample lie side by side,
+        and the next sample's follow.
+    stopped : callable
+        Asked now and then; True ends the work with KeyboardInterrupt.
+    """
+    step_lanes = function_of("step_lanes")
+    m, n = x.shape
+    length = BLOCK * n
+    arrays = method_arrays(method, length)
+    stages, depth = len(arrays.nodes), int(arrays.shape[layout.DEPTH])
+    vectors = lined_up(6 + stages + depth, length)
+    memory = Memory(
+        x=vectors[0],
+        new=vectors[1],
+        trial=vectors[2],
+        step=lined_up(BLOCK),
+        theta=lined_up(BLOCK),
+        zero=vectors[3],
+        errors=vectors[4:6].ravel(),
+        stages=vectors[6 : 6 + stages].ravel(),
+        interpolant=vectors[6 + stages :].ravel(),
+        rtol=np.broadcast_to(np.asarray(options.rtol, dtype=float), (n,)).copy(),
+        atol=np.maximum(np.broadcast_to(np.asarray(options.atol, dtype=float), (n,)), 1e-300),
+    )
+    lanes = Lanes(**{name: lined_up(BLOCK) for name in Lanes._fields})._replace(
+        samples=np.full(BLOCK, at.VACANT), place=np.zeros(BLOCK, dtype=np.int64)
+    )
+    queue = Queue(
+        state=np.array([0, 0, options.max_steps, address(states), states.strides[0] // 8]),
+        numbers=np.array([options.max_step, options.first_step or options.step or 0.0]),
+        times=np.append(times, np.inf),
+        x=np.ascontiguousarray(x),
+        r=np.ascontiguousarray(r),
+        p=np.ascontiguousarray(p),
+        counts=np.zeros((m, 4), dtype=np.int64),
+        reached=np.full(m, times[0]),
+    )
+    problem = _problem(kernel, sampled)
+    table = table_of(*map(rows_of, (arrays, problem, memory, lanes, queue)))
+    budget = 1000
+    while True:
+        queue.state[at.BUDGET] = budget
+        start = perf_counter()
+        code = step_lanes(address(table))
+        if code == at.EMPTY:
+            return LaneResult(queue.counts, queue.reached)
+        if stopped():
+            raise KeyboardInterrupt
+        elapsed = max(perf_counter() - start, 1e-6)
+        budget = int(min(max(1.0, budget * _SLICE / elapsed), 4.0 * budget))
+
+
+def evaluate_samples(
+    kernel: Kernel,
+    r: np.ndarray,
+    p: np.ndarray,
+    sampled: Sequence[tuple[np.ndarray, Any]],
+    times: np.ndarray,
+    states: np.ndarray,
+) -> np.ndarray:
+    """Evaluate a Kernel of `LANES` lanes along trajectories, shape (outputs, m, times).
+
+    The parameters are those of `integrate_samples`; `states` has the shape (n, m, times).
+    """
+    n, m, number = states.shape
+    out = np.empty((len(kernel.program.outputs), m, number))
+    if out.size:
+        evaluation = Evaluation(
+            places=np.array([address(states), *(step // 8 for step in states.strides)]),
+            x=lined_up(max(1, n) * BLOCK),
+            buffer=lined_up(len(out) * BLOCK),
+            r=np.ascontiguousarray(r),
+            p=np.ascontiguousarray(p),
+            times=np.ascontiguousarray(times),
+            out=out.ravel(),
+        )
+        problem = _problem(kernel, sampled)
+        table = table_of(rows_of(problem), rows_of(evaluation))
+        function_of("evaluate_lanes")(address(table))
+    return out
+
+
+def _problem(kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]]) -> LaneProblem:
+    program, addresses = kernel.program, kernel.addresses
+    assert addresses is not None
+    assert kernel.lanes == BLOCK
+    sizes = (program.num_states, program.num_specifieds, program.num_constants)
+    tables, knots, cubics = tables_of(sampled)
+
+    def room(items: int) -> np.ndarray:
+        return lined_up(max(1, items) * BLOCK)
+
+    return LaneProblem(
+        words=np.array([*addresses, *sizes]),
+        clock=lined_up(BLOCK),
+        r=room(program.num_specifieds),
+        p=room(program.num_constants),
+        c=room(len(program.carried)),
+        tables=np.ascontiguousarray(tables[:, :3]),
+        intervals=np.zeros((len(tables), BLOCK), dtype=np.int64),
+        knots=knots,
+        cubics=cubics,
+    )

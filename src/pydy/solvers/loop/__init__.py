@@ -1,0 +1,1 @@
+"""The compiled loops of one trajectory, as they are written for numba."""

@@ -1,0 +1,1 @@
+"""A run seen from Python: its problem, arrays, options, callbacks and interrupts."""

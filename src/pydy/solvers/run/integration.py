@@ -1,0 +1,461 @@
+"""An integration from Python's side: it hands arrays to compiled code and sees to what happens.
+
+Compiled code comes back after some steps, so that the interpreter can take an interrupt and a bar
+can move; at events that change the state; and when it cannot go on.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Callable
+from time import perf_counter
+from typing import Any
+from weakref import WeakSet
+
+import numpy as np
+
+from pydy._errors import (
+    IntegrationError,
+    IntegrationInterrupted,
+    MissingDependencyError,
+    warn_user,
+)
+from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.events import CompiledEvents, EventRecord
+from pydy.solvers.options import Options
+from pydy.solvers.outcome import (
+    EVENT_CONSTANT,
+    EVENTS_ACCUMULATE,
+    FINISHED,
+    INTERRUPTED,
+    NOT_COMPUTED,
+    OUTCOMES,
+    RESET_NOT_FINITE,
+    SINGULAR_CONFIGURATION,
+    START_OFF_CONSTRAINTS,
+    STEP_UNDERFLOW,
+    TERMINATED,
+    TOLERANCE_TOO_SMALL,
+)
+from pydy.solvers.run import layout as at
+from pydy.solvers.run.constraints import CompiledConstraints
+from pydy.solvers.run.interrupts import Interrupts
+from pydy.solvers.run.methods import IMPLICIT, tableau_of
+from pydy.solvers.run.problem import BLOCK, address
+from pydy.solvers.run.shipped import stepper
+from pydy.solvers.run.workspace import Workspace
+from pydy.solvers.tuning import NEARLY_SINGULAR
+
+__all__ = ["Integration"]
+
+_TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
+
+_SLICE = 0.02  # seconds in compiled code, about
+_CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time are accumulating
+_EPS = np.finfo(float).eps
+_PROJECT = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_double, ctypes.c_int64)
+
+
+def _first_budget(method: str, call: KernelCall | None, calls_python: bool) -> int:
+    """Return how many steps take a few milliseconds at most; further ones are measured."""
+    if calls_python or call is None:
+        return 1
+    if method == IMPLICIT:
+        return 4
+    # Twenty evaluations, of a nanosecond for each operation and 100 besides.
+    return max(4, 100_000 // (100 + len(call.kernel.program.ops)))
+
+
+class Integration:
+    """An integration that can be run again and again, from other states.
+
+    Parameters
+    ----------
+    method : str
+    f : callable
+    n : int
+        Number of states.
+    times : ndarray
+    args : tuple
+    options : Options
+    stopped : callable
+        Asked now and then; True is as good as a Ctrl-C.
+    """
+
+    def __init__(
+        self,
+        method: str,
+        f: Callable[..., Any],
+        n: int,
+        times: np.ndarray,
+        args: tuple[Any, ...],
+        options: Options,
+        stopped: Callable[[], bool] = lambda: False,
+    ) -> None:
+        self.name, self.n, self.options = method, n, options
+        self.interrupts = Interrupts(stopped)
+        self._end(NOT_COMPUTED)
+        self.records: list[EventRecord] = []
+        self.span = float(times[-1] - times[0])
+        self.arrays = arrays = Workspace(method, f, n, times, args, options, self.interrupts)
+        self.call, self.callbacks, self.memory = arrays.call, arrays.callbacks, arrays.memory
+        self.progress, self.watch = arrays.progress, arrays.watch
+        self._tight = self._nearly_exact()
+        # Whether Python has more to do than to wait for the end.
+        parts = (options.constraints, options.events)
+        wanted = any(p is not None for p in parts) or options.progress
+        attended = wanted or bool(self.callbacks) or self._tight
+        self._budget = _first_budget(method, self.call, bool(self.callbacks))
+        arrays.beginning[1][at.BUDGET] = 0 if attended else self._budget
+        # Rows are written in whole blocks.
+        self._number = len(times)
+        self._room = (self._number + -(-BLOCK // max(1, n)), n)
+        self._rows = np.zeros((0, n))  # of the latest run
+        entry = "advance_implicit" if method == IMPLICIT else "advance"
+        self._advance, self._place = stepper(entry, arrays.place), arrays.place
+
+    def run(self, x0: np.ndarray) -> np.ndarray:
+        """Run to the end and return the states.
+
+        Raises
+        ------
+        ValueError
+            When `x0` is not finite.
+        """
+        self._rows = rows = np.empty(self._room)
+        rows[0] = self._x0 = x0
+        self.code = NOT_COMPUTED
+        self.records = []
+        try:
+            code = self._advance(rows, True)
+            if code == FINISHED:  # most end in their first slice
+                self.code = FINISHED
+                return rows[: self._number]
+            if code == at.PAUSED:
+                with self.interrupts:
+                    self._start()
+                    self._run()
+                    self._look_at_end()
+            else:
+                self._fail(code)
+        except KeyboardInterrupt:
+            self._empty_log()
+            self._stop(INTERRUPTED, IntegrationInterrupted)
+        self._empty_log()
+        reached = self.progress.counts[at.NEXT]
+        if reached < self._number:
+            rows[reached : self._number] = np.nan
+        return rows[: self._number]
+
+    # -- running ----------------------------------------------------------------------------------
+
+    def _slice(self, budget: int) -> int:
+        """Take some steps; returns the code of why it stopped."""
+        self.progress.counts[at.BUDGET] = budget
+        return self._advance(self._rows, False)
+
+    def _run(self) -> None:
+        state, count = self.progress.state, self.progress.counts
+        budget = self._budget
+        bar = self._bar()
+        try:
+            while True:
+                self.interrupts.check()
+                start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
+                code = self._slice(budget)
+                self._raise_callback()
+                elapsed = perf_counter() - start
+                if bar is not None:
+                    bar.update(state[at.TIME] - bar.n - bar.start)
+                if code == FINISHED:
+                    return self._end(FINISHED)
+                if code == at.EVENT:
+                    if self._act():
+                        return
+                    state[at.SIZE] = self.options.step or 0.0
+                elif code == at.LOG_FULL:
+                    self._empty_log()
+                    state[at.SIZE] = self.options.step or 0.0
+                elif code != at.PAUSED:
+                    self._fail(code)
+                taken = count[at.STEPS] + count[at.REJECTED] - taken
+                if code == at.PAUSED and elapsed > 0.0:
+                    budget = int(min(max(1.0, taken * _SLICE / elapsed), 4.0 * budget))
+        finally:
+            if bar is not None:
+                bar.close()
+
+    def _bar(self) -> Any:
+        if not self.options.progress:
+            return None
+        try:
+            from tqdm.auto import tqdm
+        except ImportError:
+            raise MissingDependencyError(
+                "`progress=True` needs tqdm: pip install tqdm, or pass progress=False."
+            ) from None
+        layout = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
+        bar = tqdm(total=self.span, desc=self.name, bar_format=layout)
+        bar.start = float(self.progress.state[at.TIME])
+        return bar
+
+    def _nearly_exact(self) -> bool:
+        """Return whether some tolerance may be too small for double precision."""
+        if self.name != IMPLICIT and tableau_of(self.name).error_order is None:
+            return False
+        return bool(self.memory.rtol[: self.n].min(initial=1.0) < 10.0 * _EPS)
+
+    def _check_tolerances(self) -> None:
+        n = self.n
+        rtol, atol, x = self.memory.rtol[:n], self.memory.atol[:n], self.memory.x[:n]
+        k = int(np.argmin(rtol))
+        if rtol[k] < 10.0 * _EPS and atol[k] < 10.0 * _EPS * max(abs(x[k]), 1.0):
+            self._stop(
+                TOLERANCE_TOO_SMALL, rtol=rtol[k], atol=atol[k], epsilon=_EPS, least=10.0 * _EPS
+            )
+
+    def _start(self) -> None:
+        """See to the initial state."""
+        if self._tight:
+            self._check_tolerances()
+        if self.options.constraints is not None:
+            self.arrays.seen[:] = 0.0
+            self._tell_dependent(self.options.constraints)
+            self._project_start()
+        if self.options.events is not None:
+            self._check_events(self.options.events)
+            self._look_at_start(self.options.events)
+
+    def _tell_dependent(self, wanted: CompiledConstraints) -> None:
+        """Warn, once for each system, of redundant constraints."""
+        call = self.call
+        assert call is not None
+        if wanted.kernel in _TOLD:
+            return
+        _TOLD.add(wanted.kernel)
+        t = float(self.progress.state[at.TIME])
+        names = wanted.dependent(call.evaluate(wanted.kernel, self.memory.x[: self.n].copy(), t))
+        if names:
+            warn_user(
+                f"Redundant constraints at t = {t!r}: {'; '.join(names)}. They are enforced but do "
+                "not raise the rank. Leave them out if that is so in every state."
+            )
+
+    def _combined(self, x: np.ndarray, t: float) -> tuple[float, str]:
+        """Return how near the constraints are to losing rank in a state, and which of them do."""
+        wanted, call, seen = self.options.constraints, self.call, self.arrays.seen
+        if wanted is None or call is None or not seen[at.RANK] or not np.isfinite(x).all():
+            return 1.0, ""
+        values, longest = call.evaluate(wanted.kernel, x, t), seen[at.WHERE + self.n :]
+        nearness, names = wanted.combination(values, longest, int(seen[at.RANK]))
+        return nearness, "; ".join(names)
+
+    def _project_start(self) -> None:
+        """Move the initial state onto the constraints, unless it is far from them."""
+        x = self.memory.x
+        before = x.copy()
+        t = float(self.progress.state[at.TIME])
+        code = _PROJECT(int(self.arrays.constraints.words[at.PROJECT]))(self._place, t, address(x))
+        self._raise_callback()
+        moved = np.abs(x - before)
+        if code != 0 or (moved > 1e-3 * (1.0 + np.abs(before))).any():
+            k = int(np.argmax(moved / (1.0 + np.abs(before))))
+            after = float(x[k])
+            self.memory.x[:] = before
+            mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {after:.6g}"
+            self._stop(START_OFF_CONSTRAINTS, change="did not converge" if code else mended)
+
+    def _check_events(self, events: CompiledEvents) -> None:
+        for name, constant in zip(events.names, events.constant, strict=True):
+            if constant:
+                self._stop(EVENT_CONSTANT, event=name)
+
+    # -- events -----------------------------------------------------------------------------------
+
+    def _take_sides(self, fired: tuple[int, ...]) -> np.ndarray:
+        """Set the sign each event has just after now; where one is zero, its rate tells.
+
+        Returns the values now.
+        """
+        wanted, call = self.options.events, self.call
+        assert wanted is not None
+        assert call is not None
+        x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
+        values, rates = call.evaluate(wanted.values, x, t), call.evaluate(wanted.rates, x, t)
+        for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
+            if k in fired or value == 0.0:
+                value = rate
+            self.watch.sides[k] = int(np.sign(value)) if np.isfinite(value) else 0
+        return values
+
+    def _look_at_start(self, wanted: CompiledEvents) -> None:
+        """Record events that are exactly zero at the start.
+
+        They do not act: a ball let go at rest is at an apex, and still flies to the next.
+        """
+        values = self._take_sides(())
+        x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
+        for k in np.flatnonzero(values == 0.0):
+            if wanted.directions[k] in (0, self.watch.sides[k]):
+                self.records.append(EventRecord(t, wanted.names[k], int(k), x, x))
+
+    def _look_at_end(self) -> None:
+        """See to events that are exactly zero at the last time, or would be a rounding later."""
+        wanted, call = self.options.events, self.call
+        if wanted is None or call is None or self.status != "finished":
+            return
+        self._empty_log()
+        x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
+        values, rates = call.evaluate(wanted.values, x, t), call.evaluate(wanted.rates, x, t)
+        told = {r.index for r in self.records if r.time == t}
+        sides, near = self.watch.sides, 2.0 * _EPS * abs(t)
+        for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
+            side = int(sides[k])
+            reaches = value == 0.0 or (rate * side < 0.0 <= value * side <= near * abs(rate))
+            wrong = wanted.directions[k] == side
+            self.watch.fired[k] = side != 0 and reaches and not wrong and k not in told
+        if self.watch.fired.any():
+            self._act()
+
+    def _act(self) -> bool:
+        """See to the events at which compiled code stopped; tell whether the integration ends."""
+        wanted, call = self.options.events, self.call
+        assert wanted is not None
+        assert call is not None
+        self._empty_log()
+        t = float(self.progress.state[at.TIME])
+        fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
+        before = self.memory.x[: self.n].copy()
+        for k in fired:
+            reset = wanted.resets[k]
+            after = before if reset is None else call.evaluate(reset, before, t)
+            self.records.append(EventRecord(t, wanted.names[k], k, before, after))
+            before = after
+        if not np.isfinite(before).all():
+            self._stop(RESET_NOT_FINITE, event=wanted.names[fired[-1]], state=before)
+        self.memory.x[: self.n] = before
+        if any(wanted.terminal[k] for k in fired):
+            last = next(wanted.names[k] for k in fired if wanted.terminal[k])
+            self._end(TERMINATED, event=last)
+            return True
+        self._take_sides(fired)
+        crowded = next((wanted.names[k] for k in fired if self._accumulates(k, t)), None)
+        if crowded is None:
+            return False
+        self._end(EVENTS_ACCUMULATE, event=crowded)
+        return True
+
+    def _accumulates(self, event: int, t: float) -> bool:
+        number = len(self.watch.fired)
+        same = [r.time for r in self.records[-_CROWD * number :] if r.index == event][-_CROWD:]
+        if len(same) >= 2 and t - same[-2] <= 16.0 * _EPS * max(abs(t), self.span):
+            return True
+        return len(same) == _CROWD and t - same[0] < _CROWDED * self.span
+
+    def _empty_log(self) -> None:
+        wanted, count = self.options.events, self.progress.counts
+        if wanted is None:
+            return
+        for k in range(count[at.LOGGED]):
+            event = int(self.watch.log_events[k])
+            x = self.watch.log_states[k].copy()
+            t = float(self.watch.log_times[k])
+            self.records.append(EventRecord(t, wanted.names[event], event, x, x))
+        count[at.LOGGED] = 0
+
+    # -- results ----------------------------------------------------------------------------------
+
+    def info(self) -> dict[str, Any]:
+        """Return the statistics."""
+        state, count = self.progress.state, self.progress.counts
+        return {
+            "method": self.name,
+            "code": self.code,
+            "status": self.status,
+            "time": float(state[at.TIME]),
+            "steps": int(count[at.STEPS]),
+            "rejected": int(count[at.REJECTED]),
+            "evaluations": int(count[at.EVALUATIONS]),
+            "jacobians": int(count[at.JACOBIANS]),
+            "factorisations": int(count[at.FACTORISATIONS]),
+            "projections": int(count[at.PROJECTIONS]),
+            "last_step": float(state[at.LAST_SIZE]),
+            "reached": int(count[at.NEXT]),
+            "events": list(self.records),
+        }
+
+    def passage(self) -> str:
+        """Return where the latest run came too near to a singular configuration, or nothing.
+
+        Beyond it the branches of the motion may have been mixed up.
+        """
+        seen = self.arrays.seen
+        if not seen.size or not seen[at.RANK] or seen[at.NEARNESS] > NEARLY_SINGULAR:
+            return ""
+        t = float(seen[at.WHEN])
+        rows = self._combined(seen[at.WHERE : at.WHERE + self.n].copy(), t)[1]
+        return (
+            f"`{self.name}` passed a singular configuration of the constraints at t = {t!r}, where "
+            f"a combination of these rows vanishes: {rows}. From there the motion may have gone on "
+            "along another branch, with another energy. Compare the energy before and after, and "
+            "runs at other tolerances; other constraints may have no such configuration."
+        )
+
+    def _state_name(self, k: int) -> str:
+        names = () if self.call is None else self.call.names()
+        return names[k] if k < len(names) else f"x[{k}]"
+
+    def _raise_callback(self) -> None:
+        for callback in self.callbacks:
+            if callback.error is not None:
+                raise callback.error
+
+    def _fail(self, code: int) -> None:
+        """Raise the error of a code with which compiled code gave up."""
+        if not np.isfinite(self._x0).all():
+            raise ValueError(f"`x0` must be finite, got {self._x0}.")
+        step = float(self.progress.state[at.SIZE])
+        if code == STEP_UNDERFLOW:
+            code = int(self.progress.counts[at.FAILURE])
+        details: dict[str, Any] = {
+            "max_steps": self.options.max_steps,
+            "step": step,
+            "size": f" with a step size of {step:.3g}" if np.isfinite(step) and step else "",
+        }
+        t = float(self.progress.state[at.TIME])
+        nearness, rows = self._combined(self.memory.x[: self.n].copy(), t)
+        if nearness < NEARLY_SINGULAR:
+            what = OUTCOMES[code].text.format(**details)
+            self._stop(SINGULAR_CONFIGURATION, rows=rows, what=what)
+        self._stop(code, **details)
+
+    @property
+    def status(self) -> str:
+        """How the latest run ended, in words."""
+        return OUTCOMES[self.code].text.format(**self.details)
+
+    def _end(self, code: int, **details: Any) -> None:
+        """Note how the run ended."""
+        self.code, self.details = code, details
+
+    def _stop(
+        self,
+        code: int,
+        kind: type[IntegrationError] | type[IntegrationInterrupted] = IntegrationError,
+        **details: Any,
+    ) -> None:
+        """Raise the error of an outcome."""
+        self._end(code, **details)
+        t, reached = float(self.progress.state[at.TIME]), int(self.progress.counts[at.NEXT])
+        x = self.memory.x[: self.n].copy()
+        shown = ", ".join(f"{self._state_name(k)} = {v:.6g}" for k, v in enumerate(x[:12]))
+        more = f", and {self.n - 12} more" if self.n > 12 else ""
+        remedy = OUTCOMES[code].remedy.format(**details)
+        raise kind(
+            f"`{self.name}` {self.status} at t = {t!r} in the state {shown}{more}. {remedy}",
+            self.progress.times[:reached].copy(),
+            self._rows[:reached].copy(),
+            t,
+            x,
+            self.info(),
+        )

@@ -1,0 +1,75 @@
+"""From a tableau to the arrays that the compiled stepper reads."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib import import_module
+
+import numpy as np
+
+from pydy.solvers.run.layout import DEPTH, Method
+from pydy.solvers.tableaus.tableau import Tableau
+
+__all__ = ["IMPLICIT", "method_arrays", "tableau_of"]
+
+IMPLICIT = "radau"
+_DEPTH = 3  # its collocation polynomial is a cubic
+
+_SAFETY, _SHRINK, _GROW = 0.9, 0.2, 6.0
+
+
+@cache
+def tableau_of(name: str) -> Tableau:
+    """Return the tableau of a method."""
+    tableau: Tableau = getattr(import_module(f"pydy.solvers.tableaus.{name}"), name.upper())
+    return tableau
+
+
+@cache
+def method_arrays(name: str, length: int) -> Method:
+    """Return a method's arrays for vectors of some padded length."""
+    if name == IMPLICIT:
+        nothing, none = np.zeros(0), np.zeros(0, dtype=np.int64)
+        shape = np.zeros(5, dtype=np.int64)
+        shape[DEPTH] = _DEPTH
+        return _frozen(Method(shape, none, none, nothing, nothing, nothing))
+    tableau = tableau_of(name)
+    stages = len(tableau.stages)
+    rows, offsets, weights = [0], [], []
+    for row in (
+        *tableau.stages,
+        tableau.weights,
+        *tableau.errors,
+        *tableau.dense_stages,
+        *tableau.interpolant,
+    ):
+        offsets += [stage * length for stage in row]
+        weights += list(row.values())
+        rows.append(len(offsets))
+    counts = (
+        stages,
+        len(tableau.errors),
+        len(tableau.dense_stages),
+        len(tableau.interpolant) + 3,
+        any(stages in row for row in tableau.errors),
+    )
+    exponent = 1.0 / ((tableau.error_order or 0) + 1)
+    # K. Gustafsson's PI controller with the weights of DOPRI5 (Hairer, Nørsett, Wanner, IV.2).
+    alpha = exponent - 0.75 * tableau.damping
+    control = (exponent, alpha, tableau.damping, _SAFETY, _SHRINK, _GROW)
+    return _frozen(
+        Method(
+            shape=np.array(counts, dtype=np.int64),
+            rows=np.array(rows),
+            offsets=np.array(offsets),
+            weights=np.array(weights),
+            nodes=np.array(tableau.nodes),
+            control=np.array(control),
+        )
+    )
+
+
+def _frozen(method: Method) -> Method:
+    for array in method:
+        array.setflags(write=False)
+    return method

@@ -1,0 +1,207 @@
+"""Turn a right-hand side into what compiled solvers call: an address, and arrays to go with it."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+from collections.abc import Callable, Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from pydy._array_layout import address
+from pydy._checks import vector
+from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.run.interrupts import Interrupts
+from pydy.solvers.run.layout import Problem, Watch
+
+_NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
+
+__all__ = [
+    "Callback",
+    "address",
+    "bind_constants",
+    "callback_problem",
+    "kernel_problem",
+    "lined_up",
+    "tables_of",
+    "watch_arrays",
+]
+
+BLOCK = 8
+_PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
+_FUNCTION = ctypes.CFUNCTYPE(
+    ctypes.c_int32, ctypes.POINTER(ctypes.c_double), *[ctypes.c_size_t] * 4
+)
+
+
+def blocks(n: int) -> int:
+    """Return how many blocks hold n numbers."""
+    return -(-n // BLOCK)
+
+
+def bind_constants(kernel: Kernel, p: np.ndarray) -> tuple[int, np.ndarray]:
+    """Return the address of a kernel and its array of constants."""
+    addresses = kernel.addresses
+    assert addresses is not None
+    c = np.zeros(max(1, len(kernel.program.carried)))
+    p = np.ascontiguousarray(p, dtype=float)
+    _prepare(addresses[1])(address(p), address(c))
+    return addresses[0], c
+
+
+def lined_up(*shape: int) -> np.ndarray:
+    """Return zeros that begin where a line of the cache does: blocks must not lie across two."""
+    size = math.prod(shape)
+    room = np.zeros(size + BLOCK)
+    first = -address(room) % 64 // 8
+    return room[first : first + size].reshape(shape)
+
+
+@lru_cache(maxsize=256)
+def _prepare(place: int) -> Callable[[int, int], None]:
+    return _PREPARE(place)
+
+
+def kernel_problem(call: KernelCall, n: int) -> Problem:
+    """Return the arrays for a Kernel."""
+    kernel, c = bind_constants(call.kernel, call.p)
+    tables, knots, cubics = tables_of(call.sampled)
+    return Problem(
+        words=np.array([kernel, n, blocks(n)]),
+        clock=np.zeros(1),
+        r=_inputs(call),
+        c=c,
+        tables=tables,
+        knots=knots,
+        cubics=cubics,
+    )
+
+
+def _inputs(call: KernelCall) -> np.ndarray:
+    r = np.array(call.r, dtype=float)
+    return r if r.size else np.zeros(1)
+
+
+def tables_of(
+    sampled: Sequence[tuple[np.ndarray, Any]],
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Lay sampled inputs out one after the other, one table for each place in r."""
+    tables, knots, cubics = [], [], []
+    first = 0
+    for columns, samples in sampled:
+        number = len(samples.breaks)
+        for j, column in enumerate(columns):
+            tables.append((column, first, number, 0))
+            knots.append(samples.breaks)
+            cubics.append(samples.coefficients[:, ::-1, j])
+            cubics.append([[samples.last[j], 0.0, 0.0, 0.0]])
+            first += number
+    if not tables:
+        return _NO_TABLES
+    return np.array(tables, dtype=np.int64), np.concatenate(knots), np.concatenate(cubics)
+
+
+class Callback:
+    """A Python function as a native one.
+
+    Parameters
+    ----------
+    function : callable
+        ``function(x, t)`` returns the derivative.
+    n : int
+        Number of states.
+    outputs : int
+        Number of values the function must return.
+    what : str
+        What to call these, for messages.
+    interrupts : Interrupts
+        Looked at before each call.
+
+    Attributes
+    ----------
+    error : BaseException or None
+        What the function raised; the native caller was told to stop.
+    """
+
+    def __init__(
+        self,
+        function: Callable[[np.ndarray, float], Any],
+        n: int,
+        outputs: int,
+        what: str,
+        interrupts: Interrupts,
+    ) -> None:
+        self.error: BaseException | None = None
+        self._function = function
+        self._n = n
+        self._outputs = outputs
+        self._shape = (outputs,)
+        self._what = what
+        self._interrupts = interrupts
+        self._views: dict[int, np.ndarray] = {}
+        self._native = _FUNCTION(self._call)
+        self.address = ctypes.cast(self._native, ctypes.c_void_p).value or 0
+
+    def _view(self, address: int, size: int) -> np.ndarray:
+        view = self._views.get(address)
+        if view is None:
+            pointer = ctypes.cast(address, ctypes.POINTER(ctypes.c_double))
+            view = np.ctypeslib.as_array(pointer, (size,))
+            self._views[address] = view
+        return view
+
+    def _call(self, t: Any, x: int, r: int, c: int, out: int) -> int:
+        try:
+            self._interrupts.check()
+            # Not a copy of the view, whose data type is another object than float64 and makes
+            # generated functions convert it.
+            state = np.empty(self._n)
+            state[:] = self._view(x, self._n)
+            found = self._function(state, t[0])
+            # Assigning would broadcast what is too short, read text, and drop imaginary parts.
+            if type(found) is not np.ndarray or found.dtype != float or found.shape != self._shape:
+                found = vector(found, self._outputs, self._what)
+            self._view(out, self._outputs)[:] = found
+        except BaseException as error:  # noqa: BLE001 - it is raised again outside native code
+            self.error = error
+            return -1
+        return 0
+
+
+def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Problem:
+    """Return the arrays for a Python function, and the inputs for other Kernels of its `call`."""
+    r, tables = np.zeros(1), tables_of(())
+    if call is not None and call.inputs is None:
+        r, tables = _inputs(call), tables_of(call.sampled)
+    words = np.array([callback.address, n, blocks(n)])
+    return Problem(words, np.zeros(1), r, np.zeros(1), *tables)
+
+
+def watch_arrays(
+    addresses: tuple[int, int],
+    c: np.ndarray,
+    directions: Sequence[int],
+    acting: Sequence[bool],
+    n: int,
+    rows: int,
+) -> Watch:
+    """Return the arrays for events, with the addresses of their kernel and of the scan for them.
+
+    There are `rows` places in the log.
+    """
+    number = len(directions)
+    return Watch(
+        words=np.array([addresses[0], number, addresses[1]]),
+        c=c,
+        directions=np.array(directions, dtype=np.int64),
+        acting=np.array(acting, dtype=np.int64),
+        sides=np.zeros(number, dtype=np.int64),
+        fired=np.zeros(number, dtype=np.int64),
+        values=np.zeros(2 * number),
+        trial=np.zeros(BLOCK * blocks(n)),
+        log_times=np.zeros(rows),
+        log_events=np.zeros(rows, dtype=np.int64),
+        log_states=np.zeros((rows, n)),
+    )

@@ -1,0 +1,247 @@
+"""The arrays of an integration, which compiled code works on, and the table of their addresses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.options import Options
+from pydy.solvers.outcome import STEP_UNDERFLOW
+from pydy.solvers.run import layout as at
+from pydy.solvers.run import shipped
+from pydy.solvers.run.interrupts import Interrupts
+from pydy.solvers.run.layout import (
+    Beginning,
+    Constraints,
+    Memory,
+    Method,
+    Newton,
+    Problem,
+    Progress,
+    Projection,
+    Watch,
+)
+from pydy.solvers.run.methods import IMPLICIT, method_arrays
+from pydy.solvers.run.problem import (
+    BLOCK,
+    Callback,
+    address,
+    bind_constants,
+    blocks,
+    callback_problem,
+    kernel_problem,
+    lined_up,
+    watch_arrays,
+)
+from pydy.solvers.run.table import rows_of, table_of
+
+__all__ = ["Workspace"]
+
+_LOG = 256  # events between two visits in Python
+
+# Compiled code neither reads nor writes these any further.
+_NO_CONSTRAINTS = Constraints(np.zeros(9, dtype=np.int64), np.zeros(1), np.zeros(1))
+_NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), 1, 0)
+_NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
+
+
+@cache
+def _method_rows(method: str, length: int) -> list[int]:
+    return rows_of(method_arrays(method, length))
+
+
+class Workspace:
+    """What one integration reserves, once, for all its runs.
+
+    Its parameters are those of `pydy.solvers.run.integration.Integration`, and the interrupts that
+    callbacks look at.
+
+    Attributes
+    ----------
+    call : KernelCall or None
+        None when `f` is a Python function alone.
+    callbacks : list of Callback
+        The Python functions that compiled code calls.
+    memory : Memory
+    constraints : Constraints
+    seen : ndarray
+        The part of ``constraints.values`` that the projection notes something in.
+    watch : Watch
+    progress : Progress
+    beginning : Beginning
+        From what `progress` is at the beginning of each run.
+    place : int
+        The address of the table.
+    """
+
+    def __init__(
+        self,
+        method: str,
+        f: Callable[..., Any],
+        n: int,
+        times: np.ndarray,
+        args: tuple[Any, ...],
+        options: Options,
+        interrupts: Interrupts,
+    ) -> None:
+        self.name, self.n, self.options, self.interrupts = method, n, options, interrupts
+        self.callbacks: list[Callback] = []
+        native = getattr(f, "native", None)
+        self.call: KernelCall | None = None if native is None else native(args)
+        self.problem = self._bind(f, args)
+        self.method, self.memory = self._reserve()
+        self.seen = np.zeros(0)
+        self.constraints = self._hold()
+        self.watch = self._look_out()
+        state, count = np.zeros(7), np.zeros(12, dtype=np.int64)
+        state[at.TIME], state[at.LARGEST] = times[0], options.max_step
+        state[at.SIZE] = options.first_step or options.step or 0.0
+        count[at.LIMIT], count[at.FAILURE] = options.max_steps, STEP_UNDERFLOW
+        self.beginning = Beginning(state, count)
+        self.progress = Progress(state.copy(), count.copy(), np.ascontiguousarray(times))
+        further = self._reserve_newton() if method == IMPLICIT else []
+        self._table = table_of(
+            _method_rows(method, len(self.memory.x)),
+            rows_of(self.problem),
+            self._memory_rows,
+            rows_of(self.progress),
+            _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
+            _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
+            rows_of(self.beginning),
+            further,
+        )
+        self.place = address(self._table)
+
+    def _callback(self, function: Callable[..., Any], outputs: int, what: str) -> Callback:
+        callback = Callback(function, self.n, outputs, what, self.interrupts)
+        self.callbacks.append(callback)
+        return callback
+
+    def _bind(self, f: Callable[..., Any], args: tuple[Any, ...]) -> Problem:
+        call, n = self.call, self.n
+        if call is not None and call.inputs is None and call.kernel.addresses is not None:
+            if call.kernel.program.num_states != n:
+                raise ValueError(
+                    f"`x0` must have {call.kernel.program.num_states} values, one for each state, "
+                    f"got {n}."
+                )
+            return kernel_problem(call, n)
+        what = "What `f(x, t)` returns, one derivative for each state of `x0`,"
+
+        def called(x: np.ndarray, t: float) -> Any:
+            try:
+                return f(x, t, *args)
+            except TypeError as error:
+                error.add_note("This came from `f`, called as f(x, t, *args).")
+                raise
+
+        callback = self._callback(called, n, what)
+        return callback_problem(callback, n, call)
+
+    def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
+        """Return the address and constants of a further Kernel of the system."""
+        call = self.call
+        assert call is not None
+        if call.inputs is None and kernel.addresses is not None:
+            return bind_constants(kernel, call.p)
+        outputs = sum(b.stop - b.start for b in kernel.program.blocks)
+        what = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
+        callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, what)
+        return callback.address, np.zeros(1)
+
+    def _reserve(self) -> tuple[Method, Memory]:
+        n = self.n
+        length = BLOCK * blocks(n)
+        method = method_arrays(self.name, length)
+        stages, depth = max(1, len(method.nodes)), int(method.shape[at.DEPTH])
+        counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
+        # One block of memory for all vectors.
+        flat = lined_up(sum(counts) * length)
+        first, places = 0, []
+        for name, count in zip(Memory._fields, counts, strict=True):
+            places.append((first, BLOCK if name in ("step", "theta") else count * length))
+            first += count * length
+        memory = Memory(*[flat[place : place + size] for place, size in places])
+        start = address(flat)
+        self._memory_rows = [n for place, size in places for n in (start + 8 * place, size, 1)]
+        try:
+            memory.rtol[:n], memory.atol[:n] = self.options.rtol, self.options.atol
+        except ValueError:
+            raise ValueError(
+                f"`rtol` and `atol` must be numbers or have the shape ({n},), got the shapes "
+                f"{np.shape(self.options.rtol)} and {np.shape(self.options.atol)}."
+            ) from None
+        np.maximum(memory.atol, 1e-300, out=memory.atol)  # 0 / 0 would be no error
+        return method, memory
+
+    def _hold(self) -> Constraints:
+        wanted = self.options.constraints
+        if wanted is None:
+            return _NO_CONSTRAINTS
+        words = np.zeros(9, dtype=np.int64)
+        words[at.ACTIVE], words[at.PROJECT] = 1, shipped.address_of("project")
+        words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
+        words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
+        words[at.COORDINATES], words[at.SPEEDS] = wanted.coordinates, wanted.speeds
+        words[at.WEIGHTED] = wanted.weighted
+        h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
+        some = max(h, v)
+        self._projection = Projection(
+            factor=np.zeros((u, u)),
+            kinematics=np.zeros((q, u)),
+            gradient=np.zeros((h, q)),
+            holonomic=np.zeros((h, u)),
+            velocity=np.zeros((v, u)),
+            step=np.zeros(max(q, u)),
+            right=np.zeros(some),
+            scale=np.zeros(some),
+            left=np.zeros(some, dtype=np.int64),
+            lengths=np.zeros(some),
+            kept=np.zeros(some),
+        )
+        self._scratch = table_of(rows_of(self._projection))
+        words[at.SCRATCH] = address(self._scratch)
+        size = sum(b.stop - b.start for b in wanted.kernel.program.blocks)
+        values = np.zeros(size + at.WHERE + self.n + wanted.velocity)
+        self.seen = values[size:]
+        return Constraints(words, c, values)
+
+    def _look_out(self) -> Watch:
+        wanted = self.options.events
+        if wanted is None:
+            return _NO_EVENTS
+        number = len(wanted.names)
+        place, c = self._bind_kernel(wanted.values)
+        stops = zip(wanted.terminal, wanted.resets, strict=True)
+        acting = [end or reset is not None for end, reset in stops]
+        rows = _LOG if number else 0
+        scan = shipped.address_of("scan_events")
+        return watch_arrays((place, scan), c, wanted.directions, acting, self.n, rows)
+
+    def _reserve_newton(self) -> list[int]:
+        n, call = self.n, self.call
+        words, c = np.zeros(5, dtype=np.int64), np.zeros(1)
+        if call is not None and call.jacobian is not None:
+            words[0], c = self._bind_kernel(call.jacobian())
+        self._newton = Newton(
+            words=words,
+            sizes=np.zeros(2),
+            c=c,
+            jacobian=np.zeros(n * n),
+            real=np.zeros((n, n)),
+            pair=np.zeros((n, n), dtype=complex),
+            real_order=np.zeros(n, dtype=np.int64),
+            pair_order=np.zeros(n, dtype=np.int64),
+            stages=np.zeros((3, n)),
+            waves=np.zeros((3, n)),
+            slopes=np.zeros((3, n)),
+            last=np.zeros((4, n)),
+            real_change=np.zeros(n),
+            pair_change=np.zeros(n, dtype=complex),
+            guess=np.zeros(n),
+        )
+        return rows_of(self._newton)

@@ -1,0 +1,287 @@
+"""Compiling in another process, and what the program notices of it: nothing."""
+
+from __future__ import annotations
+
+import gc
+import os
+import subprocess
+import sys
+import threading
+import time
+import weakref
+
+import numpy as np
+import pytest
+
+from graphs import on_tape
+from pydy._backends.llvm import background, compiling, jit
+from pydy._backends.llvm.backend import LLVMBackend, _Text
+from pydy._graph.node import Graph
+
+THREE = "define double @three() {\nret double 3.0\n}"
+
+
+def text(_brief):
+    return THREE
+
+
+def nonsense(_brief):
+    return "this is no IR"
+
+
+SOURCE = jit.Source("three", text, ("three",))
+
+
+def program(number):
+    """A Program of its own for each number."""
+    graph = Graph()
+    x = [graph.input("x", k) for k in range(2)]
+    return on_tape(graph, [x[1], graph.mul(x[0], graph.const(float(number)))], (2, 0, 0))
+
+
+@pytest.fixture
+def nothing_cached(monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", "off")
+    jit.memory.clear()
+
+
+@pytest.fixture
+def helper():
+    helper = compiling.Helper()
+    yield helper
+    helper.close()
+
+
+def until(condition, seconds=60.0):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end
+        time.sleep(0.01)
+
+
+# -- the other process ----------------------------------------------------------------------------
+
+
+def test_another_process_gives_the_same_code(helper):
+    assert helper.compile(SOURCE) == compiling.object_code(SOURCE)
+    assert helper.compile(SOURCE) == compiling.object_code(SOURCE)
+
+
+def test_a_process_that_has_ended_is_an_error_that_is_expected(helper):
+    helper.compile(SOURCE)
+    helper._process.kill()
+    with pytest.raises(compiling.HelperError, match="does not answer"):
+        helper.compile(SOURCE)
+
+
+def test_what_does_not_compile_is_an_error_that_is_expected(helper):
+    with pytest.raises(compiling.HelperError, match="does not answer"):
+        helper.compile(jit.Source("nonsense", nonsense, ()))
+
+
+@pytest.mark.parametrize("executable", ["", None, "/usr/bin/blender"])
+def test_a_program_that_is_not_python_is_not_started(helper, monkeypatch, executable):
+    monkeypatch.setattr(sys, "executable", executable)
+    with pytest.raises(compiling.HelperError):
+        helper.compile(SOURCE)
+    assert helper._process is None
+
+
+def test_a_program_goes_there_and_back(helper):
+    source = jit.Source("program", _Text(program(4), 1), ("kernel", "prepare"))
+    assert helper.compile(source) == compiling.object_code(source)
+
+
+def test_what_pythons_own_settings_print_is_no_code(helper, monkeypatch, tmp_path):
+    (tmp_path / "sitecustomize.py").write_text("print('good morning' * 100)")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    assert helper.compile(SOURCE) == compiling.object_code(SOURCE)
+
+
+def test_it_ends_with_the_program():
+    code = """
+from pydy._backends.llvm import background
+from pydy._backends.llvm.backend import LLVMBackend
+import test_compiling, time
+background._QUIET_SECONDS = 0.0
+kernel = LLVMBackend().compile(test_compiling.program(5))
+test_compiling.until(lambda: background._helper._process is not None)
+print(background._helper._process.pid)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYDY_CACHE_DIR": "off", "PYTHONPATH": os.pathsep.join(sys.path)},
+        cwd=os.path.dirname(__file__),
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=120,
+    )
+    assert done.stderr == ""
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(done.stdout), 0)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")  # Python 3.12: there are threads
+def test_a_forked_child_leaves_the_process_to_its_parent(helper):
+    helper.compile(SOURCE)
+    child = os.fork()
+    if child == 0:
+        helper.leave()
+        os._exit(0)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+    assert helper.compile(SOURCE)
+
+
+# -- the side thread ------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def at_once(monkeypatch):
+    monkeypatch.setattr(background, "_QUIET_SECONDS", 0.0)
+
+
+@pytest.fixture
+def nothing_on_the_side(monkeypatch):
+    """Tasks are known, but nobody is told."""
+    monkeypatch.setattr(background, "submit", lambda task: known.update({task: None}))
+    known = weakref.WeakKeyDictionary()
+    return known
+
+
+def test_the_side_thread_compiles_nothing_in_this_process(nothing_cached, at_once, monkeypatch):
+    compilers = []
+    emitter = compiling._emitter
+    monkeypatch.setattr(
+        compiling,
+        "_emitter",
+        lambda quick: compilers.append(threading.current_thread().name) or emitter(quick),
+    )
+    kernel = LLVMBackend().compile(program(11))
+    entry = kernel.owner[0]
+    quick = entry.addresses
+    until(lambda: entry.addresses != quick)
+    assert set(compilers) == {threading.current_thread().name}
+
+
+def test_nothing_waits_for_what_is_compiled_on_the_side(nothing_cached, at_once, monkeypatch):
+    begun, end = threading.Event(), threading.Event()
+
+    def slow(_self, source):
+        begun.set()
+        end.wait(60.0)
+        return compiling.object_code(source)
+
+    monkeypatch.setattr(compiling.Helper, "compile", slow)
+    first = LLVMBackend().compile(program(12))
+    assert begun.wait(30.0)
+    # If one of these waited for the side, it would do so until the latter gave up.
+    began = time.monotonic()
+    second = LLVMBackend().compile(program(13))
+    assert second.addresses
+    before = first.owner[0].addresses
+    assert first.addresses != before  # not even for its own
+    assert time.monotonic() - began < 30.0
+    end.set()
+    until(lambda: not background._TASKS)
+    assert first.owner[0].addresses == first.addresses
+
+
+def test_where_no_process_can_be_started_the_program_compiles(nothing_cached, nothing_on_the_side):
+    def none(source):
+        raise compiling.HelperError("there is none")
+
+    kernel = LLVMBackend().compile(program(14))
+    task = kernel.owner[0].better
+    with pytest.raises(compiling.HelperError):
+        task.run_with(none)
+    before = kernel.owner[0].addresses
+    assert kernel.addresses != before
+
+
+def test_a_process_without_work_is_ended(nothing_cached, at_once, monkeypatch):
+    monkeypatch.setattr(background, "_IDLE_SECONDS", 0.05)
+    kernel = LLVMBackend().compile(program(15))
+    assert kernel.owner
+    until(lambda: not background._TASKS and background._helper._process is None)
+
+
+# -- what stays behind ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("settled", [False, True])
+def test_code_goes_with_the_last_reference_to_its_kernel(
+    nothing_cached, nothing_on_the_side, settled
+):
+    kernel = LLVMBackend().compile(program(16))
+    if settled:
+        assert kernel.addresses
+    engines = [weakref.ref(code._engine) for code in kernel.owner[0]._owners]
+    assert len(engines) == 1 + settled
+    assert len(nothing_on_the_side) == 1
+    gc.disable()  # no cycles either
+    try:
+        del kernel
+        assert [engine() for engine in engines] == [None] * len(engines)
+    finally:
+        gc.enable()
+    assert len(nothing_on_the_side) == 0
+
+
+def test_code_of_the_side_goes_too(nothing_cached, at_once):
+    kernel = LLVMBackend().compile(program(17))
+    owners = kernel.owner[0]._owners
+    until(lambda: len(owners) == 2)
+    engines = [weakref.ref(code._engine) for code in owners]
+    kernel = owners = None
+    until(lambda: [engine() for engine in engines] == [None, None])
+
+
+RESIDENT = """
+import gc, sys
+import numpy as np
+import test_compiling
+from pydy._backends.llvm.backend import LLVMBackend
+
+def resident():
+    return int(open("/proc/self/statm").read().split()[1]) * 4096
+
+x, none, out = np.ones(2), np.zeros(0), np.empty(2)
+def use(number):
+    kernel = LLVMBackend().compile(test_compiling.program(number))
+    assert kernel.call(x, 0.0, none, none, out) == 0
+    assert out[1] == number
+
+for number in range(2, 152):
+    use(number)
+gc.collect()
+before = resident()
+for number in range(152, 652):
+    use(number)
+gc.collect()
+print((resident() - before) / 500)
+"""
+
+
+@pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="memory is read from /proc")
+def test_a_distinct_right_hand_side_leaves_no_memory_behind():
+    done = subprocess.run(
+        [sys.executable, "-c", RESIDENT],
+        env={**os.environ, "PYDY_CACHE_DIR": "off", "PYTHONPATH": os.pathsep.join(sys.path)},
+        cwd=os.path.dirname(__file__),
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=300,
+    )
+    assert float(done.stdout) < 10_000.0  # bytes; it was 55,000
+
+
+def test_bits_are_the_same_whoever_compiled(nothing_cached, at_once):
+    kernel = LLVMBackend().compile(program(18))
+    entry, x = kernel.owner[0], np.random.default_rng(0).normal(size=(9, 2))
+    arguments = np.zeros(9), x, np.zeros((1, 0)), np.zeros(0)
+    quick = kernel.evaluate(*arguments)[0]
+    until(lambda: len(entry._owners) == 2)
+    np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)

@@ -1,0 +1,138 @@
+"""A solution found in another way than by solving its system, and what compiled code does where
+that way fails."""
+
+import numpy as np
+import pytest
+
+from graphs import on_tape
+from pydy._backends.c.cython_ import CythonBackend
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.numpy_ import NumPyBackend
+from pydy._graph.derivative import jacobian
+from pydy._graph.interpret import run
+from pydy._graph.node import Graph
+from pydy._graph.simplify import operations, simplify
+
+BACKENDS = {
+    "llvm": LLVMBackend(lanes=1),
+    "llvm, 2 lanes": LLVMBackend(lanes=2),
+    "llvm, 8 lanes": LLVMBackend(lanes=8),
+    "numpy": NumPyBackend(),
+}
+
+
+def by_hand(n):
+    """A bordered system: the last unknowns are eliminated one by one, each by its own equation.
+
+    The matrix is diag(x) but for its first row and column of constants; nothing else than the
+    fallback needs the right-hand side of the first equation less a constant.
+    """
+    g = Graph()
+    x, b, edge = ([g.input("x", k + n * i) for k in range(n)] for i in range(3))
+    p = g.input("p", 0)
+    zero = g.zero
+    rows = [[zero] * n for _ in range(n)]
+    for k in range(n):
+        rows[k][k] = g.add(x[k], p)
+        if k:
+            rows[0][k] = rows[k][0] = edge[k]
+    column = [g.add(b[0], g.call("sin", b[0])), *b[1:]]
+    pivot, force, sound = rows[0][0], column[0], g.boolean(True)
+    for k in range(1, n):
+        inverse = g.powi(rows[k][k], -1)
+        pivot = g.sub(pivot, g.mul(edge[k], edge[k], inverse))
+        force = g.sub(force, g.mul(edge[k], b[k], inverse))
+        sound = g.call("and", sound, g.call("lt", zero, rows[k][k]))
+    sound = g.call("and", sound, g.call("lt", g.mul(g.const(1e-12), rows[0][0]), pivot))
+    first = g.div(force, pivot)
+    rest = [g.div(g.sub(b[k], g.mul(edge[k], first)), rows[k][k]) for k in range(1, n)]
+    return g, g.guard(rows, column, sound, [first, *rest]), (3 * n, 0, 1)
+
+
+def exact(x, p, n):
+    matrix = np.diag(x[:n] + p)
+    matrix[0, 1:] = matrix[1:, 0] = x[2 * n + 1 :]
+    right = x[n : 2 * n].copy()
+    right[0] += np.sin(right[0])
+    return np.linalg.solve(matrix, right)
+
+
+def states(n, m=19):
+    rng = np.random.default_rng(n)
+    x = np.column_stack([rng.uniform(9, 12, (m, n)), rng.normal(size=(m, 2 * n))])
+    x[::3, :n] *= rng.choice([-1.0, 1.0], (len(x[::3]), n))  # no longer definite
+    return x, np.array([0.7])
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("n", [1, 3, 9, 30])
+def test_lanes_whose_pivots_are_not_sound_are_solved_by_pivoting(n, backend):
+    graph, nodes, sizes = by_hand(n)
+    program = on_tape(graph, nodes, sizes)
+    x, p = states(n)
+    x[4, n - 1] = -p[0]  # a pivot of zero
+    x[1, 0] = -p[0] if n > 1 else x[1, 0]
+    good = [k for k in range(19) if n > 1 or k != 4]
+    found, failed = (
+        BACKENDS[backend].compile(program).evaluate(np.zeros(19), x, np.empty((19, 0)), p)
+    )
+    assert list(np.nonzero(failed)[0]) == ([] if n > 1 else [4])
+    for k in good:
+        np.testing.assert_allclose(found[k], exact(x[k], p, n), rtol=1e-9)
+
+
+def test_cython_solves_by_pivoting_too():
+    graph, nodes, sizes = by_hand(4)
+    x, p = states(4)
+    kernel = CythonBackend().compile(on_tape(graph, nodes, sizes))
+    found, failed = kernel.evaluate(np.zeros(19), x, np.empty((19, 0)), p)
+    assert not failed.any()
+    np.testing.assert_allclose(found, [exact(row, p, 4) for row in x], rtol=1e-9)
+
+
+def test_simplification_leaves_the_system_of_a_guard_alone():
+    graph, nodes, sizes = by_hand(5)
+    new = simplify(graph, nodes)
+    x, p = states(5)
+    values = [
+        run(on_tape(graph, part, sizes), np.zeros(19), x, np.empty((19, 0)), p)[0]
+        for part in (nodes, new)
+    ]
+    np.testing.assert_allclose(values[0], values[1], rtol=1e-12)
+    assert operations(graph, new) <= operations(graph, nodes)
+    before, after = (
+        next(graph.args[n] for n in graph.reachable(part) if graph.ops[n] == "guard")
+        for part in (nodes, new)
+    )
+    assert before[:3] == after[:3]
+
+
+def test_what_only_the_fallback_needs_is_not_computed_at_every_call():
+    graph, nodes, sizes = by_hand(3)
+    n, entries, column, sound, fast = graph.args[graph.args[nodes[0]][0]]
+    column = (graph.call("exp", column[0]), *column[1:])
+    entries = (graph.call("log", entries[0]), *entries[1:])
+    guard = graph.make("guard", (n, entries, column, sound, fast))
+    program = on_tape(graph, [graph.make("item", (guard, k)) for k in range(n)], sizes)
+    assert not {"exp", "log"} & set(program.operation_count["run"])
+    assert {"exp", "log"} <= set(program.ops)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_derivatives_of_a_guarded_solution_are_those_of_its_system(backend):
+    n = 3
+    graph, nodes, sizes = by_hand(n)
+    inputs = [graph.input("x", k) for k in range(3 * n)]
+    rows = jacobian(graph, nodes, inputs)
+    cells = [row.get(k, graph.zero) for row in rows for k in range(3 * n)]
+    x, p = states(n)
+    kernel = BACKENDS[backend].compile(on_tape(graph, simplify(graph, cells), sizes))
+    found, failed = kernel.evaluate(np.zeros(19), x, np.empty((19, 0)), p)
+    assert not failed.any()
+    step = 1e-6
+    for row, state in zip(found, x, strict=True):
+        columns = [
+            (exact(state + step * e, p, n) - exact(state - step * e, p, n)) / (2 * step)
+            for e in np.eye(3 * n)
+        ]
+        np.testing.assert_allclose(row.reshape(n, 3 * n), np.transpose(columns), atol=1e-8)

@@ -1,0 +1,83 @@
+"""Sweeps: every width, either order of memory, any number of samples, give the scalar results."""
+
+import numpy as np
+import pytest
+import sympy as sm
+
+from graphs import P, T, X, program_of, solve_program
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._graph.program import Program, Tape
+
+MODEL = program_of([X[0] * P[0] + T, X[1] - X[3], sm.sin(X[2]), X[0] / X[1], P[1] * X[3]])
+
+
+def rows(count):
+    rng = np.random.default_rng(count)
+    return np.arange(float(count)), rng.uniform(0.5, 2.0, (count, 4)), np.array([2.0, 3.0, 5.0])
+
+
+def expected(t, x, p):
+    a, b, c, d = x.T
+    return np.column_stack([a * p[0] + t, b - d, np.sin(c), a / b, p[1] * d])
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+@pytest.mark.parametrize("count", [0, 1, 3, 8, 9, 15, 16, 100])
+def test_any_number_of_samples_in_either_order(lanes, order, count):
+    t, x, p = rows(count)
+    out, failed = (
+        LLVMBackend(lanes=lanes)
+        .compile(MODEL)
+        .evaluate(t, np.asarray(x, order=order), np.zeros((1, 0)), p)
+    )
+    np.testing.assert_allclose(out, expected(t, x, p), rtol=1e-15)
+    assert failed.shape == (count,)
+    assert not failed.any()
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+def test_rows_that_are_not_contiguous_are_taken_as_they_are(lanes):
+    t, x, p = rows(21)
+    spaced = np.repeat(x, 2, axis=1)[:, ::2]
+    out, _ = LLVMBackend(lanes=lanes).compile(MODEL).evaluate(t, spaced, np.zeros((1, 0)), p)
+    np.testing.assert_allclose(out, expected(t, x, p), rtol=1e-15)
+
+
+@pytest.mark.parametrize("order", ["C", "F"])
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+@pytest.mark.parametrize("size", [2, 8])
+def test_samples_that_fail_are_reported_and_the_others_are_not_disturbed(lanes, order, size):
+    # Two unknowns are few enough for the loop over blocks, eight are not.
+    program = solve_program(size, "ldl")
+    rng = np.random.default_rng(size)
+    x = rng.normal(size=(61, program.num_states))
+    for k, row in enumerate(x):
+        a = row[: size * size].reshape(size, size)
+        a[:] = a @ a.T + np.eye(size)
+        if k in (0, 3, 17, 18, 40, 60):
+            a[:] = 1.0  # all rows the same
+    out, failed = (
+        LLVMBackend(lanes=lanes)
+        .compile(program)
+        .evaluate(np.zeros(61), np.asarray(x, order=order), np.zeros((1, 0)), np.zeros(0))
+    )
+    assert np.flatnonzero(failed).tolist() == [0, 3, 17, 18, 40, 60]
+    assert np.isnan(out[failed]).all()
+    for k in np.flatnonzero(~failed):
+        a, b = x[k, : size * size].reshape(size, size), x[k, size * size :]
+        np.testing.assert_allclose(out[k], np.linalg.solve(a, b), rtol=1e-10)
+
+
+@pytest.mark.parametrize("lanes", [1, 2, 4, 8])
+def test_one_row_of_specifieds_may_be_a_row_of_columns(lanes):
+    tape = Tape()
+    r = [tape.make("input", "r", k) for k in range(2)]
+    x = [tape.make("input", "x", k) for k in range(2)]
+    nodes = [tape.mul(a, b) for a, b in zip(x, r, strict=True)]
+    program = Program.from_tape(tape, (2, 2, 0), [("v", (2,), nodes)])
+    states = np.asfortranarray(np.arange(40.0).reshape(20, 2))
+    rows = np.asfortranarray(np.arange(10.0).reshape(5, 2))
+    kernel = LLVMBackend(lanes=lanes).compile(program)
+    out, _ = kernel.evaluate(np.zeros(20), states, rows[3:4], np.zeros(0))
+    np.testing.assert_array_equal(out, states * rows[3])

@@ -1,0 +1,121 @@
+"""Code that is compiled quickly first and at LLVM's best on the side."""
+
+from __future__ import annotations
+
+import ctypes
+import gc
+import threading
+import weakref
+
+import numpy as np
+import pytest
+
+import zoo
+from graphs import on_tape
+from pydy._backends.llvm import background, jit
+from pydy._backends.llvm.backend import LLVMBackend, _repeats
+from pydy._graph.interpret import run
+from pydy._graph.node import Graph
+from pydy.system import System
+
+
+@pytest.fixture
+def nothing_cached(monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", "off")
+    jit.memory.clear()
+
+
+def rates_kernel(name):
+    system = System(zoo.MODELS[name]().kane)
+    system.generate_ode_function()
+    return system._current().compiled("rates")
+
+
+def sample(kernel, m=50):
+    rng = np.random.default_rng(3)
+    program = kernel.program
+    return (
+        rng.uniform(0.0, 1.0, m),
+        rng.uniform(-1.0, 1.0, (m, program.num_states)),
+        rng.uniform(-1.0, 1.0, (m, program.num_specifieds)),
+        rng.uniform(0.5, 1.5, program.num_constants),
+    )
+
+
+@pytest.mark.parametrize("name", sorted(zoo.MODELS))
+def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
+    kernel = rates_kernel(name)
+    arguments = sample(kernel)
+    quick = kernel.evaluate(*arguments)[0]
+    before = kernel.owner[0].addresses
+    assert kernel.addresses != before, "the best code did not take the quick code's place"
+    np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
+
+
+def test_the_gate_uses_the_better_code_with_the_constants_that_are_bound(nothing_cached):
+    kernel = rates_kernel("pendulum")
+    t, x, r, p = sample(kernel, 1)
+    out, again = np.empty(len(kernel.program.outputs)), np.empty(len(kernel.program.outputs))
+    assert kernel.call(x[0], float(t[0]), r[0], p, out) == 0
+    assert kernel.addresses is not None
+    assert kernel.call(x[0], float(t[0]), r[0], p, again) == 0
+    np.testing.assert_array_equal(again, out)
+
+
+def test_a_task_is_done_once_whoever_comes_first():
+    done = []
+    task = background.Task(lambda compile_source: done.append(threading.current_thread().name))
+    threads = [threading.Thread(target=task.run) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(done) == 1
+
+
+def test_an_unknown_symbol_does_not_reach_the_cache(nothing_cached):
+    source = jit.Source("nonsense", lambda brief: "this is no IR", ("f",))
+    with pytest.raises(RuntimeError):
+        jit.load(source)
+    assert jit.find(source) is None
+
+
+def test_code_keeps_alive_what_it_calls(nothing_cached):
+    # The caches may hold a kernel longer than any system does that brought its routines along.
+    twice = "define double @twice(double %x) {\n%y = fadd double %x, %x\nret double %y\n}"
+    more = "%y = call double @twice(double %x)\n%z = fadd double %y, 1.0\nret double %z"
+    more = f"declare double @twice(double)\ndefine double @more(double %x) {{\n{more}\n}}"
+    routines = jit.load(jit.Source("twice", lambda brief: twice, ("twice",)))
+    caller = jit.load(jit.Source("more", lambda brief: more, ("more",)), routines)
+    alive = weakref.ref(routines)
+    jit.memory.clear()
+    del routines
+    gc.collect()
+    assert alive() is not None
+    assert ctypes.CFUNCTYPE(ctypes.c_double, ctypes.c_double)(caller.addresses["more"])(3.0) == 7.0
+
+
+def test_a_long_chain_of_masses_gives_the_same_bits_side_by_side(nothing_cached):
+    n = 260
+    graph = Graph()
+    x, v = ([graph.input("x", g * n + i) for i in range(n)] for g in range(2))
+    k, m = ([graph.input("p", g * n + i) for i in range(n)] for g in range(2))
+    pulls = [graph.mul(k[i], graph.sub(x[i], x[i - 1]) if i else x[0]) for i in range(n)]
+    forces = [
+        graph.sub(pulls[i + 1], pulls[i]) if i + 1 < n else graph.neg(pulls[i]) for i in range(n)
+    ]
+    rates = [
+        graph.div(graph.sub(f, graph.mul(c, w)), c) for f, c, w in zip(forces, m, v, strict=True)
+    ]
+    program = on_tape(graph, [*v, *rates], (2 * n, 0, 2 * n))
+    assert _repeats(program)
+    kernel = LLVMBackend().compile(program)
+    arguments = sample(kernel, 9)
+    quick = kernel.evaluate(*arguments)[0]
+    assert kernel.addresses
+    np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
+    np.testing.assert_allclose(quick, run(program, *arguments)[0], rtol=1e-9, atol=1e-9)
+
+
+def test_a_pendulum_does_not_repeat_itself(nothing_cached):
+    assert not _repeats(rates_kernel("pendulum").program)
