@@ -40,7 +40,7 @@ def test_the_page_is_one_file_that_asks_for_nothing(tmp_path):
     text = path.read_text(encoding="utf-8")
     assert "default-src 'none'" in text
     assert "{{" not in re.sub(r"<script>.*?</script>", "", text, flags=re.DOTALL)
-    own = text.replace((files("pydy.viz") / "page/three.min.js").read_text(encoding="utf-8"), "")
+    own = text.replace((files("pydy.viz") / "assets/three.min.js").read_text(encoding="utf-8"), "")
     assert not re.search(r"\b(src|href)=(?![\"']data:)", own)
     assert not re.search(r"fetch\(|XMLHttpRequest|import\(|url\(", own)
 
@@ -164,5 +164,5 @@ def test_a_minute_of_the_bicycle_stays_under_three_megabytes():
         specifieds={bicycle.push: 0.0},
     )
     assert len(made.times) == 3601
-    three = len((files("pydy.viz") / "page/three.min.js").read_bytes())
+    three = len((files("pydy.viz") / "assets/three.min.js").read_bytes())
     assert len(made.html().encode()) - three < 3e6
