@@ -5,10 +5,12 @@ import sympy as sm
 
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
+from pydy._graph.linsolve import UnrolledLDL
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.passes import Passes
+from pydy._graph.program import Program, Tape
 from pydy._programs import Assembly
 
 __all__ = [
@@ -20,10 +22,12 @@ __all__ = [
     "T",
     "X",
     "evaluate",
+    "everything",
     "nodes_of",
     "on_tape",
     "program_of",
     "solve_program",
+    "solves",
     "values",
 ]
 
@@ -86,3 +90,54 @@ def solve_program(n, kind, columns=1, **options):
     right = [[graph.input("x", (n + c) * n + i) for i in range(n)] for c in range(columns)]
     nodes = [k for column in graph.solve(matrix, right, kind) for k in column]
     return on_tape(graph, nodes, (n * (n + columns), 0, 0), **options)
+
+
+_AWKWARD = [0.1, -2.5, 3.0, 1e20, 5e-324, np.inf, -np.inf, np.nan]
+
+
+def _operations(tape, a, b):
+    """All elementary operations on two values."""
+    compared = {op: tape.make(op, a, b) for op in COMPARISONS}
+    lt, ne = compared["lt"], compared["ne"]
+    logic = [tape.make("and", lt, ne), tape.make("or", lt, ne), tape.make("not", lt)]
+    logic += [tape.make("and", ne, tape.make("bool", True))]
+    logic += [tape.make("or", ne, tape.make("bool", False))]
+    nodes = [tape.make(op, a, b) for op in ("add", "sub", "mul", "div", *BINARY)]
+    nodes += [tape.make(op, a) for op in ("neg", *UNARY)]
+    nodes += [tape.make("select", c, a, b) for c in (*compared.values(), *logic)]
+    return nodes
+
+
+def everything():
+    """Each operation at both stages, and between them; every input; awkward numbers."""
+    tape = Tape()
+    x, r, p = ([tape.make("input", group, k) for k in range(2)] for group in "xrp")
+    t = tape.make("input", "t", 0)
+    numbers = [tape.make("const", c) for c in _AWKWARD]
+    known = tape.make("lt", *p)  # a truth value that prepare hands to kernel
+    blocks = {
+        "of the state": _operations(tape, *x),
+        "of the constants": _operations(tape, *p),
+        "of other inputs": [tape.mul(t, x[0]), tape.sub(r[1], r[0]), *numbers],
+        "mixed": [tape.make("select", known, *x), tape.make("neg", numbers[1])],
+        "with numbers": [tape.make("mul", x[0], c) for c in numbers],
+    }
+    table = [(name, (len(nodes),), nodes) for name, nodes in blocks.items()]
+    return Program.from_tape(tape, (2, 2, 2), table)
+
+
+def solves():
+    """One matrix, which the state holds, solved in every way a Program knows."""
+    tape = Tape()
+    x = [tape.make("input", "x", k) for k in range(15)]
+    matrix, one, two = x[:9], tuple(x[9:12]), tuple(x[12:])
+    blocks = []
+    for kind in ("lu", "ldl"):
+        factor = tape.make("factor", kind, 3, tuple(matrix))
+        for name, column in (("one", one), ("two", two)):
+            vector = tape.make("solve", factor, column)
+            blocks.append((f"{kind} {name}", vector))
+    unrolled = UnrolledLDL(tape, 3, matrix)
+    blocks.append(("guard", unrolled.solve(list(one))))
+    table = [(name, (3,), [tape.make("item", v, k) for k in range(3)]) for name, v in blocks]
+    return Program.from_tape(tape, (15, 0, 0), table)

@@ -17,12 +17,11 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from graphs import BINARY, COMPARISONS, ELEMENTARY, UNARY
-from pydy._backends.c.cython_ import CythonBackend, c_source
+from graphs import ELEMENTARY, everything, solves
+from pydy._backends.c.cython_ import CythonBackend
 from pydy._backends.registry import resolve
 from pydy._errors import GeneratorError, PyDyUserWarning
 from pydy._graph.interpret import run
-from pydy._graph.linsolve import UnrolledLDL
 from pydy._graph.program import Program, Tape
 from pydy.codegen.ode_function_generators import generate_ode_function
 
@@ -47,39 +46,6 @@ def agree(kernel, x, r, p, t=None, rtol=1e-13):
 
 
 # every elementary operation
-
-CONSTANTS = [0.1, -2.5, 3.0, 1e20, 5e-324, INF, -INF, NAN]
-
-
-def operations(tape, a, b):
-    """All elementary operations on two values."""
-    compared = {op: tape.make(op, a, b) for op in COMPARISONS}
-    lt, ne = compared["lt"], compared["ne"]
-    logic = [tape.make("and", lt, ne), tape.make("or", lt, ne), tape.make("not", lt)]
-    logic += [tape.make("and", ne, tape.make("bool", True))]
-    logic += [tape.make("or", ne, tape.make("bool", False))]
-    nodes = [tape.make(op, a, b) for op in ("add", "sub", "mul", "div", *BINARY)]
-    nodes += [tape.make(op, a) for op in ("neg", *UNARY)]
-    nodes += [tape.make("select", c, a, b) for c in (*compared.values(), *logic)]
-    return nodes
-
-
-def everything():
-    """Each operation at both stages, and between them; every input; awkward numbers."""
-    tape = Tape()
-    x, r, p = ([tape.make("input", group, k) for k in range(2)] for group in "xrp")
-    t = tape.make("input", "t", 0)
-    numbers = [tape.make("const", c) for c in CONSTANTS]
-    known = tape.make("lt", *p)  # a truth value that prepare hands to kernel
-    blocks = {
-        "of the state": operations(tape, *x),
-        "of the constants": operations(tape, *p),
-        "of other inputs": [tape.mul(t, x[0]), tape.sub(r[1], r[0]), *numbers],
-        "mixed": [tape.make("select", known, *x), tape.make("neg", numbers[1])],
-        "with numbers": [tape.make("mul", x[0], c) for c in numbers],
-    }
-    table = [(name, (len(nodes),), nodes) for name, nodes in blocks.items()]
-    return Program.from_tape(tape, (2, 2, 2), table)
 
 
 @pytest.fixture(scope="module")
@@ -112,23 +78,6 @@ INDEFINITE = [[0, 2, 1], [2, 0, 3], [1, 3, -1]]
 SINGULAR = [[1, 2, 3], [2, 4, 6], [3, 6, 10]]
 NEARLY = [[1, 1, 1], [1, 1, 1 + 2e-16], [1, 1 + 2e-16, 3]]
 ZERO = np.zeros((3, 3))
-
-
-def solves():
-    """One matrix, which the state holds, solved in every way a Program knows."""
-    tape = Tape()
-    x = [tape.make("input", "x", k) for k in range(15)]
-    matrix, one, two = x[:9], tuple(x[9:12]), tuple(x[12:])
-    blocks = []
-    for kind in ("lu", "ldl"):
-        factor = tape.make("factor", kind, 3, tuple(matrix))
-        for name, column in (("one", one), ("two", two)):
-            vector = tape.make("solve", factor, column)
-            blocks.append((f"{kind} {name}", vector))
-    unrolled = UnrolledLDL(tape, 3, matrix)
-    blocks.append(("guard", unrolled.solve(list(one))))
-    table = [(name, (3,), [tape.make("item", v, k) for k in range(3)]) for name, v in blocks]
-    return Program.from_tape(tape, (15, 0, 0), table)
 
 
 @pytest.fixture(scope="module")
@@ -286,10 +235,6 @@ def test_a_kernel_survives_pickling_and_copies_and_verbose_shows_the_build(capsy
     restored = pickle.loads(pickle.dumps(kernel))
     assert value(restored) == 21.0
     assert restored.recipe == kernel.recipe == ("cython", backend.options)
-
-
-def test_the_source_is_the_same_every_time():
-    assert c_source(everything()) == c_source(everything())
 
 
 def test_the_registry_knows_the_back_end():

@@ -1,16 +1,15 @@
 """The 'cython' generator: a Program as straight-line C, built as an extension module.
 
-The C file holds the two functions of the package's native signature; a Cython module of a few
-lines includes it and tells their addresses, and `pydy._backends.llvm.native` puts its sweep and its
-call gate around them as for LLVM. The build runs in a process of its own: setuptools works on the
-current directory and on `sys.argv`, which belong to the user here.
+The C file from `pydy._backends.c.source` holds the two functions of the native signature; a Cython
+module of a few lines includes it and tells their addresses. `pydy._backends.llvm.native` puts its
+sweep and its call gate around them as for LLVM. The build runs in a process of its own: setuptools
+works on the current directory and on `sys.argv`, which belong to the user here.
 """
 
 from __future__ import annotations
 
 import importlib.util
 import itertools
-import math
 import os
 import re
 import shutil
@@ -18,21 +17,20 @@ import subprocess
 import sys
 import tempfile
 import warnings
-from collections.abc import Iterable
 from importlib.machinery import EXTENSION_SUFFIXES, ExtensionFileLoader
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from pydy._backends.c.source import c_source
 from pydy._backends.llvm.native import Entry, native_kernel
 from pydy._backends.registry import compile_program
 from pydy._cache_folder import unsafe
 from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning
-from pydy._graph.operations import OPERATIONS, TRUTHS, operands
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["CythonBackend", "c_source"]
+__all__ = ["CythonBackend"]
 
 
 class CythonBackend:
@@ -91,7 +89,9 @@ class CythonBackend:
         """
         _require("Cython", "setuptools")
         name, directory = self._reserve(program.digest)
-        (directory / f"{name}_equations.c").write_text(c_source(program), encoding="ascii")
+        (directory / f"{name}_equations.c").write_text(
+            c_source(program, static=True), encoding="ascii"
+        )
         (directory / f"{name}.pyx").write_text(_WRAPPER.format(name=name), encoding="ascii")
         _build(name, directory, self.options["verbose"])
         module = _load(name, directory)
@@ -263,221 +263,3 @@ def _load(name: str, directory: Path) -> ModuleType:
         ) from error
     sys.modules.pop(name, None)  # Cython puts it there; its file may be gone soon
     return module
-
-
-# -- the C code -----------------------------------------------------------------------------------
-
-# A matrix is singular when a pivot is not above n·eps of its row's and column's scale; its
-# solution is then NaN, by a NaN in the last pivot. A NaN in the matrix is not a failure: every
-# comparison below is false for it, and it comes out as NaN.
-_HELPERS = """\
-#include <math.h>
-#include <stdint.h>
-
-/* Unlike fmin and fmax, these give NaN when either argument is NaN. */
-static inline double minimum(double a, double b) { return a < b || a != a ? a : b; }
-static inline double maximum(double a, double b) { return a > b || a != a ? a : b; }
-static inline double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : a; }
-
-/* Factorise the n by n matrix a in place by LU with partial pivoting; `scales` is 2 n numbers of
-   work space, the reciprocal sizes of the rows and then of the columns. Returns whether a is
-   singular. */
-static inline int32_t lu_factor(int n, double *a, int *pivots, double *scales)
-{
-    const double tolerance = n * 2.220446049250313e-16;
-    int32_t singular = 0;
-    for (int i = 0; i < n; i++) {
-        double top = 0.0;
-        for (int j = 0; j < n; j++) {
-            const double size = fabs(a[i * n + j]);
-            top = size > top ? size : top;
-        }
-        scales[i] = 1.0 / (top > 0.0 ? top : 1.0);
-    }
-    for (int j = 0; j < n; j++) {
-        double top = 0.0;
-        for (int i = 0; i < n; i++) {
-            const double size = fabs(a[i * n + j]) * scales[i];
-            top = size > top ? size : top;
-        }
-        scales[n + j] = 1.0 / (top > 0.0 ? top : 1.0);
-    }
-    for (int k = 0; k < n; k++) {
-        int pivot = k;
-        double best = fabs(a[k * n + k]) * scales[k];
-        for (int i = k + 1; i < n; i++) {
-            const double size = fabs(a[i * n + k]) * scales[i];
-            if (size > best) {
-                best = size;
-                pivot = i;
-            }
-        }
-        if (best * scales[n + k] <= tolerance)
-            singular = 1;
-        pivots[k] = pivot;
-        if (pivot != k) {
-            for (int j = 0; j < n; j++) {
-                const double swapped = a[k * n + j];
-                a[k * n + j] = a[pivot * n + j];
-                a[pivot * n + j] = swapped;
-            }
-            const double swapped = scales[k];
-            scales[k] = scales[pivot];
-            scales[pivot] = swapped;
-        }
-        const double inverse = 1.0 / a[k * n + k];
-        for (int i = k + 1; i < n; i++) {
-            const double factor = a[i * n + k] * inverse;
-            a[i * n + k] = factor;
-            for (int j = k + 1; j < n; j++)
-                a[i * n + j] -= factor * a[k * n + j];
-        }
-    }
-    if (singular)
-        a[n * n - 1] = NAN; /* so that every solution is NaN */
-    return singular;
-}
-
-/* Solve in place of the right-hand side b, with the factors from lu_factor. */
-static inline void lu_solve(int n, const double *a, const int *pivots, double *b)
-{
-    for (int k = 0; k < n; k++) {
-        const double swapped = b[k];
-        b[k] = b[pivots[k]];
-        b[pivots[k]] = swapped;
-    }
-    for (int i = 0; i < n; i++)
-        for (int k = 0; k < i; k++)
-            b[i] -= a[i * n + k] * b[k];
-    for (int i = n - 1; i >= 0; i--) {
-        for (int k = i + 1; k < n; k++)
-            b[i] -= a[i * n + k] * b[k];
-        b[i] /= a[i * n + i];
-    }
-}
-"""
-
-_EPS = 2.0**-52
-
-
-def c_source(program: Program) -> str:
-    """Return the C file of a Program, with the functions `prepare` and `kernel`."""
-    head = f"/* Written by pydy for the program {program.digest}. */\n\n"
-    return "\n".join([head + _HELPERS, *_prepare(program), "", *_kernel(program), ""])
-
-
-def _prepare(program: Program) -> Iterable[str]:
-    yield "static void prepare(const double *__restrict p, double *__restrict c)"
-    yield "{"
-    stage = _Stage(program)
-    for node, setup in enumerate(program.setup):
-        if setup:
-            stage.node(node)
-    yield from stage.lines
-    for index, node in enumerate(program.carried):
-        yield f"    c[{index}] = {stage.names[node]};"
-    yield "}"
-
-
-def _kernel(program: Program) -> Iterable[str]:
-    yield "static int32_t kernel("
-    yield "    const double *__restrict t, const double *__restrict x, const double *__restrict r,"
-    yield "    const double *__restrict c, double *__restrict out)"
-    yield "{"
-    yield "    int32_t status = 0;"
-    stage = _Stage(program)
-    stage.carried(program.carried)
-    for node, setup in enumerate(program.setup):
-        if not setup:
-            stage.node(node)
-    yield from stage.lines
-    for index, node in enumerate(program.outputs):
-        yield f"    out[{index}] = {stage.names[node]};"
-    yield "    return status;"
-    yield "}"
-
-
-class _Stage:
-    """Writes the operations of one stage; every value is a constant local variable."""
-
-    def __init__(self, program: Program) -> None:
-        self.program = program
-        self.lines: list[str] = []
-        self.names: dict[int, str] = {}
-        for node, op in enumerate(program.ops):
-            if op in ("const", "bool"):
-                self.names[node] = _literal(program.args[node][0])
-
-    def carried(self, nodes: Iterable[int]) -> None:
-        """Read the values of the setup stage."""
-        for index, node in enumerate(nodes):
-            test = " != 0.0" if self.program.ops[node] in TRUTHS else ""
-            self._let(node, f"c[{index}]{test}")
-
-    def node(self, node: int) -> None:
-        """Write one operation."""
-        op, args = self.program.ops[node], self.program.args[node]
-        names = [self.names.get(k, "") for k in operands(op, args)]
-        if op in ("const", "bool"):
-            pass
-        elif op == "input":
-            self._let(node, f"{args[0]}[{args[1]}]")
-        elif op in OPERATIONS:
-            self._let(node, OPERATIONS[op].c.format(*names))
-        elif op == "item":
-            self._let(node, f"s{args[0]}[{args[1]}]")
-        elif op == "factor":
-            self._factor(f"{node}", args[1], args[2], "    ")
-        elif op == "solve":
-            self._array(f"s{node}", args[1], "    ")
-            self._line(f"lu_solve({len(args[1])}, a{args[0]}, i{args[0]}, s{node});", "    ")
-        elif op == "guard":
-            self._guard(node, *args)
-        else:
-            raise AssertionError(f"no C for {op!r}")
-
-    def _line(self, text: str, indent: str) -> None:
-        self.lines.append(indent + text)
-
-    def _let(self, node: int, value: str) -> None:
-        kind = "int" if self.program.ops[node] in TRUTHS else "double"
-        self.names[node] = f"v{node}"
-        self._line(f"const {kind} v{node} = {value};", "    ")
-
-    def _array(self, name: str, nodes: tuple[int, ...], indent: str) -> None:
-        values = ", ".join(self.names[k] for k in nodes) or "0.0"  # C knows no empty array
-        self._line(f"double {name}[] = {{{values}}};", indent)
-
-    def _factor(self, suffix: str, n: int, entries: tuple[int, ...], indent: str) -> None:
-        self._array(f"a{suffix}", entries, indent)
-        self._line(f"int i{suffix}[{max(n, 1)}];", indent)
-        self._line(f"double w{suffix}[{max(2 * n, 1)}];", indent)
-        self._line(f"status |= lu_factor({n}, a{suffix}, i{suffix}, w{suffix});", indent)
-
-    def _guard(
-        self,
-        node: int,
-        n: int,
-        entries: tuple[int, ...],
-        column: tuple[int, ...],
-        sound: int,
-        fast: tuple[int, ...],
-    ) -> None:
-        self._array(f"s{node}", fast, "    ")
-        self._line(f"if (!({self.names[sound]})) {{", "    ")
-        inside = "        "
-        self._factor("", n, entries, inside)
-        for k, value in enumerate(column):
-            self._line(f"s{node}[{k}] = {self.names[value]};", inside)
-        self._line(f"lu_solve({n}, a, i, s{node});", inside)
-        self._line("}", "    ")
-
-
-def _literal(value: float | bool) -> str:
-    """Return a number in C, exactly."""
-    if isinstance(value, bool):
-        return str(int(value))
-    if math.isnan(value):
-        return "NAN"
-    text = "INFINITY" if math.isinf(value) else repr(abs(float(value)))
-    return f"(-{text})" if math.copysign(1.0, value) < 0.0 else text
