@@ -3,6 +3,7 @@
 import numpy as np
 import sympy as sm
 
+from pydy._assembly.assembly import Assembly
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.linsolve import UnrolledLDL
@@ -11,7 +12,6 @@ from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.passes import Passes
 from pydy._graph.program import Program, Tape
-from pydy._programs import Assembly
 
 __all__ = [
     "BINARY",

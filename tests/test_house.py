@@ -24,7 +24,7 @@ LAYERS = {
     },
     "graph and mechanics": {"_graph", "_mechanics"},
     "machine": {"_backends", "_kernel", "solvers"},
-    "assembly": {"_assembly", "_programs"},
+    "assembly": {"_assembly"},
     "consumers": {
         *("analysis", "codegen", "ensemble", "export", "linearize", "plot", "viz"),
     },

@@ -10,9 +10,10 @@ import sympy as sm
 from sympy.physics.mechanics import dynamicsymbols
 
 from harness.frozen import Model
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.system import assemble_system
 from pydy._graph.passes import Passes
 from pydy._mechanics.equations import Equations
-from pydy._programs import Assembly, assemble_system
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.ode_function_generators import make_system_function
 from pydy.codegen.right_hand_side import Layout, RightHandSide

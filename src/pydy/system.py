@@ -16,13 +16,13 @@ import numpy as np
 import sympy as sm
 from scipy.integrate import odeint
 
+from pydy._assembly.system import check_accelerations
 from pydy._checks import choice, describe, flag, real_array, shown, vector
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._graph.passes import Passes
 from pydy._kernel import Kernel
 from pydy._mechanics.extract import extract
 from pydy._names import nearest
-from pydy._programs import check_accelerations
 from pydy._system.analysis import Numbers, find_equilibrium, linearize, variables
 from pydy._system.causes import cause_of, explain
 from pydy._system.definition import Definition, define, given_in

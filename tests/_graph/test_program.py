@@ -213,7 +213,7 @@ def test_a_pickled_program_keeps_its_digest_and_its_values():
 SCRIPT = """
 from sympy.physics.mechanics.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy._mechanics.extract import extract
-from pydy._programs import _other_symbols, assemble_system
+from pydy._assembly.system import _other_symbols, assemble_system
 from pydy._mechanics.symbols import sort_symbols
 for kane in (n_link_pendulum_on_cart(3, cart_force=True, joint_torques=True),
              multi_mass_spring_damper(4, True, True)):

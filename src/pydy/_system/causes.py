@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 from scipy.linalg import qr
 
+from pydy._assembly.assembly import Assembly
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
-from pydy._programs import Assembly
 from pydy._system.definition import Definition
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 

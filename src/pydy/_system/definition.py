@@ -9,6 +9,9 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.outputs import Group, auxiliary_groups
+from pydy._assembly.system import assemble_system
 from pydy._checks import Places, listed
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
@@ -16,7 +19,6 @@ from pydy._graph.passes import Passes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of
-from pydy._programs import Assembly, Group, assemble_system, auxiliary_groups
 from pydy._system.inputs import check_forces, output_groups, sort_out
 from pydy.codegen.arguments import symbolic_entries
 from pydy.codegen.right_hand_side import Layout

@@ -13,12 +13,12 @@ from typing import Any
 
 import sympy as sm
 
+from pydy._assembly.assembly import Assembly
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._mechanics.symbols import find_symbols
-from pydy._programs import Assembly
 from pydy._system.definition import Definition
 from pydy.codegen.arguments import SpecifiedsPlan, describe
 from pydy.codegen.right_hand_side import RightHandSide

@@ -10,12 +10,12 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
+from pydy._assembly.outputs import Group
 from pydy._checks import Places, check_mapping, listed, resolved, shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import told_apart
-from pydy._programs import Group
 from pydy.codegen.arguments import checked_expression, describe, real_array
 
 __all__ = [

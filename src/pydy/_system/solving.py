@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, Literal
 
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.baumgarte import stabilised
 from pydy._checks import Places, choice, number
 from pydy._graph.derivative import jacobian
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
-from pydy._programs import Assembly
-from pydy._system.baumgarte import stabilised
 from pydy._system.definition import Definition
 from pydy.codegen.arguments import describe
 from pydy.codegen.right_hand_side import RightHandSide
@@ -84,7 +84,8 @@ def prepare(
         gain = number(gain, "`gain`", finite=True)
         if gain <= 0.0:
             raise ValueError(f"`gain` must be positive, got {gain}.")
-        implementation = stabilised(implementation, definition, gain)
+        key = ("baumgarte", gain)
+        implementation = implementation.changed(key, lambda assembly: stabilised(assembly, gain))
     if not native and (constraints == "project" or events is not None):
         what = "constraints='project'" if constraints == "project" else "events"
         raise ValueError(

@@ -13,11 +13,12 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.form import assemble_form
 from pydy._backends.registry import resolve
 from pydy._checks import describe, flag, listed, resolved, shown
 from pydy._graph.passes import Passes
 from pydy._mechanics.symbols import find_symbols
-from pydy._programs import Assembly, assemble_form
 from pydy.codegen.arguments import checked_expression
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.right_hand_side import Layout, RightHandSide

@@ -14,13 +14,14 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.stored import stored_program
 from pydy._backends.registry import refusal
 from pydy._checks import number, vector
 from pydy._errors import SingularMatrixError
 from pydy._graph.program import Program
 from pydy._kernel import Kernel, KernelCall
 from pydy._names import nearest
-from pydy._programs import Assembly
 from pydy.codegen.arguments import (
     ConstantsArgument,
     SpecifiedsArgument,
@@ -29,7 +30,6 @@ from pydy.codegen.arguments import (
 )
 from pydy.codegen.docstring import rhs_docstring
 from pydy.codegen.external_solve import Solver, with_external_solver
-from pydy.codegen.stored import stored_program
 from pydy.inputs import SampledInput
 
 __all__ = ["Layout", "RightHandSide", "raise_singular"]

@@ -8,10 +8,11 @@ from collections.abc import Callable
 from functools import cache as once
 from pathlib import Path
 
+import pydy._assembly
 import pydy._graph
 from pydy import _cache_folder
+from pydy._assembly.assembly import Assembly
 from pydy._graph.program import Program
-from pydy._programs import Assembly
 
 __all__ = ["stored_program"]
 
@@ -23,9 +24,9 @@ _WORTH_STORING = 300
 def _circumstances() -> bytes:
     """Everything but the equations that decides what the Program is."""
     sha = hashlib.sha256(sys.version.encode())
-    folder = Path(pydy._graph.__file__).parent
-    for source in (folder.with_name("_programs.py"), *sorted(folder.rglob("*.py"))):
-        sha.update(source.read_bytes())
+    for package in (pydy._assembly, pydy._graph):
+        for source in sorted(Path(str(package.__file__)).parent.rglob("*.py")):
+            sha.update(source.read_bytes())
     return sha.digest()
 
 

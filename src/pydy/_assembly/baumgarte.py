@@ -11,35 +11,26 @@ from dataclasses import replace
 
 import numpy as np
 
+from pydy._assembly.assembly import Assembly
 from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.rewrite import substitute
-from pydy._mechanics.equations import Equations
-from pydy._programs import Assembly
-from pydy._system.definition import Definition
-from pydy.codegen.right_hand_side import RightHandSide
 
 __all__ = ["stabilised"]
 
 _TRIALS = 3
 
 
-def stabilised(implementation: RightHandSide, definition: Definition, gain: float) -> RightHandSide:
-    """Return the right-hand side whose constraint residuals c obey c'' + 2 g c' + g² c = 0.
+def stabilised(assembly: Assembly, gain: float) -> Assembly:
+    """Return the system whose constraint residuals c obey c'' + 2 g c' + g² c = 0.
 
     A nonholonomic residual v obeys v' + 2 g v = 0.
     """
-    return implementation.changed(
-        ("baumgarte", gain), lambda assembly: _stabilise(assembly, definition.equations, gain)
-    )
-
-
-def _stabilise(assembly: Assembly, equations: Equations, gain: float) -> Assembly:
     graph, n = assembly.graph, len(assembly.speeds)
     count = len(assembly.velocity)
-    share = _shares(assembly, equations)
+    share = _shares(assembly)
     forcing = list(assembly.forcing)
     for i, node in enumerate(assembly.velocity):
         terms = [(forcing[n - count + i], 1.0), (node, -2.0 * gain)]
@@ -63,7 +54,7 @@ def _stabilise(assembly: Assembly, equations: Equations, gain: float) -> Assembl
     )
 
 
-def _shares(assembly: Assembly, equations: Equations) -> np.ndarray:
+def _shares(assembly: Assembly) -> np.ndarray:
     """Return, for each velocity constraint, of which holonomic ones it is the rate, and how much.
 
     Raises

@@ -8,14 +8,14 @@ import sympy as sm
 
 import zoo
 from graphs import P, X, program_of
+from pydy._assembly.form import assemble_form
 from pydy._graph.program import Program
-from pydy._programs import assemble_form
 
 SCRIPT = """
 import json
 import numpy as np
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
-from pydy import _programs
+from pydy._assembly import assembly
 from pydy._backends.llvm import background, compiling, native
 from pydy.system import System
 
@@ -29,7 +29,7 @@ def counted(module, name, kind):
         return function(*args, **kwargs)
     setattr(module, name, wrapper)
 
-counted(_programs, "simplify", "simplified")
+counted(assembly, "simplify", "simplified")
 counted(compiling, "_emitter", "compiled")
 system = System(n_link_pendulum_on_cart(6, cart_force=False))
 x = np.linspace(-1.0, 1.0, 14)

@@ -1,0 +1,1 @@
+"""Equations as named blocks of one graph, from which Programs are lowered."""

@@ -1,0 +1,239 @@
+"""A whole system as nodes of one graph: the named blocks that Programs are lowered from.
+
+A Program is lowered from any selection of the blocks, so that a solver pays for the state
+derivatives alone and an evaluation of outputs for nothing else.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import marshal
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import astuple, dataclass, field, replace
+from typing import Any
+
+from pydy._graph.collector import collector_paused
+from pydy._graph.derivative import jacobian
+from pydy._graph.factor import factor_sums
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.passes import Passes
+from pydy._graph.program import Program
+from pydy._graph.rewrite import substitute
+from pydy._graph.rounding import rounding_bounds
+from pydy._graph.simplify import simplify
+from pydy._mechanics.mechanism import Mechanism
+
+__all__ = ["Assembly"]
+
+_BLOCKS = (
+    "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",
+    "forcing",
+)  # fmt: skip
+
+
+@dataclass
+class Assembly:
+    """A system as nodes of one graph.
+
+    Attributes
+    ----------
+    graph : Graph
+    sizes : (int, int, int)
+        Numbers of states, specifieds and constants.
+    rates : list of nodes
+        Derivatives of the states.
+    ordinary : list of nodes
+        The outputs that come back beside the derivatives.
+    outputs : list of nodes
+        All outputs, in the user's order.
+    holonomic, velocity, nonholonomic : list of nodes
+        Constraint residuals.
+    mass_matrix, forcing : list of nodes
+        The linear system for the accelerations; empty where the form has none.
+    passes : Passes
+        The rewriting that Programs go through.
+    atoms : mapping of symbols, functions of time and derivatives to nodes
+        What further expressions may hold; see `expression_program`.
+    speeds : list of nodes
+    mechanism : Mechanism or None
+        The bodies behind the equations.
+    external : bool
+        Whether the accelerations are inputs at the end of r.
+    given : mapping of input nodes to nodes
+        What `substituted` put in place of inputs.
+    """
+
+    graph: Graph
+    sizes: tuple[int, int, int]
+    rates: list[int]
+    ordinary: list[int]
+    outputs: list[int]
+    holonomic: list[int] = field(default_factory=list)
+    velocity: list[int] = field(default_factory=list)
+    nonholonomic: list[int] = field(default_factory=list)
+    mass_matrix: list[int] = field(default_factory=list)
+    forcing: list[int] = field(default_factory=list)
+    passes: Passes = field(default_factory=Passes)
+    atoms: Mapping[Any, int] = field(default_factory=dict)
+    speeds: list[int] = field(default_factory=list)
+    mechanism: Mechanism | None = None
+    external: bool = False
+    given: Mapping[int, int] = field(default_factory=dict)
+
+    @property
+    def constraints(self) -> list[int]:
+        """Residuals of the holonomic, then the nonholonomic constraints."""
+        return [*self.holonomic, *self.nonholonomic]
+
+    @property
+    def kinetic_energy(self) -> list[int]:
+        """The kinetic energy of the bodies: one node, or none where no bodies are known."""
+        return substitute(self.graph, self._kinetic_energy(), self.given)
+
+    @property
+    def kinetic_hessian(self) -> list[int]:
+        """Second derivatives of the kinetic energy by all speeds, dependent ones included.
+
+        This is the mass matrix before any constraint reduces it, row by row. Specifieds are held,
+        those that are given as expressions too.
+        """
+        energy = self._kinetic_energy()
+        if not energy:
+            return []
+        g, n = self.graph, len(self.speeds)
+        momenta = jacobian(g, energy, self.speeds)[0]
+        rows = jacobian(g, [momenta.get(k, g.zero) for k in range(n)], self.speeds)
+        # One triangle for both, so that the matrix is symmetric to the last bit.
+        cells = [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
+        return substitute(g, cells, self.given)
+
+    def _kinetic_energy(self) -> list[int]:
+        if self.mechanism is None or not self.mechanism.bodies:
+            return []
+        return self._reader("the kinetic energy").all([self.mechanism.energy])
+
+    def fork(self) -> Assembly:
+        """Return the same with a graph of its own: what is read into it leaves this one alone."""
+        return replace(self, graph=self.graph.copy())
+
+    def read(self, expressions: Iterable[Any], what: str) -> list[int]:
+        """Return further expressions in the states and symbols as nodes; `what` is for messages."""
+        return substitute(self.graph, self._reader(what).all(expressions), self.given)
+
+    def _reader(self, what: str) -> SymPyReader:
+        return SymPyReader(self.graph, self.atoms, what)
+
+    def program(self, *names: str) -> Program:
+        """Return the Program of the named blocks.
+
+        Parameters
+        ----------
+        names : {'rates', 'ordinary', 'outputs', 'holonomic', 'velocity', 'constraints', ...}
+            Attributes of this class.
+        """
+        own, blocks = self.fork(), []
+        for name in names:
+            nodes: list[int] = getattr(own, name)
+            n = len(self.speeds)
+            square = name == "kinetic_hessian" and nodes
+            blocks.append((name, (n, n) if square else (len(nodes),), nodes))
+        return own.lowered(blocks, own.graph)
+
+    def expression_program(self, name: str, shape: tuple[int, ...], expressions: Any) -> Program:
+        """Return the Program of one block of further expressions in the states and symbols.
+
+        Parameters
+        ----------
+        name : str
+            Of the block, and in messages.
+        shape : tuple of int
+        expressions : iterable of expressions
+            In C order; they may hold q', which the kinematics provide, but not u'.
+
+        Raises
+        ------
+        ValueError
+            A symbol that is not among those of the assembly.
+        """
+        n, s, c = self.sizes
+        sizes = (n, s - len(self.speeds), c) if self.external else self.sizes
+        own = self.fork()
+        return own.lowered([(name, shape, own.read(expressions, name))], own.graph, sizes)
+
+    def bounded_program(self, name: str) -> Program:
+        """Return the Program of a block and of bounds on its rounding errors, as 'rounding'."""
+        own = self.fork()
+        nodes: list[int] = getattr(own, name)
+        return own.lowered([(name, (len(nodes),), nodes)], own.graph, bounded=name)
+
+    def jacobian_program(self, name: str, by: str | Sequence[tuple[str, int]]) -> Program:
+        """Return the Program of a block's Jacobian.
+
+        Parameters
+        ----------
+        name : str
+            Of the block.
+        by : {'x', 'r', 'p'} or sequence of (group, index)
+            All inputs of a group, or some of any.
+        """
+        if isinstance(by, str):
+            by = [(by, k) for k in range(dict(zip("xrp", self.sizes, strict=True))[by])]
+        width = len(by)
+        with collector_paused():
+            graph = self.graph.copy()
+            nodes = simplify(graph, getattr(self, name), self.passes)
+            rows = jacobian(graph, nodes, [graph.input(*place) for place in by])
+            cells = [row.get(k, graph.zero) for row in rows for k in range(width)]
+            # Derivatives of what is simplified need no more than common factors taken out.
+            cells = factor_sums(graph, cells) if self.passes.factor else cells
+            blocks = [("jacobian", (len(nodes), width), cells)]
+            return lower(graph, self.sizes, blocks, passes=self.passes)
+
+    def substituted(self, mapping: Mapping[int, int]) -> Assembly:
+        """Return the Assembly with other nodes in place of some inputs, in every block."""
+        blocks = {name: getattr(self, name) for name in _BLOCKS}
+        with collector_paused():
+            nodes = iter(
+                substitute(self.graph, [n for part in blocks.values() for n in part], mapping)
+            )
+        new: dict[str, Any] = {name: [next(nodes) for _ in part] for name, part in blocks.items()}
+        return replace(self, given=dict(mapping), **new)
+
+    def lowered(
+        self,
+        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+        graph: Graph | None = None,
+        sizes: tuple[int, int, int] | None = None,
+        bounded: str | None = None,
+    ) -> Program:
+        """Simplify and lower blocks of nodes, of this graph and of its sizes by default.
+
+        The rounding bounds of the block `bounded` follow as a further block, 'rounding'; they are
+        those of the nodes as simplified, which are what is computed.
+
+        Each Program starts from the equations as they are: it does not depend on which others were
+        made before.
+        """
+        with collector_paused():
+            graph = self.graph.copy() if graph is None else graph
+            nodes = [n for _, _, part in blocks for n in part]
+            nodes = simplify(graph, nodes, self.passes)
+            new = []
+            start = 0
+            for name, shape, part in blocks:
+                new.append((name, shape, nodes[start : start + len(part)]))
+                start += len(part)
+                if name == bounded:
+                    bounds = rounding_bounds(graph, new[-1][2])
+            if bounded is not None:
+                new.append(("rounding", (len(bounds),), bounds))
+            return lower(graph, sizes or self.sizes, new, passes=self.passes)
+
+    def fingerprint(self) -> bytes:
+        """Return a digest of all that Programs are made from."""
+        blocks = [getattr(self, name) for name in ("sizes", *_BLOCKS)]
+        content = (self.graph.ops, self.graph.args, blocks, astuple(self.passes))
+        # Version 2 of the format writes every object in full: equal content gives equal bytes.
+        return hashlib.sha256(marshal.dumps(content, 2)).digest()

@@ -1,0 +1,176 @@
+"""Equations of a mechanical system and its outputs into an `Assembly`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.outputs import Group, auxiliary_groups, evaluate_groups
+from pydy._assembly.symbols import input_nodes
+from pydy._graph.accelerations import solve_accelerations
+from pydy._graph.collector import collector_paused
+from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.node import Graph
+from pydy._graph.passes import Passes
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.equations import Equations
+
+__all__ = ["assemble_system", "check_accelerations"]
+
+
+@collector_paused()
+def assemble_system(
+    equations: Equations,
+    groups: Sequence[Group],
+    auxiliaries: Sequence[Any],
+    specifieds: Sequence[Any],
+    constants: Sequence[Any],
+    *,
+    external: bool = False,
+    passes: Passes | None = None,
+) -> Assembly:
+    """Assemble a mechanical system with its outputs.
+
+    Parameters
+    ----------
+    equations : Equations
+    groups : sequence of Group
+        Outputs, in the user's order.
+    auxiliaries : sequence of symbols
+        The auxiliary states, one for each name of an integrated group.
+    specifieds, constants : sequence of symbols
+        In the order of the arrays r and p.
+    external : bool
+        Whether the accelerations are solved for by a user's solver: they then are inputs, at the
+        end of r.
+    passes : Passes, optional
+        All by default.
+
+    Raises
+    ------
+    ValueError
+        Accelerations occur nonlinearly in the equations of motion, a group is nonlinear in its own
+        names, or outputs refer to each other in a circle.
+    """
+    passes = passes or Passes()
+    formed = equations.formed
+    graph = Graph() if formed is None else formed.placed(constants, specifieds)
+    q, u, t = equations.coordinates, equations.speeds, equations.time
+    atoms = input_nodes(graph, t, [*q, *u, *auxiliaries], specifieds, constants)
+    accelerations = [graph.input("a", k) for k in range(len(u))]
+    atoms.update((z, graph.zero) for z in equations.zeros)
+    read = SymPyReader(graph, atoms, "the equations of motion")
+    if formed is None:
+        kinematics = read.all(equations.coordinate_derivatives)
+    else:
+        kinematics = formed.rates
+    for rate, node in zip(equations.coordinate_rates, kinematics, strict=True):
+        read.define(rate, node)
+    known = dict(read.atoms)
+    for rate, node in zip(equations.speed_rates, accelerations, strict=True):
+        read.define(rate, node)
+    if formed is None:
+        matrix = read.all(equations.mass_matrix)
+        forcing = read.all(equations.forcing)
+    else:
+        matrix = [node for row in formed.matrix for node in row]
+        forcing = formed.forcing
+    matrix, forcing, moved = _collect_accelerations(
+        graph, equations, matrix, forcing, accelerations
+    )
+    read.what = "the constraints"
+    holonomic = read.all(equations.holonomic)
+    velocity = read.all(equations.velocity)
+    nonholonomic = read.all(equations.nonholonomic)
+    n = len(u)
+    sizes = (len(q) + n + len(auxiliaries), len(specifieds), len(constants))
+    if external:
+        solved = [graph.input("r", len(specifieds) + k) for k in range(n)]
+    elif formed is not None and formed.accelerations is not None:
+        solved = formed.accelerations
+    else:
+        kind = "ldl" if equations.positive_definite and not moved else "lu"
+        rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
+        solved = solve_accelerations(graph, rows, forcing, kind, rebase=passes.rebase)
+    read.what = "the outputs"
+    values = evaluate_groups(graph, read, groups, dict(zip(accelerations, solved, strict=True)))
+    integrated = auxiliary_groups(equations, groups)
+    outputs = [node for part in values for node in part]
+    aux = [n for part, flag in zip(values, integrated, strict=True) if flag for n in part]
+    ordinary = [n for part, flag in zip(values, integrated, strict=True) if not flag for n in part]
+    return Assembly(
+        graph,
+        (sizes[0], sizes[1] + n, sizes[2]) if external else sizes,
+        [*kinematics, *solved, *aux],
+        ordinary,
+        outputs,
+        holonomic,
+        velocity,
+        nonholonomic,
+        matrix,
+        forcing,
+        passes,
+        known,
+        [atoms[s] for s in u],
+        equations.mechanism,
+        external,
+    )
+
+
+def check_accelerations(equations: Equations) -> None:
+    """Refuse equations of motion that are nonlinear in the derivatives of the speeds."""
+    if any(rate in equations.symbols for rate in equations.speed_rates):
+        constants, specifieds = _other_symbols(equations)
+        assemble_system(equations, (), (), specifieds, constants)
+
+
+def _other_symbols(equations: Equations) -> tuple[list[Any], list[Any]]:
+    t = equations.time
+    states = {*equations.coordinates, *equations.speeds}
+    rates = (*equations.coordinate_rates, *equations.speed_rates)
+    known = {*states, *rates, *equations.zeros, t}
+    rest = [s for s in equations.symbols if s not in known]
+    return [s for s in rest if s.is_Symbol], [s for s in rest if not s.is_Symbol]
+
+
+def _collect_accelerations(
+    graph: Graph,
+    equations: Equations,
+    matrix: list[int],
+    forcing: list[int],
+    accelerations: list[int],
+) -> tuple[list[int], list[int], bool]:
+    """Move u' that is linear in the forcing into the mass matrix."""
+    present = set(accelerations) & set(graph.reachable([*matrix, *forcing]))
+    if not present:
+        return matrix, forcing, False
+    n = len(forcing)
+    rows = jacobian(graph, forcing, accelerations)
+    cells = [d for row in rows for d in row.values()]
+    if present & set(graph.reachable([*cells, *matrix])):
+        names = ", ".join(map(str, equations.speed_rates))
+        raise ValueError(
+            f"The equations of motion are nonlinear in the derivatives of the speeds ({names}) in "
+            f"the term `{_nonlinear_term(equations)}`. Loads may depend on accelerations linearly "
+            "only."
+        )
+    forcing = substitute(graph, forcing, dict.fromkeys(accelerations, graph.zero))
+    matrix = list(matrix)
+    for i, row in enumerate(rows):
+        for j, d in row.items():
+            matrix[i * n + j] = graph.sub(matrix[i * n + j], d)
+    return matrix, forcing, True
+
+
+def _nonlinear_term(equations: Equations) -> Any:
+    """Return the first additive term that is not linear in the derivatives of the speeds."""
+    rates = equations.speed_rates
+    loads = equations.mechanism.loads if equations.formed and equations.mechanism else ()
+    parts = [e for _, vector in loads for column, _ in vector.args for e in column]
+    for expression in (*equations.forcing, *equations.mass_matrix, *parts):
+        for term in expression.expand().as_ordered_terms():
+            if any(term.diff(a).has(*rates) for a in rates):
+                return term
+    return equations.forcing
