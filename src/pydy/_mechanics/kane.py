@@ -7,10 +7,9 @@ from typing import Any
 
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
-from pydy._mechanics.choice import chosen
 from pydy._mechanics.classify import classify
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.form import auxiliary_equations
+from pydy._mechanics.formed import equations_of, kinematics_of
 from pydy._mechanics.mechanism import Mechanism
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
 
@@ -39,9 +38,12 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
         speeds=tuple(kane.u),
         coordinate_rates=tuple(kane._qdot),
         coordinate_derivatives=tuple(rates[rate] for rate in kane._qdot),
+        holonomic=tuple(kane._f_h),
         velocity=velocity,
         acceleration=acceleration,
         auxiliary=tuple(kane._uaux),
+        dependent_coordinates=tuple(kane._qdep),
+        dependent_speeds=tuple(kane._udep),
     )
 
 
@@ -77,42 +79,15 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
         raise ValueError(
             "`eom_method` has no kinematic differential equations: construct it with `kd_eqs=`."
         )
-    t = dynamicsymbols._t
-    rates = kane.kindiffdict()
-    auxiliary = tuple(kane._uaux)
-    velocity: tuple[Any, ...] = ()
-    if kane._k_nh:
-        velocity = tuple(kane._k_nh * kane.u + kane._f_nh)
-    base = Equations(
-        time=t,
-        coordinates=tuple(kane.q),
-        speeds=tuple(kane.u),
-        coordinate_rates=tuple(kane._qdot),
-        speed_rates=tuple(kane._udot),
-        coordinate_derivatives=tuple(rates[rate] for rate in kane._qdot),
-        mass_matrix=() if formed else kane.mass_matrix,
-        forcing=() if formed else tuple(kane.forcing),
-        positive_definite=not kane._udep,
-        holonomic=tuple(kane._f_h),
-        velocity=velocity,
-        dependent_coordinates=tuple(kane._qdep),
-        dependent_speeds=tuple(kane._udep),
-        auxiliary_speeds=auxiliary,
-        auxiliary_equations=() if formed or not auxiliary else tuple(kane.auxiliary_eqs),
-        # In motion the auxiliary speeds are zero at all times.
-        zeros=(*auxiliary, *(u.diff(t) for u in auxiliary)),
-        mechanism=Mechanism(
-            kane._inertial, tuple(kane._bodylist or ()), read_loads(kane._forcelist or ())
-        ),
-    )
+    body = multibody_of_kane(kane)
     if formed:
-        body = multibody_of_kane(kane)
-        found = chosen(body)
-        energy = found.energy(t, base.coordinates, base.speeds)
-        base = replace(
-            base,
-            formed=found,
-            mechanism=Mechanism(body.frame, body.bodies, body.loads, energy),
-            auxiliary_equations=tuple(auxiliary_equations(body)) if auxiliary else (),
+        return equations_of(body)
+    return classify(
+        replace(
+            kinematics_of(body),
+            mass_matrix=kane.mass_matrix,
+            forcing=tuple(kane.forcing),
+            auxiliary_equations=tuple(kane.auxiliary_eqs) if body.auxiliary else (),
+            mechanism=Mechanism(body.frame, body.bodies, body.loads),
         )
-    return classify(base)
+    )

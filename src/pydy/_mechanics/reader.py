@@ -48,12 +48,16 @@ class Multibody:
     coordinate_rates : tuple of derivatives
     coordinate_derivatives : tuple of expressions
         q' in q, u and t.
+    holonomic : tuple of expressions
+        Configuration constraints, zero when satisfied.
     velocity : tuple of expressions
         Velocity constraints, one for each dependent speed.
     acceleration : tuple of expressions
         Their derivatives, in u' and the states; empty where they are just that.
     auxiliary : tuple of functions of time
         Auxiliary speeds.
+    dependent_coordinates, dependent_speeds : tuple of functions of time
+        Of the coordinates and speeds, where they are last.
     """
 
     frame: Any
@@ -64,9 +68,12 @@ class Multibody:
     speeds: tuple[Any, ...]
     coordinate_rates: tuple[Any, ...]
     coordinate_derivatives: tuple[Any, ...]
+    holonomic: tuple[Any, ...] = ()
     velocity: tuple[Any, ...] = ()
     acceleration: tuple[Any, ...] = ()
     auxiliary: tuple[Any, ...] = ()
+    dependent_coordinates: tuple[Any, ...] = ()
+    dependent_speeds: tuple[Any, ...] = ()
 
 
 def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:

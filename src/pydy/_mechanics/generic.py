@@ -1,0 +1,147 @@
+"""Numbers at generic states that keep the constraints: what ranks and identities are judged by.
+
+A user may have simplified a velocity or a rate with a constraint, so that it holds only there. All
+symbols that are not states count as specifieds: the search for a consistent state may move them
+too, since a four-bar with lengths chosen at random need not close.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from sympy.core.function import AppliedUndef
+
+from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.interpret import run
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.program import Program
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.symbols import find_symbols, sort_symbols
+
+__all__ = ["Block", "GenericStates"]
+
+_STEPS = 50
+_CLOSED = 1e-13
+
+Block = tuple[str, tuple[int, ...], list[int]]
+
+
+class GenericStates:
+    """Expressions of a system as nodes of a graph, and their values at generic states.
+
+    Parameters
+    ----------
+    equations : Equations
+    expressions : iterable of expressions
+        What will be read besides the constraints and the kinematics.
+    what : str
+        Says what is read, for messages.
+
+    Attributes
+    ----------
+    graph : Graph
+    read : SymPyReader
+    coordinates, speeds : list of nodes
+    moving : list of (node, node)
+        What moves, and its rate: coordinates, time, and specifieds whose derivatives occur.
+    holonomic, velocity : list of nodes
+        The constraints.
+    """
+
+    def __init__(self, equations: Equations, expressions: Iterable[Any], what: str) -> None:
+        graph = self.graph = Graph()
+        t, q, u = equations.time, equations.coordinates, equations.speeds
+        states = [*q, *u]
+        known = {*states, *equations.zeros, t, *equations.coordinate_rates}
+        found = {
+            s
+            for s in find_symbols(
+                (
+                    *expressions,
+                    *equations.holonomic,
+                    *equations.velocity,
+                    *equations.coordinate_derivatives,
+                )
+            )
+            if s not in known
+        }
+        found |= {s.diff(t) for s in found if isinstance(s, AppliedUndef)}
+        others = sort_symbols(found)
+        x = [graph.input("x", k) for k in range(len(states))]
+        self._others = [graph.input("r", k) for k in range(len(others))]
+        self.coordinates, self.speeds = x[: len(q)], x[len(q) :]
+        time = graph.input("t", 0)
+        atoms: dict[Any, int] = {
+            **dict(zip(states, x, strict=True)),
+            **dict(zip(others, self._others, strict=True)),
+            t: time,
+            **dict.fromkeys(equations.zeros, graph.zero),
+        }
+        self.read = SymPyReader(graph, atoms, what)
+        rates = self.read.all(equations.coordinate_derivatives)
+        for rate, node in zip(equations.coordinate_rates, rates, strict=True):
+            self.read.define(rate, node)
+        # A prescribed motion y(t) moves a constraint through y'(t).
+        self.moving = [*zip(self.coordinates, rates, strict=True), (time, graph.one)]
+        self.moving += [(atoms[s], atoms[s.diff(t)]) for s in others if isinstance(s, AppliedUndef)]
+        self.holonomic = self.read.all(equations.holonomic)
+        self.velocity = self.read.all(equations.velocity)
+
+    def rates(self, nodes: Sequence[int]) -> list[int]:
+        """Return derivatives by time."""
+        g = self.graph
+        rows = jacobian(g, nodes, [node for node, _ in self.moving])
+        return [g.sum([(g.mul(d, self.moving[k][1]), 1.0) for k, d in r.items()]) for r in rows]
+
+    def table(self, name: str, nodes: Sequence[int], variables: Sequence[int]) -> Block:
+        """Return the block of a Jacobian."""
+        rows, n = jacobian(self.graph, nodes, variables), len(variables)
+        cells = [row.get(k, self.graph.zero) for row in rows for k in range(n)]
+        return name, (len(nodes), n), cells
+
+    def samples(self, blocks: Sequence[Block], trials: int) -> Iterator[dict[str, np.ndarray]]:
+        """Yield the values of blocks at states that keep the constraints, where all are finite."""
+        free = [*self.coordinates, *self._others]
+        program = lower(
+            self.graph,
+            (len(self.coordinates) + len(self.speeds), len(self._others), 0),
+            [
+                *blocks,
+                ("_holonomic", (len(self.holonomic),), self.holonomic),
+                self.table("_gradient", self.holonomic, free),
+                ("_velocity", (len(self.velocity),), self.velocity),
+                self.table("_slope", self.velocity, self.speeds),
+            ],
+        )
+        for seed in range(trials):
+            values = self._consistent(program, np.random.default_rng(seed))
+            if all(np.isfinite(values[name]).all() for name, _, _ in blocks):
+                yield values
+
+    def _consistent(self, program: Program, rng: np.random.Generator) -> dict[str, np.ndarray]:
+        n = len(self.coordinates)
+        x = rng.uniform(0.3, 1.3, n + len(self.speeds))
+        r = rng.uniform(0.5, 1.5, len(self._others))
+        t = rng.uniform(0.1, 1.0, 1)
+
+        def values() -> dict[str, np.ndarray]:
+            out, _ = run(program, t, x[None], r[None], np.empty(0))
+            return {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
+
+        for _ in range(_STEPS):
+            now = values()
+            if not np.isfinite(now["_gradient"]).all() or not np.isfinite(now["_holonomic"]).all():
+                return now
+            if np.abs(now["_holonomic"]).max(initial=0.0) < _CLOSED:
+                break
+            step = -np.linalg.lstsq(now["_gradient"], now["_holonomic"], rcond=None)[0]
+            x[:n] += step[:n]
+            r += step[n:]
+        if now["_velocity"].size and np.isfinite(now["_slope"]).all():
+            x[n:] -= np.linalg.lstsq(now["_slope"], now["_velocity"], rcond=None)[0]
+            now = values()
+        return now
