@@ -20,13 +20,13 @@ SRC = Path(__file__).parents[1] / "src"
 LAYERS = {
     "foundation": {
         *("_array_layout", "_cache_folder", "_checks", "_dataset", "_errors", "_forks", "_html"),
-        *("_names", "_optional", "_version", "errors", "inputs", "trajectory"),
+        *("_names", "_optional", "_version", "errors", "inputs", "plot", "trajectory"),
     },
     "graph and mechanics": {"_graph", "_mechanics"},
     "machine": {"_backends", "_kernel", "solvers"},
     "assembly": {"_assembly"},
     "consumers": {
-        *("analysis", "codegen", "ensemble", "export", "linearize", "plot", "viz"),
+        *("analysis", "codegen", "ensemble", "export", "linearize", "viz"),
     },
     "user": {"_system", "cli", "examples", "models", "system"},
 }

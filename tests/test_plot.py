@@ -14,6 +14,7 @@ from pydy.plot import (
     plot_energy,
     plot_outputs,
     plot_phase,
+    plot_quantities,
     plot_speeds,
     plot_states,
 )
@@ -203,3 +204,25 @@ def test_missing_matplotlib_is_named(monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib.pyplot", None)
     with pytest.raises(ImportError, match=r"needs matplotlib.*pip install 'pydy\[plot\]'"):
         plot_coordinates(trajectory)
+
+
+def test_several_runs_are_compared_by_colour_or_by_line():
+    first, second = (simulated("bare", initial_conditions={"q": q}) for q in (0.1, 0.2))
+    ax = plot_coordinates({"soft": first, "stiff": second})
+    assert labels(ax) == ["soft", "stiff"]
+    assert_drawn(ax, [first["q"], second["q"]])
+    ax = plot_quantities([first, second], ["q", "u"])
+    assert labels(ax) == ["$q$, run 1", "$u$, run 1", "$q$, run 2", "$u$, run 2"]
+    a, b, c, _ = ax.get_lines()
+    assert a.get_color() == c.get_color() != b.get_color()
+    assert (a.get_linestyle(), c.get_linestyle()) == ("-", "--")
+    assert labels(plot_energy({"soft": first, "stiff": second}))[3] == "kinetic, stiff"
+    assert labels(plot_phase({"soft": first, "stiff": second}, "q")) == ["soft", "stiff"]
+    assert len(plot_states([first, second])) == 2
+
+
+def test_a_run_to_compare_must_be_one():
+    with pytest.raises(TypeError, match="a list or dictionary of these, got float"):
+        plot_coordinates([simulated("bare"), 5.0])
+    with pytest.raises(TypeError, match="a label in `result` must be a string, got 1"):
+        plot_coordinates({1: simulated("bare")})

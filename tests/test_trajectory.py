@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 import zoo
 from cases import system_of
-from pydy.models import multi_mass_spring_damper
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from pydy.trajectory import EventRecord, Trajectory
 
@@ -391,3 +391,48 @@ def test_a_trajectory_ends_where_an_event_ended_it():
     trajectory = system_of(zoo.bare(), times=[0.0, 1.0, 2.0], ode_solver=solver).simulate()
     np.testing.assert_array_equal(trajectory.times, [0.0, 1.0])
     np.testing.assert_array_equal(trajectory.states, states[:2])
+
+
+def test_a_printed_symbol_and_a_list_find_quantities():
+    _, trajectory = simulated("bare")
+    np.testing.assert_array_equal(trajectory["u(t)"], trajectory["u"])
+    np.testing.assert_array_equal(trajectory[["u(t)", "q"]], trajectory.states[:, ::-1])
+    assert trajectory[[]].shape == (11, 0)
+    with pytest.raises(KeyError, match="`v` is none of the trajectory's quantities: q, u"):
+        trajectory[["q", "v"]]
+
+
+def test_as_an_array_a_trajectory_is_its_states():
+    _, trajectory = simulated("bare")
+    assert np.asarray(trajectory) is trajectory.states
+    assert np.asarray(trajectory, dtype=np.float32).dtype == np.float32
+    copied = np.array(trajectory)
+    np.testing.assert_array_equal(copied, trajectory.states)
+    assert not np.shares_memory(copied, trajectory.states)
+    with pytest.raises(ValueError, match="as float32 they must be copied"):
+        trajectory.__array__(np.float32, copy=False)
+
+
+def test_an_event_prints_in_short():
+    event = EventRecord(0.5, "bounce", 0, np.zeros(200), np.ones(200))
+    assert repr(event) == "EventRecord('bounce' at t = 0.5)"
+
+
+def test_a_trajectory_plots_itself():
+    plt = pytest.importorskip("matplotlib.pyplot")
+    _, trajectory = simulated("bare")
+    assert [ax.get_ylabel() for ax in trajectory.plot()] == ["coordinates", "speeds"]
+    ax = trajectory.plot(["q", "u"], units={"q": "m"}, time_unit="s")
+    assert [t.get_text() for t in ax.get_legend().get_texts()] == ["$q$ (m)", "$u$"]
+    plt.close("all")
+
+
+def test_a_trajectory_animates_the_bodies_of_its_model():
+    system = n_link_pendulum_on_cart(1)
+    system.times = TIMES
+    trajectory = system.simulate()
+    scene = trajectory.animate(title="Cart")
+    np.testing.assert_allclose(scene.poses, system.scene().animate(trajectory).poses)
+    bare = Trajectory([0.0], [[1.0]], {"coordinate": ["q"]})
+    with pytest.raises(ValueError, match="holds no bodies and has no model"):
+        bare.animate()

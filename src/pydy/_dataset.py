@@ -14,7 +14,23 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["Parts", "from_dataset", "read_netcdf", "to_dataset", "write_netcdf"]
+__all__ = [
+    "ENERGIES",
+    "KINDS",
+    "OUTPUTS",
+    "STATES",
+    "Parts",
+    "from_dataset",
+    "read_netcdf",
+    "to_dataset",
+    "write_netcdf",
+]
+
+# Kinds of quantities, in the order of their names.
+STATES = ("coordinate", "speed", "auxiliary")
+OUTPUTS = ("output", "constraint", "force")
+KINDS = (*STATES, *OUTPUTS, "specified")
+ENERGIES = ("kinetic_energy", "potential_energy", "total_energy")
 
 
 @dataclass

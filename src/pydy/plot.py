@@ -2,7 +2,8 @@
 
 Each function takes a `Trajectory`, or an `xarray.Dataset` with the dimension ``time`` and any
 number of sample dimensions, of which it draws the median and the band from the 5 % to the 95 %
-quantile. It draws into the Axes that it is given or into a new figure's, and returns them.
+quantile. Several of these are compared in one plot: pass a list, or a dictionary from labels to
+results. It draws into the Axes that it is given or into a new figure's, and returns them.
 matplotlib comes with ``pip install 'pydy[plot]'``.
 """
 
@@ -10,15 +11,15 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from pydy._checks import check_mapping, listed, shown, text
+from pydy._dataset import ENERGIES, STATES
 from pydy._names import name_of
 from pydy._optional import require
-from pydy.trajectory import ENERGIES, STATES, Trajectory
 
 __all__ = [
     "plot_constraints",
@@ -26,12 +27,14 @@ __all__ = [
     "plot_energy",
     "plot_outputs",
     "plot_phase",
+    "plot_quantities",
     "plot_speeds",
     "plot_states",
 ]
 
 BAND = (0.05, 0.5, 0.95)
 MOST_ORBITS = 100
+LINES = ("solid", "dashed", "dotted", "dashdot")
 
 Units = Mapping[Any, str] | None
 
@@ -42,8 +45,11 @@ class _Curve:
 
     name: str
     latex: str
+    times: np.ndarray
     values: np.ndarray
     unit: str = ""
+    run: str = ""  # the label of its result, where several are compared
+    number: int = 0  # of that result
 
     @property
     def label(self) -> str:
@@ -65,7 +71,8 @@ def plot_coordinates(
 
     Parameters
     ----------
-    result : Trajectory or xarray.Dataset
+    result : Trajectory, xarray.Dataset, or a list or dictionary of these
+        Several are drawn together; a dictionary gives each its label.
     names : sequence of symbols or str, optional
         Which ones; all by default.
     ax : matplotlib Axes, optional
@@ -91,13 +98,21 @@ def plot_coordinates(
     >>> import numpy as np
     >>> from pydy.models import multi_mass_spring_damper
     >>> from pydy.plot import plot_coordinates
-    >>> sys = multi_mass_spring_damper(2)
-    >>> x0, x1 = sys.coordinates
-    >>> sys.initial_conditions = {x0: 1.0}
-    >>> sys.times = np.linspace(0.0, 10.0, num=201)
-    >>> ax = plot_coordinates(sys.simulate(), units={x0: 'm', x1: 'm'}, time_unit='s')
+    >>> system = multi_mass_spring_damper(2)
+    >>> x0, x1 = system.coordinates
+    >>> system.initial_conditions = {x0: 1.0}
+    >>> system.times = np.linspace(0.0, 10.0, num=201)
+    >>> ax = plot_coordinates(system.simulate(), units={x0: 'm', x1: 'm'}, time_unit='s')
     >>> ax.get_xlabel(), ax.get_ylabel()
     ('time (s)', 'coordinates (m)')
+
+    Two runs in one plot:
+
+    >>> soft = system.simulate()
+    >>> system.constants = {'k0': 4.0}
+    >>> ax = plot_coordinates({'soft': soft, 'stiff': system.simulate()}, ['x0'])
+    >>> [text.get_text() for text in ax.get_legend().get_texts()]
+    ['soft', 'stiff']
     """
     return _plot(result, ("coordinate",), "coordinates", names, ax, units, time_unit)
 
@@ -130,6 +145,21 @@ def plot_outputs(
     return _plot(result, ("output", "force"), "outputs", names, ax, units, time_unit)
 
 
+def plot_quantities(
+    result: Any,
+    names: Sequence[Any],
+    *,
+    ax: Any = None,
+    units: Units = None,
+    time_unit: str = "",
+) -> Any:
+    """Plot quantities of any kind over time: states, outputs, specifieds.
+
+    The parameters are those of `plot_coordinates`.
+    """
+    return _plot(result, (), "value", names, ax, units, time_unit)
+
+
 def plot_states(
     result: Any,
     *,
@@ -141,7 +171,7 @@ def plot_states(
 
     Parameters
     ----------
-    result : Trajectory or xarray.Dataset
+    result : Trajectory, xarray.Dataset, or a list or dictionary of these
     axes : sequence of matplotlib Axes, optional
         One for each of these kinds; a new figure's by default.
     units, time_unit
@@ -152,9 +182,10 @@ def plot_states(
     ndarray of matplotlib Axes, shape (k,)
     """
     titles = dict(zip(STATES, ("coordinates", "speeds", "auxiliary states"), strict=True))
-    kinds = [kind for kind in STATES if _names_of(result, (kind,))]
+    runs = [run for _, run in _runs(result)]
+    kinds = [kind for kind in STATES if all(_names_of(run, (kind,)) for run in runs)]
     if not kinds:
-        raise _nothing("states", result)
+        raise _nothing("states", runs[0])
     if axes is None:
         plt = _pyplot()
         size = (6.4, 1.0 + 2.2 * len(kinds))
@@ -189,11 +220,11 @@ def plot_constraints(
 
     The parameters are those of `plot_coordinates`. A residual that is zero is not drawn.
     """
-    curves, times = _curves(result, ("constraint",), "constraints", names, None)
     sizes = [
-        _Curve(c.name, c.latex, np.where(c.values == 0.0, np.nan, np.abs(c.values))) for c in curves
+        replace(curve, values=np.where(curve.values == 0.0, np.nan, np.abs(curve.values)))
+        for curve in _curves(result, ("constraint",), "constraints", names, None)
     ]
-    ax = _draw(ax, times, sizes, "sizes of the residuals", time_unit)
+    ax = _draw(ax, sizes, "sizes of the residuals", time_unit)
     ax.set_yscale("log")
     return ax
 
@@ -203,7 +234,7 @@ def plot_energy(result: Any, *, ax: Any = None, unit: str = "", time_unit: str =
 
     Parameters
     ----------
-    result : Trajectory or xarray.Dataset
+    result : Trajectory, xarray.Dataset, or a list or dictionary of these
         A Dataset must have the variables 'kinetic_energy', 'potential_energy' and 'total_energy',
         as ``trajectory.to_xarray(energy=True)`` gives them.
     ax : matplotlib Axes, optional
@@ -218,22 +249,27 @@ def plot_energy(result: Any, *, ax: Any = None, unit: str = "", time_unit: str =
     ValueError
         The energies are not known; see `System.evaluate_energy`.
     """
-    if isinstance(result, Trajectory):
-        table = [(name, result.energy[:, k]) for k, name in enumerate(ENERGIES)]
-        times = result.times
-    else:
-        _check(result)
-        missing = [name for name in ENERGIES if name not in result.variables]
-        if missing:
-            raise ValueError(
-                f"`result` must have the variables {', '.join(ENERGIES)}; {missing[0]} is missing. "
-                "Name outputs like that, or use `trajectory.to_xarray(energy=True)`."
-            )
-        table = [(name, _values(result[name])) for name in ENERGIES]
-        times = np.asarray(result["time"])
     unit = text(unit, "`unit`")
-    curves = [_Curve(name.removesuffix("_energy"), "", v, unit) for name, v in table]
-    return _draw(ax, times, curves, "energy", time_unit)
+    curves = []
+    for k, (label, run) in enumerate(_runs(result)):
+        times, table = _energies(run)
+        curves += [
+            _Curve(name.removesuffix("_energy"), "", times, values, unit, label, k)
+            for name, values in table.items()
+        ]
+    return _draw(ax, curves, "energy", time_unit)
+
+
+def _energies(result: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
+    if _of_one_run(result):
+        return result.times, dict(zip(ENERGIES, result.energy.T, strict=True))
+    missing = [name for name in ENERGIES if name not in result.variables]
+    if missing:
+        raise ValueError(
+            f"`result` must have the variables {', '.join(ENERGIES)}; {missing[0]} is missing. "
+            "Name outputs like that, or use `trajectory.to_xarray(energy=True)`."
+        )
+    return np.asarray(result["time"]), {name: _values(result[name]) for name in ENERGIES}
 
 
 def plot_phase(
@@ -251,7 +287,7 @@ def plot_phase(
 
     Parameters
     ----------
-    result : Trajectory or xarray.Dataset
+    result : Trajectory, xarray.Dataset, or a list or dictionary of these
     x : symbol or str
     y : symbol or str, optional
         By default the derivative of `x`, which must be a state then.
@@ -263,19 +299,31 @@ def plot_phase(
     -------
     matplotlib Axes
     """
-    (across,), _ = _curves(result, (), "quantities", [x], units)
-    up = _rate(result, across, units) if y is None else _curves(result, (), "", [y], units)[0][0]
+    runs = _runs(result)
+    orbits = []
+    for _, run in runs:
+        (across,) = _curves(run, (), "quantities", [x], units)
+        orbits.append(
+            (
+                across,
+                _rate(run, across, units) if y is None else _curves(run, (), "", [y], units)[0],
+            )
+        )
     ax = _axes(ax)
-    a, b = np.broadcast_arrays(np.atleast_2d(across.values), np.atleast_2d(up.values))
-    step = -(-len(a) // MOST_ORBITS)
-    a, b = a[::step], b[::step]
-    faint = {"alpha": 0.4, "linewidth": 0.8} if len(a) > 1 else {}
-    color = ax._get_lines.get_next_color()
-    ax.plot(a.T, b.T, color=color, **faint)
-    ax.plot(a[:, 0], b[:, 0], linestyle="none", marker="o", markersize=4, color=color)
+    for (label, _), (across, up) in zip(runs, orbits, strict=True):
+        a, b = np.broadcast_arrays(np.atleast_2d(across.values), np.atleast_2d(up.values))
+        step = -(-len(a) // MOST_ORBITS)
+        a, b = a[::step], b[::step]
+        faint = {"alpha": 0.4, "linewidth": 0.8} if len(a) > 1 else {}
+        first, *_ = ax.plot(a.T, b.T, color=ax._get_lines.get_next_color(), **faint)
+        first.set_label(label)
+        start = {"linestyle": "none", "marker": "o", "markersize": 4}
+        ax.plot(a[:, 0], b[:, 0], color=first.get_color(), **start)
     ax.set_xlabel(across.label)
     ax.set_ylabel(up.label)
     ax.grid(alpha=0.3)
+    if len(runs) > 1:
+        ax.legend()
     return ax
 
 
@@ -291,25 +339,36 @@ def _plot(
     units: Units,
     time_unit: str,
 ) -> Any:
-    curves, times = _curves(result, kinds, what, names, units)
-    return _draw(ax, times, curves, what, time_unit)
+    return _draw(ax, _curves(result, kinds, what, names, units), what, time_unit)
 
 
-def _draw(ax: Any, times: np.ndarray, curves: Sequence[_Curve], what: str, time_unit: str) -> Any:
+def _draw(ax: Any, curves: Sequence[_Curve], what: str, time_unit: str) -> Any:
     ax = _axes(ax)
     shared = {c.unit for c in curves}
+    quantities = list(dict.fromkeys(c.name for c in curves))
+    colours: dict[str, Any] = {}
     for curve in curves:
         # A unit that all have is told once, at the axis.
         label = _typeset(curve.name, curve.latex) if len(shared) == 1 else curve.label
+        style: dict[str, Any] = {"label": label}
+        if curve.run and len(quantities) == 1:
+            style["label"] = curve.run
+        elif curve.run:  # one colour for each quantity, one kind of line for each run
+            style["label"] = f"{label}, {curve.run}"
+            style["linestyle"] = LINES[curve.number % len(LINES)]
+            if curve.name in colours:
+                style["color"] = colours[curve.name]
         if curve.values.ndim == 1:
-            ax.plot(times, curve.values, label=label)
+            (line,) = ax.plot(curve.times, curve.values, **style)
+            colours.setdefault(curve.name, line.get_color())
             continue
         with warnings.catch_warnings():
             # Where every sample has failed there is nothing to draw.
             warnings.filterwarnings("ignore", "All-NaN slice encountered", RuntimeWarning)
             low, middle, high = np.nanquantile(curve.values, BAND, axis=0)
-        (line,) = ax.plot(times, middle, label=label)
-        ax.fill_between(times, low, high, color=line.get_color(), alpha=0.2, linewidth=0)
+        (line,) = ax.plot(curve.times, middle, **style)
+        colours.setdefault(curve.name, line.get_color())
+        ax.fill_between(curve.times, low, high, color=line.get_color(), alpha=0.2, linewidth=0)
     ax.set_xlabel(_with_unit("time", text(time_unit, "`time_unit`")))
     ax.set_ylabel(_with_unit(what, shared.pop() if len(shared) == 1 else ""))
     ax.margins(x=0)
@@ -359,28 +418,43 @@ def _curves(
     what: str,
     names: Sequence[Any] | None,
     units: Units,
-) -> tuple[list[_Curve], np.ndarray]:
-    """Return the curves of some kinds, or those that are named, and the times."""
-    _check(result)
-    if names is None:
-        chosen = _names_of(result, kinds)
-        if not chosen:
-            raise _nothing(what, result)
-    else:
-        if isinstance(names, str):
-            names = [names]
-        chosen = [_find(result, name) for name in listed("names", names, "symbols or names")]
-        if not chosen:
-            raise ValueError("`names` is empty: there is nothing to plot. None means all.")
+) -> list[_Curve]:
+    """Return the curves of some kinds, or those that are named."""
     known = _units(units)
+    if names is not None:
+        names = listed("names", [names] if isinstance(names, str) else names, "symbols or names")
+        if not names:
+            raise ValueError("`names` is empty: there is nothing to plot. None means all.")
     curves = []
-    for name in chosen:
-        if isinstance(result, Trajectory):
-            latex, values = result.latex(name), result[name]
-        else:
-            latex, values = result[name].attrs.get("latex", ""), _values(result[name])
-        curves.append(_Curve(name, latex, values, known.get(name, "")))
-    return curves, np.asarray(result.times if isinstance(result, Trajectory) else result["time"])
+    for k, (label, run) in enumerate(_runs(result)):
+        chosen = _names_of(run, kinds) if names is None else [_find(run, name) for name in names]
+        if not chosen:
+            raise _nothing(what, run)
+        for name in chosen:
+            if _of_one_run(run):
+                times, latex, values = run.times, run.latex(name), run[name]
+            else:
+                times, values = np.asarray(run["time"]), _values(run[name])
+                latex = run[name].attrs.get("latex", "")
+            curves.append(_Curve(name, latex, times, values, known.get(name, ""), label, k))
+    return curves
+
+
+def _runs(result: Any) -> list[tuple[str, Any]]:
+    """Return what is to be drawn together, with labels; a single result has none."""
+    if isinstance(result, (list, tuple)) and result:
+        result = {f"run {k}": run for k, run in enumerate(result, 1)}
+    if not isinstance(result, Mapping) or hasattr(result, "data_vars") or not result:
+        _check(result)
+        return [("", result)]
+    for run in result.values():
+        _check(run)
+    return [(text(label, "a label in `result`"), run) for label, run in result.items()]
+
+
+def _of_one_run(result: Any) -> bool:
+    """Return whether a result is a Trajectory, which imports this module, and no Dataset."""
+    return hasattr(result, "names_of")
 
 
 def _units(units: Units) -> dict[str, str]:
@@ -393,26 +467,27 @@ def _units(units: Units) -> dict[str, str]:
 
 
 def _check(result: Any) -> None:
-    if isinstance(result, Trajectory):
+    if _of_one_run(result):
         return
     if not hasattr(result, "data_vars") or "time" not in result.dims:
         raise TypeError(
-            "`result` must be a Trajectory, such as `system.simulate()` returns, or an "
-            f"xarray.Dataset with the dimension 'time', got {type(result).__name__}."
+            "`result` must be a Trajectory, such as `system.simulate()` returns, an "
+            "xarray.Dataset with the dimension 'time', or a list or dictionary of these, got "
+            f"{type(result).__name__}."
         )
 
 
 def _names_of(result: Any, kinds: tuple[str, ...]) -> list[str]:
     _check(result)
-    if isinstance(result, Trajectory):
+    if _of_one_run(result):
         return list(result.names_of(*kinds))
     return [n for n, v in result.data_vars.items() if v.attrs.get("role") in kinds]
 
 
 def _find(result: Any, key: Any) -> str:
     """Return the name under which the result holds a quantity."""
-    if isinstance(result, Trajectory):
-        return result.name(key)
+    if _of_one_run(result):
+        return str(result.name(key))
     for name in (key if isinstance(key, str) else str(key), name_of(key)):
         if name in result.data_vars:
             return name
@@ -426,16 +501,15 @@ def _values(variable: Any) -> np.ndarray:
 
 
 def _rate(result: Any, curve: _Curve, units: Units) -> _Curve:
-    if isinstance(result, Trajectory):
+    if _of_one_run(result):
         states = result.names_of(*STATES)
         if curve.name in states:
             values = result.derivatives[:, states.index(curve.name)]
             name = f"{curve.name}'"
-            return _Curve(
-                name, result.latex_of_rate(curve.name), values, _units(units).get(name, "")
-            )
+            latex, unit = result.latex_of_rate(curve.name), _units(units).get(name, "")
+            return _Curve(name, latex, curve.times, values, unit)
     elif f"{curve.name}'" in result.data_vars:
-        return _curves(result, (), "", [f"{curve.name}'"], units)[0][0]
+        return _curves(result, (), "", [f"{curve.name}'"], units)[0]
     raise ValueError(
         f"`y` must be given, because the derivative of `{curve.name}` is not known: it is no state "
         "of a trajectory."
@@ -443,7 +517,7 @@ def _rate(result: Any, curve: _Curve, units: Units) -> _Curve:
 
 
 def _nothing(what: str, result: Any) -> ValueError:
-    if isinstance(result, Trajectory):
+    if _of_one_run(result):
         return ValueError(f"`result` has no {what} to plot: {result!r}.")
     return ValueError(
         f"`result` has no variables whose attribute 'role' says that they are {what}; name what "

@@ -1492,7 +1492,7 @@ class System:
         """Return the compiled model with the numbers as they are now."""
         plan = self._plan(self._specifieds)
         implementation = driven(self._current(), self._definition, plan)
-        return Snapshot(implementation, plan, self._p(), self._energies)
+        return Snapshot(implementation, plan, self._p(), self._energies, self._definition)
 
     # -- animation --------------------------------------------------------------------------------
 
@@ -1549,6 +1549,30 @@ class System:
             self._definition.states,
             options,
         )
+
+    def plot(self, names: list[Any] | None = None, **options: Any) -> Any:
+        """Simulate, and plot the states over time, or some quantities.
+
+        ``system.simulate().plot(...)`` in one call; see `pydy.trajectory.Trajectory.plot`. Keep the
+        trajectory where you need it for more than one picture.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.initial_conditions = {'x0': 1.0}
+        >>> system.times = [0.0, 0.5, 1.0]
+        >>> system.plot(['x0']).get_ylabel()
+        'value'
+        """
+        return self.simulate().plot(names, **options)
+
+    def animate(self, *visuals: Any, **options: Any) -> Scene:
+        """Simulate, and return a scene that shows the motion; a notebook displays it.
+
+        ``system.scene(...).animate(system.simulate())`` in one call, with the arguments of `scene`.
+        """
+        return self.scene(*visuals, **options).animate(self.simulate())
 
     def _named(self, times: Any, states: Any) -> Any:
         """Return states at some times with the names and numbers that a scene reads."""

@@ -10,18 +10,20 @@ from typing import Any, Protocol
 import numpy as np
 
 from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
-from pydy._dataset import read_netcdf, to_dataset, write_netcdf
+from pydy._dataset import (
+    ENERGIES,
+    KINDS,
+    OUTPUTS,
+    STATES,
+    read_netcdf,
+    to_dataset,
+    write_netcdf,
+)
 from pydy._html import table_of_columns
 from pydy._names import latex_of, latex_of_rate, name_of, unique_names, written_out
 from pydy._optional import require
 
 __all__ = ["EventRecord", "Model", "Trajectory"]
-
-# Kinds of quantities, in the order of their names.
-STATES = ("coordinate", "speed", "auxiliary")
-OUTPUTS = ("output", "constraint", "force")
-KINDS = (*STATES, *OUTPUTS, "specified")
-ENERGIES = ("kinetic_energy", "potential_energy", "total_energy")
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +46,10 @@ class EventRecord:
     before: np.ndarray
     after: np.ndarray
 
+    def __repr__(self) -> str:
+        """Return what happened and when; the states are left out."""
+        return f"EventRecord({self.name!r} at t = {self.time!r})"
+
 
 class Model(Protocol):
     """What a trajectory may ask of the model it comes from, at times (m,) and states (m, n)."""
@@ -60,12 +66,17 @@ class Model(Protocol):
     def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return kinetic, potential and total energy, shape (m, 3)."""
 
+    def scene(self, *visuals: Any, **options: Any) -> Any:
+        """Return a scene that shows the model."""
+
 
 class Trajectory:
     """States over time with their names, and what was evaluated along them.
 
     `System.simulate` makes one, `Trajectory.load` reads one from a file. Quantities are found by
-    symbol or by name: ``trajectory[q1]``, ``trajectory['q1']``.
+    symbol or by name: ``trajectory[q1]``, ``trajectory['q1']``, ``trajectory['q1(t)']``; a list of
+    them gives the columns of an array, ``trajectory[['q1', 'u1']]``. As an array, a trajectory is
+    its `states`: ``np.asarray(trajectory)``.
 
     Parameters
     ----------
@@ -233,6 +244,9 @@ class Trajectory:
         k = self._place.get(key) if isinstance(key, Hashable) else None
         if k is None:
             k = self._place_of_name.get(name_of(key))
+            if k is None and isinstance(key, str):  # as a symbol is printed: 'q1(t)'
+                alike = [j for j, s in enumerate(self._columns) if str(s) == key]
+                k = alike[0] if len(alike) == 1 else None
             own = None if k is None else self._columns[k]
             symbols = own is not None and str not in (type(own), type(key))
             if symbols and own != key and str(own) == str(key):
@@ -248,7 +262,9 @@ class Trajectory:
         return k
 
     def __getitem__(self, key: Any) -> np.ndarray:
-        """Return the values of one quantity at all times, shape (m,)."""
+        """Return the values of one quantity, shape (m,), or of a list of k of them, (m, k)."""
+        if isinstance(key, list):
+            return np.array([self[one] for one in key]).reshape(len(key), len(self.times)).T
         k = self._find(key)
         for table in (self.states, self.outputs, self.specifieds):
             if k < table.shape[1]:
@@ -258,6 +274,13 @@ class Trajectory:
 
     def __contains__(self, key: Any) -> bool:
         return key in self._place or name_of(key) in self._place_of_name
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
+        """Return `states`, for ``np.asarray(trajectory)``."""
+        as_is = dtype is None or np.dtype(dtype) == self.states.dtype
+        if copy is False and not as_is:
+            raise ValueError(f"The states are floats: as {np.dtype(dtype)} they must be copied.")
+        return self.states if as_is and not copy else self.states.astype(dtype or float)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -392,6 +415,55 @@ class Trajectory:
             np.concatenate([sides, self.states[other]])[order],
             np.concatenate([rates, self.derivatives[other]])[order],
         )
+
+    # -- pictures ---------------------------------------------------------------------------------
+
+    def plot(self, names: Sequence[Any] | None = None, **options: Any) -> Any:
+        """Plot the states over time, or some quantities.
+
+        Parameters
+        ----------
+        names : sequence of symbols or str, optional
+            States, outputs or specifieds. By default all states are drawn, one plot for each kind.
+        **options
+            `ax`, `units` and `time_unit` of `pydy.plot.plot_coordinates`; without `names`, `axes`
+            instead of `ax`, as for `pydy.plot.plot_states`.
+
+        Returns
+        -------
+        matplotlib Axes, or ndarray of Axes
+
+        Raises
+        ------
+        ImportError
+            matplotlib is not installed.
+        KeyError
+            A name is none of the trajectory's quantities.
+        """
+        from pydy.plot import plot_quantities, plot_states
+
+        if names is None:
+            return plot_states(self, **options)
+        return plot_quantities(self, names, **options)
+
+    def animate(self, *visuals: Any, **options: Any) -> Any:
+        """Return a scene that shows this motion; a notebook displays it.
+
+        Parameters
+        ----------
+        *visuals, **options
+            Those of `System.scene`. By default all bodies are shown.
+
+        Returns
+        -------
+        pydy.viz.Scene
+
+        Raises
+        ------
+        ValueError
+            The trajectory has no model that could be shown, as after `load`.
+        """
+        return self._need_model("bodies").scene(*visuals, **options).animate(self)
 
     # -- to and from other forms ------------------------------------------------------------------
 

@@ -175,12 +175,14 @@ class Snapshot:
     plan : SpecifiedsPlan
     p : ndarray
     energies : EnergyModel
+    definition : Definition
     """
 
     implementation: RightHandSide
     plan: SpecifiedsPlan
     p: np.ndarray
     energies: EnergyModel
+    definition: Definition
 
     def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the specifieds, shape (m, s)."""
@@ -201,6 +203,19 @@ class Snapshot:
     def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return kinetic, potential and total energy, shape (m, 3)."""
         return self._sweep(self.energies.kernel(self.implementation), times, states)
+
+    def scene(
+        self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
+    ) -> Any:
+        """Return a scene that shows the bodies, or some visuals; see `System.scene`."""
+        from pydy._system.scene import make_scene
+
+        definition = self.definition
+        values = dict(zip(definition.constants, self.p.tolist(), strict=True))
+        equations, states = definition.equations, definition.states
+        return make_scene(
+            equations, visuals, reference_frame, origin, values, None, None, states, options
+        )
 
     def _sweep(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         layout, states = self.implementation.layout, np.ascontiguousarray(states)

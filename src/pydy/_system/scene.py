@@ -23,8 +23,8 @@ def make_scene(
     reference_frame: Any,
     origin: Any,
     constants: Mapping[Any, float],
-    times: Callable[[], Any],
-    trajectory: Callable[[Any, Any], Any],
+    times: Callable[[], Any] | None,
+    trajectory: Callable[[Any, Any], Any] | None,
     states: tuple[Any, ...],
     options: dict[str, Any],
 ) -> Scene:
