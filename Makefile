@@ -15,7 +15,7 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser test-fuzz test-lowest test-newest test-pyright docs bench bench-peers bench-solvers solvers-ir three clean
+.PHONY: help demo test test-browser test-fuzz test-lowest test-newest test-pyright test-arm64 docs bench bench-peers bench-solvers solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
@@ -25,6 +25,7 @@ help:
 	@echo "make test-lowest  a selection of tests on the oldest Python and packages supported"
 	@echo "make test-newest  the same on the newest Python that is here"
 	@echo "make test-pyright  the types as pyright reads them (needs npm and a network)"
+	@echo "make test-arm64  bits and a part of the tests on AArch64 under emulation (needs apt-get)"
 	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts"
@@ -57,6 +58,10 @@ test-pyright: $(VENV)/.installed-test
 	mkdir -p build/pyright
 	cd build/pyright && npm install --no-save --no-audit --no-fund --silent pyright@1.1.414
 	build/pyright/node_modules/.bin/pyright --pythonpath $(PY) tests/typing/usage.py
+
+# On AArch64 under emulation: the same bits as here, and a core part of the tests.
+test-arm64: $(VENV)/.installed-test
+	tools/arm64.sh
 
 docs: $(VENV)/.installed-docs
 	$(PY) -m sphinx -W --keep-going --doctree-dir build/doctrees docs build/docs
