@@ -16,10 +16,9 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
-import zoo  # noqa: E402
-from cases import system_of  # noqa: E402
-
-from pydy.solvers import dop853, radau, rk4, tsit5, vern9  # noqa: E402
+import zoo
+from cases import system_of
+from pydy.solvers import dop853, radau, rk4, tsit5, vern9
 
 SOLVERS = {
     "dop853": (dop853, {}),
