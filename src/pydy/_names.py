@@ -59,9 +59,11 @@ def told_apart(
     return names
 
 
-def nearest(name: str, names: Sequence[str]) -> str:
-    """Return a sentence that tells the name that was meant, or all there are."""
+def nearest(name: str, names: Sequence[str], *, or_all: bool = True) -> str:
+    """Return a sentence that tells the name that was meant, or else all there are, or nothing."""
     close = get_close_matches(name, names, n=1)
+    if not close and not or_all:
+        return ""
     return f"Did you mean `{close[0]}`?" if close else f"There are {', '.join(sorted(names))}."
 
 

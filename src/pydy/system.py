@@ -17,7 +17,7 @@ import sympy as sm
 from scipy.integrate import odeint
 
 from pydy._assembly.system import check_accelerations
-from pydy._checks import choice, describe, flag, real_array, shown, vector
+from pydy._checks import choice, describe, flag, real_array, vector
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._graph.passes import Passes
 from pydy._kernel import Kernel
@@ -47,7 +47,8 @@ from pydy._system.inputs import (
     named_outputs,
     sort_out,
 )
-from pydy._system.scipy_odeint import call_odeint
+from pydy._system.scipy_ivp import SolveIvp, resolve_ode_solver
+from pydy._system.scipy_odeint import ODEINT_OPTIONS, call_odeint
 from pydy._system.solving import HANDLED, prepare
 from pydy._system.start import check_start
 from pydy._system.summary import as_html, as_text, facts
@@ -56,7 +57,8 @@ from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically
 from pydy.codegen.ode_function_generators import make_function, make_system_function
 from pydy.codegen.right_hand_side import RightHandSide
-from pydy.solvers.solver import SOLVERS, Solver
+from pydy.solvers.options import check_option_names
+from pydy.solvers.solver import Solver
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -505,47 +507,30 @@ class System:
     def ode_solver(self) -> Callable[..., Any]:
         """Function that integrates, with the signature of `scipy.integrate.odeint`.
 
-        It may be set to the name of a native solver, such as ``'dop853'`` for
-        `pydy.solvers.dop853`; ``'odeint'`` is the default again.
+        It may be set to ``'odeint'`` or ``'lsoda'``, the default; to the name of a native solver,
+        such as ``'dop853'`` for `pydy.solvers.dop853`; or to `scipy.integrate.solve_ivp` or the
+        name of one of its methods: ``'RK45'``, ``'RK23'``, ``'DOP853'``, ``'Radau'``, ``'BDF'``,
+        ``'LSODA'``. Upper case counts: ``'DOP853'`` is SciPy's, ``'dop853'`` the native one.
+        Tolerances that you do not give are the solver's own; those of ``solve_ivp`` are coarse.
 
         ``x_history = ode_solver(f, x0, t, args=(r, p), **options)`` with ``f(x, t, r, p)``, which
         returns the derivatives as a fresh array.
 
         Examples
         --------
-        `scipy.integrate.solve_ivp` has another signature; a few lines adapt it:
-
-        >>> from scipy.integrate import solve_ivp
         >>> from pydy.models import multi_mass_spring_damper
         >>> sys = multi_mass_spring_damper()
         >>> sys.initial_conditions[sys.coordinates[0]] = 1.0
         >>> sys.times = [1.0, 2.0, 3.0]
-        >>> def custom_ode_solver(f, x0, ts, args=(), **kwargs):
-        ...     return solve_ivp(lambda t, x: f(x, t, *args), ts[[0, -1]], x0,
-        ...                      t_eval=ts, **kwargs).y.T
-        >>> sys.ode_solver = custom_ode_solver
-        >>> sys.integrate(method='RK45', rtol=1e-10, atol=1e-10)[:, 0]
+        >>> sys.ode_solver = 'RK45'
+        >>> sys.integrate(rtol=1e-10, atol=1e-10)[:, 0]
         array([1.        , 0.65970..., 0.1505...])
         """
         return self._ode_solver
 
     @ode_solver.setter
     def ode_solver(self, ode_solver: Callable[..., Any] | str | None) -> None:
-        if ode_solver is None or (isinstance(ode_solver, str) and ode_solver == "odeint"):
-            ode_solver = odeint
-        if isinstance(ode_solver, str):
-            if ode_solver not in SOLVERS:
-                raise ValueError(
-                    f"`ode_solver` must be one of {', '.join(map(repr, ('odeint', *SOLVERS)))}, or "
-                    f"a function, got {ode_solver!r}."
-                )
-            ode_solver = SOLVERS[ode_solver]
-        if not callable(ode_solver):
-            raise ValueError(
-                "`ode_solver` must be a function with the signature of scipy.integrate.odeint, "
-                f"got {shown(ode_solver)}."
-            )
-        self._ode_solver = ode_solver
+        self._ode_solver: Callable[..., Any] = resolve_ode_solver(ode_solver)
 
     # -- generation -------------------------------------------------------------------------------
 
@@ -1218,7 +1203,7 @@ class System:
             `constraints` does not say what to do about it.
         """
         wanted = solver_kwargs.get("full_output", False)
-        if self._ode_solver is odeint or isinstance(self._ode_solver, Solver):
+        if self._ode_solver is odeint or isinstance(self._ode_solver, (Solver, SolveIvp)):
             wanted = flag(wanted, "`full_output`")
         return self._solve(solver_kwargs, checked=not wanted)
 
@@ -1247,6 +1232,8 @@ class System:
             implementation, solver_kwargs = prepare(
                 self._ode_solver, definition, implementation, exact(), solver_kwargs
             )
+        if self._ode_solver is odeint:
+            check_option_names("odeint", ODEINT_OPTIONS, solver_kwargs)
         integrated = driven(implementation, definition, plan)
         f = integrated.rates_function(plan)
         args = (plan.values if plan.constant else plan, p)
@@ -1255,7 +1242,7 @@ class System:
                 return self._ode_solver(f, x0, times, args=args, **solver_kwargs)
             result = call_odeint(f, x0, times, args, definition.states, solver_kwargs)
         except TypeError as error:
-            if not isinstance(self._ode_solver, Solver):
+            if not isinstance(self._ode_solver, (Solver, SolveIvp)):
                 error.add_note(
                     "This came from the `ode_solver`, called as ode_solver(f, x0, t, args=(r, p), "
                     "**options)."
@@ -1300,7 +1287,7 @@ class System:
         >>> trajectory[x0].round(6)
         array([1.      , 0.895595, 0.6597  ])
         """
-        if self._ode_solver is odeint or isinstance(self._ode_solver, Solver):
+        if self._ode_solver is odeint or isinstance(self._ode_solver, (Solver, SolveIvp)):
             solver_kwargs.setdefault("full_output", True)
         result = self._solve(solver_kwargs, checked=True)
         states, info = result if isinstance(result, tuple) else (result, None)

@@ -6,6 +6,7 @@ import threading
 import warnings
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -14,8 +15,9 @@ from scipy.integrate import ODEintWarning, odeint
 from pydy._errors import IntegrationError
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
 
-__all__ = ["call_odeint"]
+__all__ = ["ODEINT_OPTIONS", "call_odeint"]
 
+ODEINT_OPTIONS = frozenset(signature(odeint).parameters) - {"func", "y0", "t", "args", "tfirst"}
 _GOOD = ("Integration successful", "Nothing was done")
 _MORE_STEPS = (
     "Raise `mxstep`, how many steps it may take between two times (500 by default), ask for more "

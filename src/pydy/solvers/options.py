@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
 from pydy._checks import number, real_array
+from pydy._names import nearest
 from pydy.solvers.events import CompiledEvents
 from pydy.solvers.run.constraints import CompiledConstraints
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["Options", "SolverOptions", "StepOptions", "read_options"]
+__all__ = ["Options", "SolverOptions", "StepOptions", "check_option_names", "read_options"]
 
 _DEFAULT = 1.49012e-8  # odeint's: the square root of the rounding unit
 
@@ -91,11 +92,7 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
     """
     foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
     names = _NAMES - foreign
-    unknown = [name for name in given if name not in names]
-    if unknown:
-        raise TypeError(
-            f"`{method}` has no option `{unknown[0]}`; its options are {', '.join(sorted(names))}."
-        )
+    check_option_names(method, names, given)
     _check_kinds(given)
     if given.get("max_step", np.inf) is None:
         given = {**given, "max_step": np.inf}
@@ -120,6 +117,17 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
     if not adaptive and options.step is None:
         raise ValueError(f"`{method}` takes steps of fixed size: pass `step`, their largest size.")
     return options
+
+
+def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
+    """Refuse an option that a solver does not have, naming the one that may be meant."""
+    names = sorted(names)
+    unknown = [name for name in given if name not in names]
+    if unknown:
+        raise TypeError(
+            f"`{solver}` has no option `{unknown[0]}`; its options are {', '.join(names)}. "
+            f"{nearest(unknown[0], names, or_all=False)}".rstrip()
+        )
 
 
 def _check_kinds(given: Mapping[str, Any]) -> None:

@@ -1,0 +1,136 @@
+"""SciPy's `solve_ivp` and its methods, called like `odeint`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from inspect import signature
+from typing import Any
+
+import numpy as np
+from scipy.integrate import BDF, DOP853, LSODA, RK23, RK45, OdeSolver, Radau, odeint, solve_ivp
+
+from pydy._checks import shown
+from pydy._errors import IntegrationError
+from pydy._names import nearest
+from pydy.solvers.options import check_option_names
+from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW
+from pydy.solvers.solver import SOLVERS
+
+__all__ = ["METHODS", "SolveIvp", "resolve_ode_solver"]
+
+METHODS = {method.__name__: method for method in (RK45, RK23, DOP853, Radau, BDF, LSODA)}
+
+
+def resolve_ode_solver(solver: Any) -> Any:
+    """Return the function that an `ode_solver` stands for, called as odeint is.
+
+    Parameters
+    ----------
+    solver : callable, str, type or None
+        A name is ``'odeint'`` or ``'lsoda'``, that of a native solver, or of a method of
+        `scipy.integrate.solve_ivp`. A class is such a method.
+    """
+    if solver is None or (isinstance(solver, str) and solver in ("odeint", "lsoda")):
+        return odeint
+    if solver is solve_ivp or (isinstance(solver, str) and solver == "solve_ivp"):
+        return SolveIvp(RK45)
+    if isinstance(solver, type) and issubclass(solver, OdeSolver):
+        return SolveIvp(solver)
+    if not isinstance(solver, str):
+        if not callable(solver):
+            raise ValueError(
+                "`ode_solver` must be a function with the signature of scipy.integrate.odeint, or "
+                f"the name of a solver, got {shown(solver)}."
+            )
+        return solver
+    if solver in METHODS:
+        return SolveIvp(METHODS[solver])
+    if solver in SOLVERS:
+        return SOLVERS[solver]
+    names = ("odeint", *SOLVERS, "solve_ivp", *METHODS)
+    raise ValueError(
+        f"`ode_solver` must be one of {', '.join(map(repr, names))}, or a function, got "
+        f"{solver!r}. {nearest(solver, names)}"
+    )
+
+
+@dataclass(frozen=True)
+class SolveIvp:
+    """A method of `scipy.integrate.solve_ivp` with the signature of `odeint`.
+
+    Attributes
+    ----------
+    method : type
+        By default; an option of a call may name another.
+    """
+
+    method: type
+
+    @property
+    def name(self) -> str:
+        """What messages call it."""
+        return f"solve_ivp, method {self.method.__name__}"
+
+    def __repr__(self) -> str:
+        return f"scipy.integrate.solve_ivp with method={self.method.__name__!r}"
+
+    def __call__(
+        self,
+        f: Callable[..., Any],
+        x0: Any,
+        t: Any,
+        args: tuple[Any, ...] = (),
+        *,
+        full_output: bool = False,
+        **options: Any,
+    ) -> Any:
+        """Return the states at the times, shape (m, n); with `full_output`, also a dictionary.
+
+        Raises
+        ------
+        TypeError
+            `solve_ivp` and the method do not have an option.
+        IntegrationError
+            It could not go on.
+        """
+        method = options.pop("method", self.method)
+        method = METHODS.get(method, method) if isinstance(method, str) else method
+        own = {*signature(solve_ivp).parameters, *signature(method).parameters}
+        taken = {"fun", "t_span", "y0", "t0", "t_bound", "t_eval", "args", "events", "vectorized"}
+        extra = {"support_complex", "extraneous", "options"}
+        check_option_names("solve_ivp", {*(own - taken - extra), "full_output"}, options)
+        info: dict[str, Any] = {}
+        times, rows = np.unique(t, return_inverse=True)  # neighbours may be equal
+        if len(times) == 1:
+            states = np.tile(np.asarray(x0, dtype=float), (len(t), 1))
+            return (states, info) if full_output else states
+        span = (times[0], times[-1])
+        found = solve_ivp(
+            lambda t, x: f(x, t, *args), span, x0, method=method, t_eval=times, **options
+        )
+        states = found.y.T
+        info = {"nfev": found.nfev, "njev": found.njev, "nlu": found.nlu}
+        info = {**info, "message": found.message, "method": method.__name__}
+        finite = np.isfinite(states).all(axis=1)
+        if found.status < 0 or not finite.all():
+            self._refuse(found, states, finite, {**info, "status": found.message})
+        if found.sol is not None:
+            info["dense_output"] = lambda times: found.sol(times).T
+        states = states[rows]
+        return (states, info) if full_output else states
+
+    def _refuse(self, found: Any, states: Any, finite: Any, info: dict[str, Any]) -> None:
+        reached = int(np.argmin(finite)) if not finite.all() else len(states)
+        code = STEP_UNDERFLOW if reached == len(states) else NOT_FINITE
+        times, states = found.t[:reached].copy(), states[:reached].copy()
+        last = float(times[-1]) if reached else np.nan
+        raise IntegrationError(
+            f"`solve_ivp` could not go on after t = {last!r}: {found.message} "
+            f"{OUTCOMES[code].remedy}",
+            times,
+            states,
+            last,
+            states[-1].copy() if reached else np.empty(0),
+            {**info, "code": code, "reached": reached},
+        )

@@ -1,0 +1,107 @@
+"""SciPy's solvers behind System, by function, class or name."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+from scipy.integrate import RK45, Radau, odeint, solve_ivp
+
+from cases import close
+from pydy._errors import IntegrationError
+from pydy.models import multi_mass_spring_damper
+from pydy.solvers import dop853
+
+TIMES = [0.0, 0.0, 0.5, 1.0, 1.0, 2.0]
+TIGHT = {"rtol": 1e-10, "atol": 1e-10}
+
+
+@pytest.fixture
+def system():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.initial_conditions = {"x0": 1.0}
+    system.specifieds = {"f0": 0.5}
+    system.times = TIMES
+    return system
+
+
+SOLVERS = [solve_ivp, RK45, Radau, "solve_ivp", "RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA"]
+
+
+@pytest.mark.parametrize("solver", SOLVERS, ids=str)
+def test_solve_ivp_gives_odeints_trajectory_in_its_shape(system, solver):
+    expected = system.integrate(**TIGHT)
+    system.ode_solver = solver
+    x = system.integrate(**TIGHT)
+    assert x.shape == (6, 2)
+    close(x, expected, 1e-6)
+
+
+@pytest.mark.parametrize("name", ["odeint", "lsoda"])
+def test_odeint_goes_by_its_methods_name_too(system, name):
+    system.ode_solver = dop853
+    system.ode_solver = name
+    assert system.ode_solver is odeint
+
+
+def test_an_option_names_another_method(system):
+    system.ode_solver = solve_ivp
+    x, info = system.integrate(method="Radau", full_output=True, **TIGHT)
+    assert info["method"] == "Radau"
+    assert info["nlu"] > 0
+    close(x, system.integrate(method="DOP853", **TIGHT), 1e-6)
+
+
+def test_a_simulation_takes_the_dense_output_and_the_counts(system):
+    system.ode_solver = "DOP853"
+    trajectory = system.simulate(dense_output=True, **TIGHT)
+    assert trajectory.statistics["nfev"] > 0
+    between = trajectory.at([0.25])
+    system.times = [0.0, 0.25]
+    close(between.states, system.integrate(**TIGHT)[1:], 1e-6)
+
+
+def test_an_interval_of_no_length_is_the_initial_state(system):
+    system.ode_solver, system.times = "RK45", [1.0, 1.0]
+    np.testing.assert_array_equal(system.integrate(), [[1.0, 0.0], [1.0, 0.0]])
+
+
+def test_where_it_fails_the_error_holds_what_was_computed(system):
+    system.ode_solver = "RK45"
+    system.specifieds = {"f0": lambda x, t: 1.0 / (1.0 - t) ** 2 if t < 1.0 else np.nan}
+    with pytest.raises(IntegrationError, match=r"`solve_ivp` could not go on after t = 0.5") as e:
+        system.integrate()
+    np.testing.assert_array_equal(e.value.times, [0.0, 0.5])
+    assert e.value.states.shape == (2, 2)
+
+
+@pytest.mark.parametrize(
+    ("solver", "option", "meant"),
+    [
+        ("odeint", "rtoll", "rtol"),
+        ("odeint", "max_step", "hmax|mxstep"),
+        ("RK45", "max_steps", "max_step"),
+        ("Radau", "jacob", "jac"),
+        ("dop853", "firststep", "first_step"),
+    ],
+)
+def test_an_unknown_option_names_the_nearest(system, solver, option, meant):
+    system.ode_solver = solver
+    with pytest.raises(TypeError, match=f"has no option `{option}`.* Did you mean `({meant})`"):
+        system.integrate(**{option: 1e-3})
+
+
+def test_an_unknown_solver_names_the_nearest(system):
+    with pytest.raises(ValueError, match=r"one of 'odeint'.* got 'RK54'. Did you mean `RK45`"):
+        system.ode_solver = "RK54"
+    with pytest.raises(ValueError, match=r"`ode_solver` must be a function .*, got 5"):
+        system.ode_solver = 5
+
+
+def test_a_system_with_it_is_copied_pickled_and_printed(system):
+    system.ode_solver = solve_ivp
+    expected = system.integrate(**TIGHT)
+    for other in (copy.deepcopy(system), pickle.loads(pickle.dumps(system))):
+        np.testing.assert_array_equal(other.integrate(**TIGHT), expected)
+    assert "solve_ivp, method RK45" in repr(system)
+    assert repr(system.ode_solver) == "scipy.integrate.solve_ivp with method='RK45'"
