@@ -7,7 +7,7 @@ compiled code.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, Literal, overload
@@ -17,7 +17,7 @@ import sympy as sm
 from scipy.integrate import odeint
 
 from pydy._assembly.system import check_accelerations
-from pydy._checks import choice, describe, flag, real_array, vector
+from pydy._checks import describe, flag, real_array, vector
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._graph.passes import Passes
 from pydy._kernel import Kernel
@@ -47,6 +47,7 @@ from pydy._system.inputs import (
     named_outputs,
     sort_out,
 )
+from pydy._system.products import BLOCKS, prepare_product
 from pydy._system.scipy_ivp import SolveIvp, resolve_ode_solver
 from pydy._system.scipy_odeint import ODEINT_OPTIONS, call_odeint
 from pydy._system.solving import HANDLED, prepare
@@ -722,20 +723,35 @@ class System:
 
         implementation = self._differentiable() if wrt else self._current()
         perturbed = wrt == "r" or (isinstance(wrt, tuple) and any(g == "r" for g, _ in wrt))
-        return self._sweep(implementation, kernel, block, x, t, r, p, perturbed=perturbed)
+        names = row_names(self._definition, block)
+        return self._sweep(implementation, kernel, names, x, t, r, p, perturbed=perturbed)
+
+    def _product(
+        self, kind: str, of: Any, wrt: Any, v: Any, x: Any, t: Any, r: Any, p: Any
+    ) -> np.ndarray:
+        made = prepare_product(self._definition, kind, of, wrt, v, x)
+        out = self._sweep(
+            self._differentiable(), made.kernel, made.names, x, t, r, p,
+            perturbed=made.perturbed, vectors=made.vectors,
+        )  # fmt: skip
+        return out[..., 0] if made.squeeze else out
 
     def _sweep(
         self,
         implementation: RightHandSide,
         kernel: Callable[[RightHandSide], Kernel],
-        block: str,
+        names: Sequence[str],
         x: Any,
         t: Any,
         r: Any,
         p: Any,
         perturbed: bool = False,
+        vectors: np.ndarray | None = None,
     ) -> np.ndarray:
-        """Evaluate a Kernel at one state or several, with the defaults of the evaluations."""
+        """Evaluate a Kernel at one state or several, with the defaults of the evaluations.
+
+        `names` are those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r.
+        """
         layout = implementation.layout
         if isinstance(x, Mapping):
             x = self._definition.places["states"].read("x", x, self._x0())
@@ -749,6 +765,11 @@ class System:
             rows = specified_rows(r, instants, len(layout.specifieds))
         constants = self._p_with(p)
         made = kernel(implementation)
+        if vectors is not None:
+            shapes = [(len(states), part.shape[1]) for part in (rows, vectors)]
+            rows = np.hstack(
+                [np.broadcast_to(rows, shapes[0]), np.broadcast_to(vectors, shapes[1])]
+            )
         try:
             out = evaluate(made, layout, instants, states, rows, constants)
         except SingularMatrixError as error:
@@ -766,7 +787,7 @@ class System:
                 return cause_of(definition, assembly, float(instants[k]), states[k], row, constants)
 
             inputs = (instants, states, rows, constants)
-            warn_not_finite(out, inputs, layout, row_names(definition, block), cause)
+            warn_not_finite(out, inputs, layout, names, cause)
         result: np.ndarray = out[0] if single else out
         return result
 
@@ -862,7 +883,8 @@ class System:
         >>> sys.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
         array([5., 2.])
         """
-        values = self._sweep(self._current(), self._energies.kernel, "energy", x, t, r, p)
+        names = row_names(self._definition, "energy")
+        values = self._sweep(self._current(), self._energies.kernel, names, x, t, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(
@@ -936,7 +958,7 @@ class System:
         t: Any = None,
         wrt: Any = "states",
         *,
-        of: str = "ode",
+        of: Any = "ode",
         r: Any = None,
         p: Any = None,
     ) -> np.ndarray:
@@ -953,8 +975,9 @@ class System:
         wrt : {'states', 'specifieds', 'constants'}, symbol or name, or a list, optional
             With respect to what, in the order of the arrays x, r and p; a list may hold states,
             specifieds and constants together.
-        of : {'ode', 'outputs', 'holonomic', 'velocity'}, optional
-            Of the state derivatives, the outputs, or the residuals of constraints.
+        of : {'ode', 'outputs', 'holonomic', 'velocity'}, output, expression, or list, optional
+            Of the state derivatives, all outputs, the residuals of constraints, or of any outputs
+            and expressions of states, specifieds and constants.
 
         Returns
         -------
@@ -977,11 +1000,162 @@ class System:
         array([[ 0.,  1.],
                [-2., -1.]])
         """
-        blocks = {
-            "ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"
-        }  # fmt: skip
-        block = blocks[choice(of, blocks, "`of`")]
-        return self._evaluate(block, x, t, r, p, variables(self._definition, wrt))
+        if isinstance(of, str) and of in BLOCKS:
+            return self._evaluate(BLOCKS[of], x, t, r, p, variables(self._definition, wrt))
+        return self._product("jacobian", of, wrt, None, x, t, r, p)
+
+    def evaluate_gradient(
+        self,
+        of: Any,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        r: Any = None,
+        p: Any = None,
+        value: bool = False,
+    ) -> Any:
+        """Return the exact gradient of one quantity, by reverse accumulation.
+
+        It costs a small multiple of the quantity itself, however many variables there are.
+
+        Parameters
+        ----------
+        of : output or expression
+            An output, by symbol or name, or an expression of states, specifieds and constants.
+        x, t, wrt, r, p
+            As in `evaluate_jacobian`.
+        value : bool, optional
+            Return the quantity too; it is computed on the way.
+
+        Returns
+        -------
+        ndarray, shape (k,) or (m, k)
+            With `value`, a tuple of the quantity, a float or of shape (m,), and its gradient.
+
+        Raises
+        ------
+        ValueError
+            A name or symbol is none of the system's.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> system.evaluate_gradient(system.kinetic_energy + 3*x0**2, {'x0': 0.5, 'v0': 2.0})
+        array([3., 2.])
+        """
+        out = self._product("gradient", of, wrt, None, x, t, r, p)
+        if not flag(value, "`value`"):
+            return out[..., 1:]
+        return (float(out[0]) if out.ndim == 1 else out[:, 0]), out[..., 1:]
+
+    def evaluate_jacobian_vector(
+        self,
+        v: Any,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        of: Any = "ode",
+        r: Any = None,
+        p: Any = None,
+    ) -> np.ndarray:
+        """Return exact directional derivatives: the Jacobian times vectors, without the Jacobian.
+
+        Parameters
+        ----------
+        v : array_like, shape (k,) or (k, d)
+            A direction with a component for each variable of `wrt`, or d of them as columns. For
+            several states also (m, k) or (m, k, d).
+        x, t, wrt, of, r, p
+            As in `evaluate_jacobian`.
+
+        Returns
+        -------
+        ndarray, shape (o,), (o, d), (m, o) or (m, o, d)
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().evaluate_jacobian_vector([1.0, 2.0])
+        array([ 2., -3.])
+        """
+        return self._product("jacobian-vector", of, wrt, v, x, t, r, p)
+
+    def evaluate_vector_jacobian(
+        self,
+        v: Any,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        of: Any = "ode",
+        r: Any = None,
+        p: Any = None,
+    ) -> np.ndarray:
+        """Return vectors times the exact Jacobian, by reverse accumulation.
+
+        Parameters
+        ----------
+        v : array_like, shape (o,) or (o, d)
+            A weight for each row of `of`, or d sets of them as columns. For several states also
+            (m, o) or (m, o, d).
+        x, t, wrt, of, r, p
+            As in `evaluate_jacobian`.
+
+        Returns
+        -------
+        ndarray, shape (k,), (k, d), (m, k) or (m, k, d)
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().evaluate_vector_jacobian([0.0, 1.0], wrt=['v0', 'x0'])
+        array([-1., -1.])
+        """
+        return self._product("vector-jacobian", of, wrt, v, x, t, r, p)
+
+    def evaluate_hessian_vector(
+        self,
+        v: Any,
+        of: Any,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        r: Any = None,
+        p: Any = None,
+    ) -> np.ndarray:
+        """Return exact second derivatives of one quantity times vectors.
+
+        These are directional derivatives of its gradient. The identity as `v` gives the Hessian.
+
+        Parameters
+        ----------
+        v : array_like, shape (k,) or (k, d)
+            As in `evaluate_jacobian_vector`.
+        of : output or expression
+            As in `evaluate_gradient`.
+        x, t, wrt, r, p
+            As in `evaluate_jacobian`.
+
+        Returns
+        -------
+        ndarray, shape (k,), (k, d), (m, k) or (m, k, d)
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> system.evaluate_hessian_vector(np.eye(2), x0**2*v0, [1.0, 5.0])
+        array([[10.,  2.],
+               [ 2.,  0.]])
+        """
+        return self._product("hessian-vector", of, wrt, v, x, t, r, p)
 
     def find_equilibrium(
         self,

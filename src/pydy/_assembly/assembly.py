@@ -14,11 +14,11 @@ from typing import Any
 
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
-from pydy._graph.factor import factor_sums
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes import Passes
+from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
@@ -180,16 +180,8 @@ class Assembly:
         """
         if isinstance(by, str):
             by = [(by, k) for k in range(dict(zip("xrp", self.sizes, strict=True))[by])]
-        width = len(by)
-        with collector_paused():
-            graph = self.graph.copy()
-            nodes = simplify(graph, getattr(self, name), self.passes)
-            rows = jacobian(graph, nodes, [graph.input(*place) for place in by])
-            cells = [row.get(k, graph.zero) for row in rows for k in range(width)]
-            # Derivatives of what is simplified need no more than common factors taken out.
-            cells = factor_sums(graph, cells) if self.passes.factor else cells
-            blocks = [("jacobian", (len(nodes), width), cells)]
-            return lower(graph, self.sizes, blocks, passes=self.passes)
+        nodes = getattr(self, name)
+        return derivative_program(self.graph, nodes, by, "jacobian", self.sizes, self.passes)
 
     def substituted(self, mapping: Mapping[int, int]) -> Assembly:
         """Return the Assembly with other nodes in place of some inputs, in every block."""

@@ -8,12 +8,12 @@ of a derivative of the elimination (Griewank & Walther, Evaluating Derivatives, 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
-__all__ = ["Rows", "jacobian"]
+__all__ = ["Rows", "directional", "jacobian"]
 
 Row = dict[int, int]
 
@@ -41,7 +41,28 @@ def jacobian(
     At a switch (``abs``, ``sign``, ``min``, ``max``, ``floor``, Piecewise) the derivative is that
     of the branch that is taken; steps have derivative zero.
     """
-    rows: dict[int, Row] = {node: {k: graph.one} for k, node in enumerate(variables)}
+    return directional(graph, outputs, {node: {k: graph.one} for k, node in enumerate(variables)})
+
+
+def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) -> list[Row]:
+    """Return the derivatives of `outputs` in several directions.
+
+    Parameters
+    ----------
+    graph : Graph
+        Gets the new nodes.
+    outputs : sequence of nodes
+    given : mapping of nodes to rows
+        For each variable its part of the directions: a dict from the direction's place to the
+        node of the component.
+
+    Returns
+    -------
+    list of dict
+        For each output a dict from the direction's place to the derivative's node; what is missing
+        is zero by structure.
+    """
+    rows: dict[int, Row] = dict(given)
     vectors: dict[int, list[Row]] = {}
     for node in graph.reachable(outputs):
         if node not in rows:

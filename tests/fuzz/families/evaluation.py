@@ -84,6 +84,28 @@ def _(v):
     return world().c.system.evaluate_jacobian(of=v)
 
 
+@target("evaluate_gradient.of", nothing("symbols", "texts"), "`of`")
+def _(v):
+    return world().o.system.evaluate_gradient(v)
+
+
+@target("evaluate_gradient.value", flags)
+def _(v):
+    return world().o.system.evaluate_gradient("x", value=v)
+
+
+@target("evaluate_hessian_vector.of", nothing("symbols", "texts"), "`of`")
+def _(v):
+    return world().o.system.evaluate_hessian_vector([1.0, 0.0], v)
+
+
+for _method in ("jacobian_vector", "vector_jacobian"):
+
+    @target(f"evaluate_{_method}.v", array((2,), (2, None)))
+    def _(v, method=_method):
+        return getattr(world().o.system, f"evaluate_{method}")(v)
+
+
 for _method in ("constraints", "holonomic_constraints", "velocity_constraints"):
 
     @target(f"evaluate_{_method}.x", array((4,), (3, 4)).or_(_none).or_none())

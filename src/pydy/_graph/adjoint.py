@@ -1,0 +1,125 @@
+"""Exact derivatives by reverse accumulation: a sum of outputs by all inputs in one sweep.
+
+From the outputs inwards each node gets its adjoint, the derivative of ``Σ weight · output`` by it.
+A linear solve ``A x = b`` has the adjoint rule ``Aᵀ λ = x̄``, ``b̄ = λ`` and ``Ā = −λ xᵀ``: one more
+right-hand side for the factors of a symmetric matrix (Griewank & Walther, Evaluating Derivatives,
+2nd ed., §3.2; Giles, Collected matrix derivative results, 2008, §2.2).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pydy._graph.node import Graph
+from pydy._graph.operations import OPERATIONS
+
+__all__ = ["adjoints"]
+
+Terms = list[tuple[int, float]]
+
+
+def adjoints(
+    graph: Graph, outputs: Sequence[int], weights: Sequence[int], variables: Sequence[int]
+) -> list[int]:
+    """Return the derivatives of ``Σ weight · output`` with respect to `variables`.
+
+    Parameters
+    ----------
+    graph : Graph
+        Gets the new nodes.
+    outputs, weights : sequences of nodes
+        What is differentiated, and what each is multiplied with.
+    variables : sequence of input nodes
+
+    Returns
+    -------
+    list of nodes
+        One for each variable.
+
+    Notes
+    -----
+    Switches are treated as `pydy._graph.derivative.jacobian` treats them.
+    """
+    order = graph.reachable(outputs)
+    active = set(variables)
+    for node in order:
+        if not active.isdisjoint(graph.operands(node)):
+            active.add(node)
+    sweep = _Sweep(graph, active)
+    for output, weight in zip(outputs, weights, strict=True):
+        sweep.add(output, weight)
+    for node in reversed(order):
+        if node in active:
+            sweep.through(node)
+    return [sweep.of(variable) for variable in variables]
+
+
+class _Sweep:
+    def __init__(self, graph: Graph, active: set[int]) -> None:
+        self.graph = graph
+        self.active = active
+        self.terms: dict[int, Terms] = {}
+        self.vectors: dict[int, dict[int, int]] = {}  # adjoints of the components of a solution
+
+    def add(self, node: int, term: int, coefficient: float = 1.0) -> None:
+        if node in self.active:
+            self.terms.setdefault(node, []).append((term, coefficient))
+
+    def of(self, node: int) -> int:
+        return self.graph.sum(self.terms.get(node, ()))
+
+    def through(self, node: int) -> None:
+        """Hand the adjoint of a node to its operands."""
+        g = self.graph
+        op, args = g.ops[node], g.args[node]
+        if op in ("solve", "guard"):
+            self._solve(node)
+            return
+        bar = self.of(node)
+        if bar == g.zero:
+            return
+        if op == "sum":
+            for n, c in args[1]:
+                self.add(n, bar, c)
+        elif op == "prod":
+            for k, (n, e) in enumerate(args):
+                if n in self.active:
+                    others = [(m, f) for j, (m, f) in enumerate(args) if j != k]
+                    self.add(n, g.product([(bar, 1), *others, (n, e - 1)], float(e)))
+        elif op == "select":
+            self.add(args[1], g.call("select", args[0], bar, g.zero))
+            self.add(args[2], g.call("select", args[0], g.zero, bar))
+        elif op == "item":
+            self.vectors.setdefault(args[0], {})[args[1]] = bar
+        elif op in OPERATIONS:
+            partials = OPERATIONS[op].partials
+            if partials is not None:  # else it is piecewise constant
+                for n, d in zip(args, partials(g, node, *args), strict=True):
+                    if n in self.active:
+                        self.add(n, g.mul(bar, d))
+
+    def _solve(self, node: int) -> None:
+        g = self.graph
+        bars = self.vectors.get(node)
+        if not bars:
+            return
+        args = g.args[node]
+        if g.ops[node] == "guard":
+            # By the system that it solves: how the solution was found does not matter.
+            kind, n, entries, column = "ldl", *args[:3]
+        else:
+            (kind, n, entries), column = g.args[args[0]], args[1]
+        turned = entries
+        if kind != "ldl":
+            turned = tuple(entries[j * n + i] for i in range(n) for j in range(n))
+        factor = g.make("factor", (kind, n, turned))
+        multipliers = g.solve_factored(factor, [bars.get(k, g.zero) for k in range(n)])
+        for entry, multiplier in zip(column, multipliers, strict=True):
+            self.add(entry, multiplier)
+        for i, multiplier in enumerate(multipliers):
+            for j in range(n):
+                # An SPD factor reads the lower triangle only.
+                low = max(i, j) * n + min(i, j) if kind == "ldl" else i * n + j
+                if entries[low] in self.active:
+                    solution = g.make("item", (node, j))
+                    self.add(entries[low], g.mul(multiplier, solution), -1.0)

@@ -1,0 +1,99 @@
+"""Programs of derivatives: Jacobians, their products with vectors, gradients, Hessian products.
+
+Each is made from the function's own nodes as they were simplified, so that one Program computes
+what function and derivatives have in common once. Derivatives of what is simplified need no more
+than common factors taken out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pydy._graph.adjoint import adjoints
+from pydy._graph.collector import collector_paused
+from pydy._graph.derivative import directional, jacobian
+from pydy._graph.factor import factor_sums
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.passes import Passes
+from pydy._graph.program import Program
+from pydy._graph.simplify import simplify
+
+__all__ = ["KINDS", "derivative_program"]
+
+KINDS = ("jacobian", "jacobian-vector", "vector-jacobian", "gradient", "hessian-vector")
+
+
+def derivative_program(
+    graph: Graph,
+    outputs: Sequence[int],
+    variables: Sequence[tuple[str, int]],
+    kind: str,
+    sizes: tuple[int, int, int],
+    passes: Passes,
+    vectors: int = 1,
+) -> Program:
+    """Return the Program of derivatives of some nodes.
+
+    Parameters
+    ----------
+    graph : Graph
+        Stays as it is.
+    outputs : sequence of m nodes
+        One for gradients and Hessians.
+    variables : sequence of k pairs (group, index)
+    kind : one of `KINDS`
+        What to compute, with the shape of the only block:
+
+        ==================  ==============  =================================================
+        jacobian            (m, k)          ∂f/∂v
+        jacobian-vector     (m, vectors)    ∂f/∂v · d, with d of k components
+        vector-jacobian     (k, vectors)    ∂(w · f)/∂v, with w of m components
+        gradient            (k + 1,)        the value f, then ∂f/∂v
+        hessian-vector      (k, vectors)    ∂²f/∂v² · d
+        ==================  ==============  =================================================
+    sizes : (int, int, int)
+        Numbers of states, specifieds and constants.
+    passes : Passes
+    vectors : int
+        How many vectors d or w there are. They are inputs at the end of r, as a matrix in C order
+        with a column for each.
+    """
+    n, s, c = sizes
+    with collector_paused():
+        g = graph.copy()
+        nodes = simplify(g, outputs, passes)
+        by = [g.input(*place) for place in variables]
+        m, k = len(nodes), len(by)
+
+        def given(rows: int, row: int) -> dict[int, int]:
+            return {d: g.input("r", s + row * vectors + d) for d in range(vectors)}
+
+        if kind == "jacobian":
+            shape: tuple[int, ...] = (m, k)
+            cells = _dense(g, jacobian(g, nodes, by), k)
+            extra = 0
+        elif kind == "jacobian-vector":
+            shape, extra = (m, vectors), k * vectors
+            seeds = {node: given(k, i) for i, node in enumerate(by)}
+            cells = _dense(g, directional(g, nodes, seeds), vectors)
+        elif kind == "vector-jacobian":
+            shape, extra = (k, vectors), m * vectors
+            weights = [given(m, i) for i in range(m)]
+            found = [adjoints(g, nodes, [w[d] for w in weights], by) for d in range(vectors)]
+            cells = [column[i] for i in range(k) for column in found]
+        elif kind == "gradient":
+            shape, extra = (k + 1,), 0
+            cells = [nodes[0], *adjoints(g, nodes, [g.one], by)]
+        else:
+            shape, extra = (k, vectors), k * vectors
+            first = adjoints(g, nodes, [g.one], by)
+            first = factor_sums(g, first) if passes.factor else first
+            seeds = {node: given(k, i) for i, node in enumerate(by)}
+            cells = _dense(g, directional(g, first, seeds), vectors)
+        cells = factor_sums(g, cells) if passes.factor else cells
+        return lower(g, (n, s + extra, c), [(kind, shape, cells)], passes=passes)
+
+
+def _dense(graph: Graph, rows: Sequence[dict[int, int]], width: int) -> list[int]:
+    return [row.get(k, graph.zero) for row in rows for k in range(width)]
