@@ -22,7 +22,7 @@ LAYERS = {
         *("_array_layout", "_cache_folder", "_checks", "_dataset", "_errors", "_forks", "_html"),
         *("_names", "_optional", "_version", "errors", "inputs", "plot", "trajectory"),
     },
-    "graph and mechanics": {"_graph", "_mechanics"},
+    "graph and mechanics": {"_graph", "_mechanics", "mechanics"},
     "machine": {"_backends", "_kernel", "solvers"},
     "assembly": {"_assembly"},
     "consumers": {

@@ -7,6 +7,7 @@ from typing import Any
 
 from sympy.physics.mechanics import KanesMethod, LagrangesMethod
 
+from pydy._mechanics.definition import Definition, equations_of_definition
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.lagrange import equations_of_lagrange
@@ -30,10 +31,11 @@ def extract(eom_method: Any, source: str | None = None) -> Equations:
         There is no reader for an object of this type.
     """
     raise TypeError(
-        "`eom_method` must be a KanesMethod or LagrangesMethod of sympy.physics.mechanics, "
-        f"got an object of type {type(eom_method).__name__}."
+        "`eom_method` must be a KanesMethod, LagrangesMethod or System of sympy.physics.mechanics, "
+        f"or a pydy.mechanics.Definition, got an object of type {type(eom_method).__name__}."
     )
 
 
 extract.register(KanesMethod, equations_of_kane)
 extract.register(LagrangesMethod, equations_of_lagrange)
+extract.register(Definition, equations_of_definition)

@@ -1,0 +1,255 @@
+"""A multibody system without a method object: bodies, loads, kinematics and constraints."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sm
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
+
+from pydy._checks import describe, listed, shown
+from pydy._forks import cached_property
+from pydy._mechanics.dependents import choose_dependents, moving_rows
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.formed import equations_of, kinematics_of
+from pydy._mechanics.rates import solve_rates
+from pydy._mechanics.reader import Multibody, check_bodies, read_loads
+
+__all__ = ["Definition", "equations_of_definition"]
+
+
+class Definition:
+    """The bodies, loads, kinematics and constraints of a multibody system.
+
+    What `pydy.system.System` needs to form equations of motion, without the work that the
+    constructors of SymPy's methods do: `KanesMethod` takes minutes for some hundred bodies.
+
+    Parameters
+    ----------
+    frame : ReferenceFrame
+        The inertial frame.
+    coordinates : sequence of functions of time
+    speeds : sequence of functions of time, or of the coordinates' derivatives, optional
+        By default the derivatives of the coordinates.
+    bodies : sequence of Particle and RigidBody
+    loads : sequence, optional
+        Pairs of a point and a force or of a frame and a torque, `Force`, `Torque`, and actuators
+        with ``to_loads()``.
+    kinematic_equations : sequence of expressions, optional
+        Zero, and linear in the derivatives of the coordinates, which they give. By default each
+        coordinate's derivative is the speed at its place.
+    holonomic_constraints : sequence of expressions, optional
+        Of the coordinates and time; zero when satisfied. Redundant ones do no harm.
+    nonholonomic_constraints : sequence of expressions, optional
+        Linear in the speeds; zero when satisfied.
+    velocity_constraints : sequence of expressions, optional
+        All constraints of the speeds, in place of the derivatives of the holonomic ones and the
+        nonholonomic ones: for shorter forms of them.
+    dependent_coordinates, dependent_speeds : sequence of functions of time, optional
+        Those that the constraints give. By default they are chosen so that the constraints can be
+        solved for them at random states. They are moved behind the independent ones.
+    auxiliary_speeds : sequence of functions of time, optional
+        Speeds that are zero, and bring noncontributing forces into evidence.
+
+    Raises
+    ------
+    TypeError, ValueError
+        An argument is not what it should be; the message names it.
+
+    Examples
+    --------
+    >>> import sympy as sm
+    >>> import sympy.physics.mechanics as me
+    >>> from pydy import System
+    >>> from pydy.mechanics import Definition
+    >>> x, v = me.dynamicsymbols('x v')
+    >>> m, k = sm.symbols('m k')
+    >>> ground, rest = me.ReferenceFrame('N'), me.Point('O')
+    >>> rest.set_vel(ground, 0)
+    >>> end = rest.locatenew('P', x*ground.x)
+    >>> definition = Definition(ground, [x], [v], bodies=[me.Particle('bob', end, m)],
+    ...                         loads=[(end, -k*x*ground.x)])
+    >>> System(definition, {m: 2.0, k: 8.0}).evaluate_ode([0.5, 0.0])
+    array([ 0., -2.])
+    """
+
+    def __init__(
+        self,
+        frame: ReferenceFrame,
+        coordinates: Sequence[Any],
+        speeds: Sequence[Any] | None = None,
+        *,
+        bodies: Iterable[Any],
+        loads: Iterable[Any] = (),
+        kinematic_equations: Sequence[Any] | None = None,
+        holonomic_constraints: Sequence[Any] = (),
+        nonholonomic_constraints: Sequence[Any] = (),
+        velocity_constraints: Sequence[Any] | None = None,
+        dependent_coordinates: Sequence[Any] | None = None,
+        dependent_speeds: Sequence[Any] | None = None,
+        auxiliary_speeds: Sequence[Any] = (),
+    ) -> None:
+        if not isinstance(frame, ReferenceFrame):
+            raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
+        t = dynamicsymbols._t
+        self.frame = frame
+        self.coordinates = _functions("coordinates", coordinates)
+        rates = tuple(q.diff(t) for q in self.coordinates)
+        self.speeds = rates if speeds is None else _functions("speeds", speeds, rates)
+        self.bodies = check_bodies(listed("bodies", bodies, "Particle and RigidBody objects"))
+        if not self.bodies:
+            raise ValueError("`bodies` must have at least one Particle or RigidBody.")
+        self.loads = read_loads(listed("loads", loads, "loads"))
+        self.auxiliary_speeds = _functions("auxiliary_speeds", auxiliary_speeds)
+        self.kinematic_equations = self._kinematic(kinematic_equations, rates)
+        self.holonomic_constraints = _expressions("holonomic_constraints", holonomic_constraints)
+        self.nonholonomic_constraints = _expressions(
+            "nonholonomic_constraints", nonholonomic_constraints
+        )
+        self.velocity_constraints = (
+            (
+                *(sm.sympify(e).diff(t) for e in self.holonomic_constraints),
+                *self.nonholonomic_constraints,
+            )
+            if velocity_constraints is None
+            else _expressions("velocity_constraints", velocity_constraints)
+        )
+        self.dependent_coordinates = _among(
+            "dependent_coordinates", dependent_coordinates, self.coordinates, "coordinates"
+        )
+        self.dependent_speeds = _among("dependent_speeds", dependent_speeds, self.speeds, "speeds")
+        self._check_names()
+
+    def __repr__(self) -> str:
+        constraints = len(self.holonomic_constraints) + len(self.nonholonomic_constraints)
+        counts = (
+            f"{len(self.bodies)} bodies, {len(self.loads)} loads, {len(self.coordinates)} "
+            f"coordinates, {len(self.speeds)} speeds, {constraints} constraints"
+        )
+        return f"<Definition in {self.frame}: {counts}>"
+
+    def _kinematic(self, equations: Any, rates: Sequence[Any]) -> tuple[Any, ...]:
+        if equations is not None:
+            return _expressions("kinematic_equations", equations)
+        if len(self.speeds) != len(rates):
+            raise ValueError(
+                f"`kinematic_equations` are needed with {len(rates)} coordinates and "
+                f"{len(self.speeds)} speeds: give as many as coordinates, each zero, that give the "
+                "derivatives of the coordinates."
+            )
+        return tuple(q - u for q, u in zip(rates, self.speeds, strict=True))
+
+    def _check_names(self) -> None:
+        counts = Counter((*self.coordinates, *self.speeds, *self.auxiliary_speeds))
+        twice = [s for s, count in counts.items() if count > 1]
+        if twice:
+            raise ValueError(
+                "`coordinates`, `speeds` and `auxiliary_speeds` must differ from each other, got "
+                f"{describe(twice)} more than once."
+            )
+
+    @cached_property
+    def multibody(self) -> Multibody:
+        """The same, with q' solved for and dependent coordinates and speeds behind the others."""
+        t = dynamicsymbols._t
+        rates = tuple(q.diff(t) for q in self.coordinates)
+        wanted = [rate for rate in rates if rate not in self.speeds]
+        equations = [e for e in self.kinematic_equations if e != 0]
+        solved = dict(
+            zip(wanted, solve_rates(equations, wanted, "kinematic_equations"), strict=True)
+        )
+        body = Multibody(
+            frame=self.frame,
+            bodies=self.bodies,
+            loads=self.loads,
+            time=t,
+            coordinates=self.coordinates,
+            speeds=self.speeds,
+            coordinate_rates=rates,
+            coordinate_derivatives=tuple(solved.get(rate, rate) for rate in rates),
+            auxiliary=self.auxiliary_speeds,
+        )
+        if not self.holonomic_constraints and not self.velocity_constraints:
+            return self._unconstrained(body)
+        velocity = moving_rows(kinematics_of(body), self.velocity_constraints)
+        body = replace(body, holonomic=self.holonomic_constraints, velocity=tuple(velocity))
+        (places, q_dep), (motions, u_dep) = choose_dependents(
+            kinematics_of(body), self.dependent_coordinates, self.dependent_speeds
+        )
+        coordinates = _behind(self.coordinates, q_dep)
+        return replace(
+            body,
+            coordinates=coordinates,
+            speeds=_behind(self.speeds, u_dep),
+            coordinate_rates=tuple(q.diff(t) for q in coordinates),
+            coordinate_derivatives=tuple(
+                solved.get(rate, rate) for rate in (q.diff(t) for q in coordinates)
+            ),
+            holonomic=tuple(body.holonomic[k] for k in places.rows),
+            velocity=tuple(body.velocity[k] for k in motions.rows),
+            dependent_coordinates=q_dep,
+            dependent_speeds=u_dep,
+        )
+
+    def _unconstrained(self, body: Multibody) -> Multibody:
+        for argument in ("dependent_coordinates", "dependent_speeds"):
+            if getattr(self, argument):
+                raise ValueError(f"`{argument}` are given, but there are no constraints.")
+        return body
+
+
+def equations_of_definition(definition: Definition, source: str | None = None) -> Equations:
+    """Return the equations of a Definition, which are always formed.
+
+    Raises
+    ------
+    ValueError
+        The equations of a method are asked for.
+    """
+    if source == "method":
+        raise ValueError(
+            "`equations='method'` needs a method object, such as a KanesMethod; `eom_method` is a "
+            "Definition, whose equations are formed from its bodies."
+        )
+    return equations_of(definition.multibody)
+
+
+def _functions(argument: str, symbols: Any, rates: Sequence[Any] = ()) -> tuple[Any, ...]:
+    """Return functions of time, or derivatives that are among `rates`."""
+    found = tuple(listed(argument, symbols, "functions of time"))
+    for symbol in found:
+        of_time = isinstance(symbol, AppliedUndef) and symbol.args == (dynamicsymbols._t,)
+        if not of_time and symbol not in rates:
+            raise ValueError(
+                f"`{argument}` must hold functions of time, such as dynamicsymbols('q'), got "
+                f"{shown(symbol)}."
+            )
+    return found
+
+
+def _expressions(argument: str, expressions: Any) -> tuple[Any, ...]:
+    found = tuple(listed(argument, expressions, "expressions"))
+    for expression in found:
+        if not isinstance(expression, (sm.Expr, int, float)):
+            raise TypeError(
+                f"`{argument}` must hold expressions that are zero, got {shown(expression)}."
+            )
+    return tuple(map(sm.sympify, found))
+
+
+def _among(argument: str, symbols: Any, known: Sequence[Any], what: str) -> tuple[Any, ...] | None:
+    if symbols is None:
+        return None
+    found = tuple(listed(argument, symbols, what))
+    strange = [s for s in found if s not in known]
+    if strange:
+        raise ValueError(f"`{argument}` must be some of the {what}, got {describe(strange)}.")
+    return found
+
+
+def _behind(symbols: Sequence[Any], last: Sequence[Any]) -> tuple[Any, ...]:
+    return (*(s for s in symbols if s not in last), *last)

@@ -1,0 +1,157 @@
+"""Which coordinates and speeds depend on the others, by elimination at generic states.
+
+The derivatives of the constraints are eliminated with complete pivoting, at several states at once:
+a pivot is as good as it is at the worst of them. What is left below the rank is redundant.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import describe
+from pydy._graph.identities import signatures
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.generic import GenericStates
+
+__all__ = ["Chosen", "choose_dependents", "moving_rows"]
+
+_TRIALS = 6
+_STATES = 3  # of those at which the constraints hold
+_OPEN = 1e-7  # a residual above this is no rounding error
+_SMALL = 1e-8  # of a pivot, with rows of unit size
+
+
+class Chosen:
+    """Rows that are independent, and as many columns that can be solved for.
+
+    Parameters
+    ----------
+    samples : list of ndarray, shape (m, n)
+        One matrix at several states.
+    allowed : sequence of int, optional
+        The columns to choose from; all by default.
+
+    Attributes
+    ----------
+    rows, columns : list of int
+        In ascending order.
+    """
+
+    def __init__(self, samples: Sequence[np.ndarray], allowed: Sequence[int] | None = None) -> None:
+        work = np.array(samples, dtype=float)
+        sizes = np.abs(work).max(axis=2, keepdims=True, initial=0.0)
+        work /= np.where(sizes > 0.0, sizes, 1.0)
+        rows: list[int] = []
+        columns: list[int] = []
+        free = np.zeros(work.shape[1:], dtype=bool)
+        free[:, range(work.shape[2]) if allowed is None else list(allowed)] = True
+        while free.any():
+            worst = np.where(free, np.abs(work).min(axis=0), 0.0)
+            i, j = np.unravel_index(int(worst.argmax()), worst.shape)
+            if worst[i, j] < _SMALL:
+                break
+            rows.append(int(i))
+            columns.append(int(j))
+            ratio = work[:, :, j] / work[:, i, j][:, None]
+            ratio[:, rows] = 0.0
+            work -= ratio[:, :, None] * work[:, i, :][:, None, :]
+            free[i, :] = free[:, j] = False
+        self.rows, self.columns = sorted(rows), sorted(columns)
+
+
+def moving_rows(equations: Equations, expressions: Sequence[Any]) -> list[Any]:
+    """Return the velocity constraints that are not zero for all motions.
+
+    The derivative of a quaternion's norm is: the kinematic equations keep it.
+    """
+    states = GenericStates(equations, expressions, "the velocity constraints")
+    values = signatures(states.graph, states.read.all(expressions))
+    return [e for e, value in zip(expressions, values, strict=True) if value]
+
+
+def choose_dependents(
+    equations: Equations,
+    coordinates: Sequence[Any] | None,
+    speeds: Sequence[Any] | None,
+) -> tuple[tuple[Chosen, tuple[Any, ...]], tuple[Chosen, tuple[Any, ...]]]:
+    """Return the independent constraints, and the coordinates and speeds that follow from them.
+
+    Parameters
+    ----------
+    equations : Equations
+        With kinematics and constraints.
+    coordinates, speeds : sequence of symbols, or None
+        The user's choice.
+
+    Returns
+    -------
+    (Chosen, tuple), (Chosen, tuple)
+        For the holonomic, then for the velocity constraints.
+
+    Raises
+    ------
+    ValueError
+        The constraints contradict each other, or do not give what the user chose.
+    """
+    states = GenericStates(equations, (), "the constraints")
+    residuals = [*states.holonomic, *states.velocity]
+    blocks = [
+        states.table("holonomic", states.holonomic, states.coordinates),
+        states.table("velocity", states.velocity, states.speeds),
+        ("residuals", (len(residuals),), residuals),
+    ]
+    every = list(states.samples(blocks, _TRIALS))
+    if not every:
+        raise ValueError(
+            "The constraints cannot be evaluated: they give NaN or infinity at random states. "
+            "Check what they divide by."
+        )
+    m = len(equations.holonomic)
+    samples = [s for s in every if np.abs(s["residuals"]).max(initial=0.0) < _OPEN][:_STATES]
+    if not samples:
+        best = min(every, key=lambda s: float(np.abs(s["residuals"]).max()))["residuals"]
+        worst = int(np.abs(best).argmax())
+        kind, k = ("holonomic", worst) if worst < m else ("velocity", worst - m)
+        raise ValueError(
+            "The constraints contradict each other: no state was found that satisfies all of them. "
+            f"The {kind} constraint {k}, `{(*equations.holonomic, *equations.velocity)[worst]}`, "
+            f"is left at {best[worst]:.3g}. Leave out one of them, or correct it."
+        )
+    found = []
+    for name, symbols, chosen in (
+        ("holonomic", equations.coordinates, coordinates),
+        ("velocity", equations.speeds, speeds),
+    ):
+        matrices = [s[name] for s in samples]
+        best_choice = Chosen(matrices)
+        if chosen is not None:
+            best_choice = _checked(name, symbols, chosen, matrices, len(best_choice.columns))
+        found.append((best_choice, tuple(symbols[k] for k in best_choice.columns)))
+    return found[0], found[1]
+
+
+def _checked(
+    name: str, symbols: Sequence[Any], chosen: Sequence[Any], matrices: list[np.ndarray], rank: int
+) -> Chosen:
+    """Return a user's choice, or say why the constraints do not give it."""
+    argument, others = (
+        ("`dependent_coordinates`", "coordinates")
+        if name == "holonomic"
+        else ("`dependent_speeds`", "speeds")
+    )
+    if len(chosen) != rank:
+        raise ValueError(
+            f"{argument} must have {rank} {others}, as many as there are independent {name} "
+            f"constraints, got {len(chosen)}: {describe(chosen)}. Leave it out to have them chosen."
+        )
+    made = Chosen(matrices, [symbols.index(s) for s in chosen])
+    if len(made.columns) < rank:
+        raise ValueError(
+            f"The {name} constraints do not give the {others} {describe(chosen)}: their matrix is "
+            f"singular at generic states. Choose other {argument}, or leave it out to have them "
+            "chosen."
+        )
+    return made

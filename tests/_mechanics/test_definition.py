@@ -1,0 +1,158 @@
+"""Equations from a plain definition, against those of the KanesMethod with the same content."""
+
+import pickle
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import zoo
+from cases import close
+from mechanisms import MECHANISMS
+from pydy.mechanics import Definition
+from pydy.system import System
+
+T = me.dynamicsymbols._t
+x, y, vx, vy = me.dynamicsymbols("x y vx vy")
+MODELS = {**zoo.MODELS, **MECHANISMS}
+del MODELS["given_accelerations"]  # a Definition takes those of its velocity constraints
+
+
+def content(kane):
+    """What a Definition takes of a KanesMethod, without its choice of what depends on what."""
+    return {
+        "frame": kane._inertial,
+        "coordinates": list(kane.q),
+        "speeds": list(kane.u),
+        "bodies": kane._bodylist,
+        "loads": kane._forcelist or (),
+        "kinematic_equations": [a - b for a, b in kane.kindiffdict().items()],
+        "holonomic_constraints": list(kane._f_h),
+        "velocity_constraints": list(kane._k_nh * kane.u + kane._f_nh) if kane._k_nh else None,
+        "auxiliary_speeds": list(kane._uaux),
+    }
+
+
+def rates(system, model, seed=1):
+    """The derivatives of the states by name, at a state that is consistent for none."""
+    x, t = model.sample(seed)
+    x = dict(zip(model.states, x, strict=True))
+    p = {s: model.constants[s] for s in system.constants_symbols}
+    r = {s: model.specifieds[s] for s in system.specifieds_symbols}
+    found = system.evaluate_ode([x[s] for s in system.states], t, r=r or None, p=p)
+    return np.array([dict(zip(system.states, found, strict=True))[s] for s in model.states])
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_the_equations_are_those_of_kanes_method(name):
+    model = MODELS[name]()
+    definition = Definition(
+        **content(model.kane),
+        dependent_coordinates=list(model.kane._qdep) or None,
+        dependent_speeds=list(model.kane._udep) or None,
+    )
+    found = rates(System(definition), model)
+    close(found, rates(System(model.kane, equations="graph"), model), 1e-12)
+
+
+@pytest.mark.parametrize("name", ["fourbar", "track", "lifted", "disc", "satellite"])
+def test_what_depends_is_chosen(name):
+    model = MODELS[name]()
+    system = System(Definition(**content(model.kane)))
+    system.constants = {s: model.constants[s] for s in system.constants_symbols}
+    free = set(system.speeds) - set(system._equations.dependent_speeds)
+    assert len(free) == len(model.kane.u) - len(model.kane._udep)
+    system.initial_conditions = {s: v for s, v in model.start.items() if s in system.states}
+    other = System(model.kane, system.constants)
+    x = [model.start.get(s, 0.0) for s in system.states]
+    found = dict(zip(system.states, system.evaluate_ode(x), strict=True))
+    expected = other.evaluate_ode([model.start.get(s, 0.0) for s in other.states])
+    close([found[s] for s in other.states], expected, 1e-10)
+
+
+def bead(**options):
+    """A bead on a parabola, in the plane."""
+    m, g = sm.symbols("m g")
+    frame, origin, end = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    origin.set_vel(frame, 0)
+    end.set_pos(origin, x * frame.x + y * frame.y)
+    options = {"holonomic_constraints": [y - x**2], "coordinates": [x, y], "speeds": [vx, vy]} | (
+        options
+    )
+    bodies = [me.Particle("bead", end, m)]
+    return Definition(frame, bodies=bodies, loads=[(end, -m * g * frame.y)], **options)
+
+
+def test_redundant_constraints_do_no_harm():
+    single = System(bead())
+    double = System(bead(holonomic_constraints=[y - x**2, 3 * x**2 - 3 * y]))
+    assert double.states == single.states
+    close(double.evaluate_ode([0.3, 0.09, 1.0, 0.6]), single.evaluate_ode([0.3, 0.09, 1.0, 0.6]))
+
+
+def test_the_derivatives_of_the_coordinates_are_the_speeds_by_default():
+    system = System(bead(speeds=None, dependent_coordinates=[y], dependent_speeds=[y.diff(T)]))
+    assert system.speeds == [x.diff(T), y.diff(T)]
+    other = System(bead(dependent_coordinates=[y], dependent_speeds=[vy]))
+    at = [0.3, 0.09, 1.0, 0.6]
+    close(system.evaluate_ode(at), other.evaluate_ode(at))
+    assert other.speeds == [vx, vy]
+
+
+def test_a_definition_can_be_pickled_with_its_system():
+    system = pickle.loads(pickle.dumps(System(bead())))
+    assert system.eom_method.bodies[0].name == "bead"
+    assert np.isfinite(system.evaluate_ode([0.3, 0.09, 1.0, 0.6])).all()
+
+
+def test_energy_is_found_and_kept():
+    system = System(bead())
+    system.initial_conditions = {x: 1.0, y: 1.0}
+    system.times = np.linspace(0.0, 2.0, 21)
+    system.ode_solver = "dop853"
+    motion = system.simulate(rtol=1e-10, atol=1e-10, constraints="project")
+    total = system.evaluate_energy(motion.states, motion.times).total
+    assert np.ptp(total) < 1e-8
+
+
+WRONG = {
+    r"`holonomic_constraints`.*got 'y'": {"holonomic_constraints": "y"},
+    r"`coordinates` must hold functions of time.*got z": {"coordinates": [x, sm.Symbol("z")]},
+    "must differ from each other, got x": {"coordinates": [x, x]},
+    r"`kinematic_equations` are needed with 2 coordinates and 1": {"speeds": [vx]},
+    "do not give Derivative": {"kinematic_equations": [x.diff(T) - vx]},
+    "depend on each other": {"kinematic_equations": [x.diff(T) + y.diff(T) - vx] * 2},
+    "must be linear": {"kinematic_equations": [x.diff(T) ** 2 - vx, y.diff(T) - vy]},
+    "each coordinate's derivative once": {
+        "kinematic_equations": [x.diff(T) - vx, x.diff(T) - vy, y.diff(T)]
+    },
+    "contradict each other: .*holonomic constraint": {"holonomic_constraints": [x - 1, x - 2]},
+    "contradict each other: .*velocity constraint": {"nonholonomic_constraints": [vx - 1, vx - 2]},
+    "must have 1 coordinates": {"dependent_coordinates": [x, y]},
+    r"do not give the speeds vx": {
+        "holonomic_constraints": [],
+        "nonholonomic_constraints": [vy - vx * 0],
+        "dependent_speeds": [vx],
+    },
+    r"`dependent_speeds` must be some of the speeds, got x": {"dependent_speeds": [x]},
+    "there are no constraints": {"holonomic_constraints": [], "dependent_speeds": [vx]},
+}
+
+
+@pytest.mark.parametrize("message", WRONG)
+def test_what_does_not_fit_is_named(message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        System(bead(**WRONG[message]))
+
+
+def test_other_arguments_are_checked():
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    with pytest.raises(TypeError, match=r"`frame` must be a ReferenceFrame"):
+        Definition("N", [x], [vx], bodies=[me.Particle("p", point, 1)])
+    with pytest.raises(ValueError, match=r"`bodies` must have at least one"):
+        Definition(frame, [x], [vx], bodies=[])
+    with pytest.raises(TypeError, match=r"`bodies` must hold Particle"):
+        Definition(frame, [x], [vx], bodies=[point])
+    with pytest.raises(ValueError, match=r"`equations='method'` needs a method object"):
+        System(bead(), equations="method")
