@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from copy import copy
 from dataclasses import dataclass
+from functools import cached_property
 from inspect import Parameter, signature
 from typing import Any
 
@@ -336,20 +337,26 @@ class RightHandSide:
         symbols = self.layout.specifieds
         if self.time_first or self.num_outputs or len(args) != (2 if symbols else 1):
             return None
-        p, plan = self.constants(args[-1]), SpecifiedsPlan({}, symbols)
+        p, plan = self.constants(args[-1]), self._no_plan
+        values = plan.values
         if symbols:
             r = args[0]
             if isinstance(r, SampledInput):
                 r = {symbols: r}
             if isinstance(r, Mapping):
                 plan = SpecifiedsPlan(r, symbols, complete=True)
+                values = plan.values
                 if plan.expressions:
                     return None
             elif callable(r):
                 return None
             else:
-                plan.values = self.specifieds(r, _NOTHING, 0.0)
-        return self._native_call(self.kernel, plan, plan.values, p)
+                values = self.specifieds(r, _NOTHING, 0.0)
+        return self._native_call(self.kernel, plan, values, p)
+
+    @cached_property
+    def _no_plan(self) -> SpecifiedsPlan:
+        return SpecifiedsPlan({}, self.layout.specifieds)
 
     # -- the slow path ----------------------------------------------------------------------------
 

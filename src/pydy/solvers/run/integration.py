@@ -80,6 +80,11 @@ class Integration:
     options : Options
     stopped : callable
         Asked now and then; True is as good as a Ctrl-C.
+
+    Attributes
+    ----------
+    reusable : bool
+        Whether `rebind` may make it another call's.
     """
 
     def __init__(
@@ -105,6 +110,7 @@ class Integration:
         parts = (options.constraints, options.events)
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
+        self.reusable = not attended and self.call is not None and method != IMPLICIT
         self._budget = _first_budget(method, self.call, bool(self.callbacks))
         arrays.beginning[1][at.BUDGET] = 0 if attended else self._budget
         # Rows are written in whole blocks.
@@ -113,6 +119,13 @@ class Integration:
         self._rows = np.zeros((0, n))  # of the latest run
         entry = "advance_implicit" if method == IMPLICIT else "advance"
         self._advance, self._place = stepper(entry, arrays.place), arrays.place
+
+    def rebind(self, call: KernelCall | None, times: np.ndarray) -> bool:
+        """Take other times and another call of the same Kernel, or return False."""
+        if call is None or not self.arrays.rebind(call, times):
+            return False
+        self.call, self.span = call, float(times[-1] - times[0])
+        return True
 
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end and return the states.

@@ -41,11 +41,14 @@ def blocks(n: int) -> int:
     return -(-n // BLOCK)
 
 
-def bind_constants(kernel: Kernel, p: np.ndarray) -> tuple[int, np.ndarray]:
-    """Return the address of a kernel and its array of constants."""
+def bind_constants(
+    kernel: Kernel, p: np.ndarray, c: np.ndarray | None = None
+) -> tuple[int, np.ndarray]:
+    """Return the address of a kernel and its array of constants, which may be given."""
     addresses = kernel.addresses
     assert addresses is not None
-    c = np.zeros(max(1, len(kernel.program.carried)))
+    if c is None:
+        c = np.zeros(max(1, len(kernel.program.carried)))
     p = np.ascontiguousarray(p, dtype=float)
     _prepare(addresses[1])(address(p), address(c))
     return addresses[0], c

@@ -116,6 +116,27 @@ class Workspace:
         )
         self.place = address(self._table)
 
+    def rebind(self, call: KernelCall, times: np.ndarray) -> bool:
+        """Take other times and another call of the same Kernel, or return False.
+
+        Compiled code reads the arrays anew at the beginning of each run.
+        """
+        before = self.call
+        if (
+            before is None
+            or call.kernel is not before.kernel
+            or call.sampled
+            or before.sampled
+            or call.inputs is not None
+        ):
+            return False
+        bind_constants(call.kernel, call.p, self.problem.c)
+        self.problem.r[: len(call.r)] = call.r
+        self.progress.times[:] = times
+        self.beginning.state[at.TIME] = times[0]
+        self.call = call
+        return True
+
     def _callback(self, function: Callable[..., Any], outputs: int, what: str) -> Callback:
         callback = Callback(function, self.n, outputs, what, self.interrupts)
         self.callbacks.append(callback)
