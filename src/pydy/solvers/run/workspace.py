@@ -102,7 +102,7 @@ class Workspace:
         state[at.SIZE] = options.first_step or options.step or 0.0
         count[at.LIMIT], count[at.FAILURE] = options.max_steps, STEP_UNDERFLOW
         self.beginning = Beginning(state, count)
-        self.progress = Progress(state.copy(), count.copy(), np.ascontiguousarray(times))
+        self.progress = Progress(state.copy(), count.copy(), np.array(times, order="C"))
         further = self._reserve_newton() if method == IMPLICIT else []
         self._table = table_of(
             _method_rows(method, len(self.memory.x)),
