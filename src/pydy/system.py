@@ -85,11 +85,13 @@ class System:
 
     Parameters
     ----------
-    eom_method : sympy.physics.mechanics.KanesMethod or LagrangesMethod
+    eom_method : KanesMethod, LagrangesMethod or System of sympy.physics.mechanics, or Definition
         A KanesMethod either with ``kanes_equations()`` called, or with bodies and loads, from which
         the equations of motion are then formed, in a fraction of the time. Those of a
         LagrangesMethod, which must not have constraints, are formed from its Lagrangian; its
-        speeds are the derivatives of the coordinates.
+        speeds are the derivatives of the coordinates. A System of SymPy, before or after
+        ``form_eoms()``, is read with its joints; `pydy.mechanics.Definition` has the same content
+        without a method object.
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional
@@ -119,7 +121,7 @@ class System:
     Raises
     ------
     TypeError
-        `eom_method` is neither a KanesMethod nor a LagrangesMethod.
+        `eom_method` is none of these.
     ValueError
         A value or a symbol does not fit; the message names the argument.
 

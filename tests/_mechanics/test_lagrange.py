@@ -174,5 +174,5 @@ def test_what_cannot_be_formed_is_named():
         System(me.LagrangesMethod(x.diff(T) ** 2, [x]), equations="method")
     with pytest.raises(ValueError, match="second derivatives"):
         System(me.LagrangesMethod(x.diff(T) ** 2 + x * x.diff(T, 2), [x]))
-    with pytest.raises(TypeError, match="a KanesMethod or LagrangesMethod"):
+    with pytest.raises(TypeError, match="a KanesMethod, LagrangesMethod or System"):
         System(x)

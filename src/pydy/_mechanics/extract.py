@@ -5,10 +5,12 @@ from __future__ import annotations
 from functools import singledispatch
 from typing import Any
 
-from sympy.physics.mechanics import KanesMethod, LagrangesMethod
+from sympy.physics.mechanics import KanesMethod, LagrangesMethod, System
+from sympy.physics.mechanics.jointsmethod import JointsMethod
 
 from pydy._mechanics.definition import Definition, equations_of_definition
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.joints import equations_of_joints, equations_of_system
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.lagrange import equations_of_lagrange
 
@@ -39,3 +41,5 @@ def extract(eom_method: Any, source: str | None = None) -> Equations:
 extract.register(KanesMethod, equations_of_kane)
 extract.register(LagrangesMethod, equations_of_lagrange)
 extract.register(Definition, equations_of_definition)
+extract.register(System, equations_of_system)
+extract.register(JointsMethod, equations_of_joints)
