@@ -20,7 +20,8 @@ SRC = Path(__file__).parents[1] / "src"
 LAYERS = {
     "foundation": {
         *("_array_layout", "_cache_folder", "_checks", "_dataset", "_errors", "_forks", "_html"),
-        *("_names", "_optional", "_version", "errors", "inputs", "plot", "trajectory"),
+        *("_names", "_optional", "_sensitivity", "_version", "errors", "inputs", "plot"),
+        "trajectory",
     },
     "graph and mechanics": {"_graph", "_mechanics", "mechanics"},
     "machine": {"_backends", "_kernel", "solvers"},

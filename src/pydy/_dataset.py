@@ -44,12 +44,18 @@ class Parts:
         Names and values, by role.
     constants : dict of str to float
     latex : dict of str to str
+    sensitivity : (names, ndarray of shape (m, q, k)) or None
+        Names of the parameters, and derivatives of the states and outputs.
     """
 
     times: np.ndarray
     columns: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
     constants: dict[str, float] = field(default_factory=dict)
     latex: dict[str, str] = field(default_factory=dict)
+    sensitivity: tuple[list[str], np.ndarray] | None = None
+
+
+SENSITIVITY = "sensitivity"
 
 
 def to_dataset(
@@ -57,13 +63,17 @@ def to_dataset(
     times: np.ndarray,
     columns: Mapping[str, tuple[str, str, np.ndarray]],
     constants: Mapping[str, tuple[str, float]],
+    sensitivity: Any = None,
 ) -> Any:
-    """Return a Dataset of columns ``name: (role, latex, values)`` along ``time``."""
-    variables = {
+    """Return a Dataset of columns ``name: (role, latex, values)`` along ``time``.
+
+    A `pydy._sensitivity.Sensitivity` becomes a variable along ``quantity`` and ``parameter`` too.
+    """
+    variables: dict[str, tuple[Any, ...]] = {
         name: ("time", values, {"role": role, "latex": latex})
         for name, (role, latex, values) in columns.items()
     }
-    coords = {
+    coords: dict[str, tuple[Any, ...]] = {
         f"{name} (constant)" if name in variables or name == "time" else name: (
             (),
             value,
@@ -71,6 +81,11 @@ def to_dataset(
         )
         for name, (latex, value) in constants.items()
     }
+    if sensitivity is not None:
+        dimensions = ("time", "quantity", "parameter")
+        variables[SENSITIVITY] = (dimensions, sensitivity.table(), {"role": SENSITIVITY})
+        coords["quantity"] = ("quantity", list(sensitivity.quantities), {})
+        coords["parameter"] = ("parameter", list(sensitivity.names), {})
     return xarray.Dataset(variables, {"time": ("time", times), **coords})
 
 
@@ -78,9 +93,13 @@ def from_dataset(dataset: Any) -> Parts:
     """Return what a Dataset of `to_dataset` holds."""
     parts = Parts(np.array(dataset["time"]))
     for name, variable in dataset.variables.items():
-        if name == "time":
+        if name in ("time", "quantity", "parameter"):
             continue
         role = variable.attrs["role"]
+        if role == SENSITIVITY:
+            names = [str(parameter) for parameter in dataset["parameter"].values]
+            parts.sensitivity = (names, np.array(variable))
+            continue
         if role == "constant":
             parts.constants[name.removesuffix(" (constant)")] = float(variable)
         else:
@@ -157,7 +176,7 @@ def read_netcdf(
             dataset = dataset.rename({n: name for n, name in names.items() if n != name})
             statistics = json.loads(dataset.attrs["pydy_statistics"])
             events = [
-                record(**{**e, "before": np.array(e["before"]), "after": np.array(e["after"])})
+                record(**{k: np.array(v) if isinstance(v, list) else v for k, v in e.items()})
                 for e in json.loads(dataset.attrs["pydy_events"])
             ]
             return from_dataset(dataset), statistics, events

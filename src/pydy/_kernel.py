@@ -121,7 +121,11 @@ class KernelCall:
         return r
 
     def evaluate(self, kernel: Kernel, x: np.ndarray, t: float) -> np.ndarray:
-        """Evaluate another Kernel of the same system at a state and time."""
-        r = self.inputs_at(x, t)
+        """Evaluate another Kernel of the same system at a state and time.
+
+        It may have fewer states and specifieds than this one: those that come first.
+        """
+        program = kernel.program
+        x, r = x[: program.num_states], self.inputs_at(x, t)[: program.num_specifieds]
         out: np.ndarray = kernel.evaluate(np.array([t]), x[None], r[None], self.p)[0][0]
         return out

@@ -28,6 +28,7 @@ __all__ = [
     "plot_outputs",
     "plot_phase",
     "plot_quantities",
+    "plot_sensitivities",
     "plot_speeds",
     "plot_states",
 ]
@@ -158,6 +159,40 @@ def plot_quantities(
     The parameters are those of `plot_coordinates`.
     """
     return _plot(result, (), "value", names, ax, units, time_unit)
+
+
+def plot_sensitivities(
+    result: Any, quantity: Any, parameters: Any = None, *, ax: Any = None, time_unit: str = ""
+) -> Any:
+    """Plot the derivatives of a state or output by parameters over time.
+
+    Parameters
+    ----------
+    result : Trajectory
+        Simulated with sensitivities.
+    quantity : symbol or str
+    parameters : sequence of symbols or str, optional
+        Which ones; all by default.
+    ax, time_unit
+        As for `plot_coordinates`.
+
+    Returns
+    -------
+    matplotlib Axes
+
+    Examples
+    --------
+    >>> from pydy.models import multi_mass_spring_damper
+    >>> from pydy.plot import plot_sensitivities
+    >>> system = multi_mass_spring_damper()
+    >>> system.times, system.initial_conditions = [0.0, 0.5, 1.0], {'x0': 1.0}
+    >>> plot_sensitivities(system.simulate(sensitivities=['m0', 'k0']), 'x0').get_ylabel()
+    'derivatives of x0'
+    """
+    found, name = result.sensitivity, result.name(quantity)
+    names = found.names if parameters is None else map(name_of, listed("parameters", parameters))
+    curves = [_Curve(one, "", result.times, found[quantity, one]) for one in names]
+    return _draw(ax, curves, f"derivatives of {name}", time_unit)
 
 
 def plot_states(

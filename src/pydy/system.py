@@ -50,6 +50,7 @@ from pydy._system.inputs import (
 from pydy._system.products import BLOCKS, prepare_product
 from pydy._system.scipy_ivp import SolveIvp, resolve_ode_solver
 from pydy._system.scipy_odeint import ODEINT_OPTIONS, call_odeint
+from pydy._system.sensitivities import Wanted
 from pydy._system.solving import HANDLED, prepare
 from pydy._system.start import check_start
 from pydy._system.summary import as_html, as_text, facts
@@ -166,6 +167,7 @@ class System:
         self._exact: RightHandSide | None = None
         self._constants: dict[Any, Any] = {}
         self._specifieds: dict[Any, Any] = {}
+        self._dependent: tuple[Any, ...] | None = None  # initial conditions solved for last
         self._unfollowed: set[Any] = set()  # what was warned of, as below
         self._warned_of: set[Any] = set()
         self._initial_conditions: dict[Any, Any] = {}
@@ -1329,6 +1331,7 @@ class System:
         for k in (k for part in places for k in part):
             conditions[keys.get(k, definition.states[k])] = float(x[k])
         self._initial_conditions = conditions
+        self._dependent = tuple(definition.states[k] for part in places for k in part)
 
     @overload
     def integrate(
@@ -1383,7 +1386,9 @@ class System:
             wanted = flag(wanted, "`full_output`")
         return self._solve(solver_kwargs, checked=not wanted)
 
-    def _solve(self, solver_kwargs: dict[str, Any], *, checked: bool) -> Any:
+    def _solve(
+        self, solver_kwargs: dict[str, Any], *, checked: bool, wanted: Wanted | None = None
+    ) -> Any:
         """Call the solver; `checked` tells whether odeint's giving up is an error."""
         if len(self._times) < 2:
             raise ValueError(
@@ -1393,7 +1398,7 @@ class System:
         times = check_times(self._times)  # the array may have been edited in place
         definition, plan = self._definition, self._plan(self._specifieds)
         plan.check_times(times, "times")
-        implementation = self._current()
+        implementation = self._current() if wanted is None else self._differentiable()
         x0, p = self._x0(), self._p()
 
         def exact() -> RightHandSide:
@@ -1411,7 +1416,13 @@ class System:
         if self._ode_solver is odeint:
             check_option_names("odeint", ODEINT_OPTIONS, solver_kwargs)
         integrated = driven(implementation, definition, plan)
-        f = integrated.rates_function(plan)
+        if wanted is None:
+            f = integrated.rates_function(plan)
+        else:
+            f, x0, solver_kwargs = wanted.problem(
+                definition, integrated, plan, (x0, float(times[0])), p, self._dependents(),
+                self._ode_solver, solver_kwargs,
+            )  # fmt: skip
         args = (plan.values if plan.constant else plan, p)
         try:
             if not checked or self._ode_solver is not odeint:
@@ -1425,15 +1436,37 @@ class System:
                 )
             raise
         except (IntegrationError, SingularMatrixError) as error:
+            if wanted is not None:
+                wanted.cut(error)
             explain(error, definition, integrated.assembly, plan, p)
             raise
         return result if solver_kwargs.get("full_output") else result[0]
 
-    def simulate(self, **solver_kwargs: Any) -> Trajectory:
+    def _dependents(self) -> list[int]:
+        """Return the places of the initial conditions that follow from the others."""
+        equations = self._equations
+        own = (*equations.dependent_coordinates, *equations.dependent_speeds)
+        chosen = own if self._dependent is None else self._dependent
+        return [self._definition.states.index(symbol) for symbol in chosen]
+
+    def simulate(
+        self,
+        *,
+        sensitivities: Any = None,
+        control_sensitivities: Any = False,
+        **solver_kwargs: Any,
+    ) -> Trajectory:
         """Integrate like `integrate`, and return the result with its names.
 
         Parameters
         ----------
+        sensitivities : iterable of symbols or names, optional
+            Parameters by which the states are differentiated along the motion: constants; states,
+            for their initial conditions; specifieds that are numbers or samples. The derivatives
+            are integrated beside the states and are the trajectory's `sensitivity`.
+        control_sensitivities : bool, optional
+            Whether the step control of a native solver looks at them too, and not at the states
+            alone.
         **solver_kwargs
             Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
             ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
@@ -1465,7 +1498,11 @@ class System:
         """
         if self._ode_solver is odeint or isinstance(self._ode_solver, (Solver, SolveIvp)):
             solver_kwargs.setdefault("full_output", True)
-        result = self._solve(solver_kwargs, checked=True)
+        wanted = None
+        if sensitivities is not None:
+            controlled = flag(control_sensitivities, "`control_sensitivities`")
+            wanted = Wanted(sensitivities, controlled)
+        result = self._solve(solver_kwargs, checked=True, wanted=wanted)
         states, info = result if isinstance(result, tuple) else (result, None)
         statistics = dict(info) if isinstance(info, dict) else {}
         times = statistics.pop("times", self._times)
@@ -1473,10 +1510,11 @@ class System:
         if reached is not None:
             times, states = times[:reached], states[:reached]
         events = statistics.pop("events", ())
-        dense = statistics.pop("dense_output", None)
+        dense = statistics.pop("dense_output", None) if wanted is None else None
         times = np.array(times, dtype=float)
         states = np.array(real_array(states, "What the `ode_solver` returns"))
-        if states.shape != (len(times), self.num_states):
+        columns = None if wanted is None else wanted.sensitive.columns
+        if states.shape != (len(times), self.num_states if columns is None else columns.size):
             raise ValueError(
                 f"The `ode_solver` must return the shape {(len(times), self.num_states)}, one row "
                 f"for each of the `times`, got {states.shape}."
@@ -1484,6 +1522,7 @@ class System:
         if len(times):  # what is NaN to the end comes after a terminal event
             reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
             times, states = times[:reached], states[:reached]
+        states, found = (states, {}) if wanted is None else wanted.results(states)
         model = self._model_now()
         equations, forces = self._equations, self.noncontributing_forces
         known = {*self._residuals, *forces}
@@ -1507,6 +1546,7 @@ class System:
             statistics=statistics or None,
             model=model,
             dense=dense,
+            **found,
         )
 
     def integrate_ensemble(

@@ -22,8 +22,9 @@ from pydy._dataset import (
 from pydy._html import table_of_columns
 from pydy._names import latex_of, latex_of_rate, name_of, unique_names, written_out
 from pydy._optional import require
+from pydy._sensitivity import Sensitivity, SensitivityModel
 
-__all__ = ["EventRecord", "Model", "Trajectory"]
+__all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +39,10 @@ class EventRecord:
         Its place among the events that were watched.
     before, after : ndarray, shape (n,)
         The states on both sides; the same without a reset.
+    time_sensitivity : ndarray, shape (k,), or None
+        Derivatives of the event's time by the parameters, of a simulation with sensitivities.
+    sensitivity_before, sensitivity_after : ndarray, shape (n, k), or None
+        Derivatives of the states on both sides, at a fixed time.
     """
 
     time: float
@@ -45,6 +50,9 @@ class EventRecord:
     index: int
     before: np.ndarray
     after: np.ndarray
+    time_sensitivity: np.ndarray | None = None
+    sensitivity_before: np.ndarray | None = None
+    sensitivity_after: np.ndarray | None = None
 
     def __repr__(self) -> str:
         """Return what happened and when; the states are left out."""
@@ -96,6 +104,11 @@ class Trajectory:
         Evaluates derivatives, outputs and energy at other times.
     dense : callable, optional
         The solver's own interpolant: times (k,) to states (k, n).
+    sensitivities : (parameters, values), optional
+        Parameters, mapped to their numbers of columns, and the derivatives of the states by them,
+        shape (m, n, k).
+    sensitivity_model : SensitivityModel, optional
+        Evaluates the derivatives of outputs, and those of sensitivities by time.
 
     Attributes
     ----------
@@ -141,6 +154,8 @@ class Trajectory:
         statistics: dict[str, Any] | None = None,
         model: Model | None = None,
         dense: Callable[[np.ndarray], np.ndarray] | None = None,
+        sensitivities: tuple[Mapping[Any, int], np.ndarray] | None = None,
+        sensitivity_model: SensitivityModel | None = None,
     ) -> None:
         self.times = np.array(real_array(times, "`times`"))
         if self.times.ndim != 1 or not (np.diff(self.times) >= 0.0).all():
@@ -164,6 +179,16 @@ class Trajectory:
         self.statistics = statistics
         self._model = model
         self._dense = dense
+        self._sensitivity_model = sensitivity_model
+        self._sensitivity: Sensitivity | None = None
+        if sensitivities is not None:
+            self._sensitivity = Sensitivity(
+                sensitivities[1],
+                sensitivities[0],
+                self.state_symbols,
+                self.outputs_symbols,
+                self._sensitivity_of_outputs,
+            )
         self._derivatives: np.ndarray | None = None
         self._energy: np.ndarray | None = None
         self._latex: dict[str, str] = {}
@@ -318,6 +343,40 @@ class Trajectory:
             self._energy = self._need_model("energy").energy(self.times, self.states)
         return self._energy
 
+    @property
+    def sensitivity(self) -> Sensitivity:
+        """Derivatives of states and outputs by parameters: ``trajectory.sensitivity['q1', m1]``.
+
+        Raises
+        ------
+        ValueError
+            The trajectory was simulated without.
+        """
+        if self._sensitivity is None:
+            raise ValueError(
+                "The trajectory holds no sensitivities. Name the parameters when you simulate: "
+                "system.simulate(sensitivities=[…])."
+            )
+        return self._sensitivity
+
+    def _take_sensitivity(self, names: Sequence[str], table: np.ndarray) -> None:
+        """Take sensitivities of states and outputs from a file."""
+        n = self.states.shape[1]
+        columns = dict.fromkeys(names, 1)
+        symbols = (self.state_symbols, self.outputs_symbols)
+        self._sensitivity = Sensitivity(table[:, :n], columns, *symbols, lambda: table[:, n:])
+
+    def _sensitivity_of_outputs(self) -> np.ndarray:
+        model, values = self._sensitivity_model, self.sensitivity.values
+        if not self.outputs_symbols:
+            return np.empty((len(self.times), 0, values.shape[2]))
+        if model is None:
+            raise ValueError(
+                "The trajectory has no model that could give the sensitivities of outputs at "
+                "other times than those that were saved. Take what `System.simulate` returned."
+            )
+        return model.outputs(self.times, self.states, values)
+
     def _need_model(self, what: str) -> Model:
         if self._model is None:
             raise ValueError(
@@ -367,7 +426,7 @@ class Trajectory:
                 f"`times` must be within the simulated time, {self.times[0]} to "
                 f"{self.times[-1]}, got {outside[0]}."
             )
-        states = self._dense(times) if self._dense is not None else self._hermite(times)
+        states, sensitivities = self._between(times)
         if self._model is not None:
             outputs = self._model.outputs(times, states)
             specifieds = self._model.specifieds(times, states)
@@ -387,12 +446,31 @@ class Trajectory:
             statistics=self.statistics,
             model=self._model,
             dense=self._dense,
+            sensitivities=sensitivities,
+            sensitivity_model=self._sensitivity_model,
         )
 
+    def _between(
+        self, times: np.ndarray
+    ) -> tuple[np.ndarray, tuple[Mapping[Any, int], np.ndarray] | None]:
+        """Return the states at other times, and the sensitivities if there are any."""
+        if self._sensitivity is None:
+            return (self._dense or self._hermite)(times), None
+        n, values, m = self.states.shape[1], self._sensitivity.values, len(self.times)
+        whole = self._hermite(times)
+        if self._sensitivity_model is None:  # no derivatives by time: straight lines
+            columns = [np.interp(times, self.times, v) for v in values.reshape(m, -1).T]
+            whole = np.column_stack([whole, *columns])
+        states = whole[:, :n] if self._dense is None else self._dense(times)
+        return states, (self._sensitivity.counts, whole[:, n:].reshape(len(times), n, -1))
+
     def _hermite(self, times: np.ndarray) -> np.ndarray:
-        nodes, x, rates = self.times, self.states, self.derivatives
+        """Return the states, and after them the sensitivities if their derivatives are known."""
+        values = None if self._sensitivity is None else self._sensitivity.values
+        nodes = self.times
+        x, rates = self._beside(nodes, self.states, self.derivatives, values)
         if self.events and self._model is not None:
-            nodes, x, rates = self._with_events(self._model)
+            nodes, x, rates = self._with_events(self._model, x, rates)
         # The last of equal times, so that an interval has a length wherever there is one.
         k = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 1)
         after = np.minimum(k + 1, len(nodes) - 1)
@@ -403,17 +481,37 @@ class Trajectory:
         result: np.ndarray = value + slope
         return result
 
-    def _with_events(self, model: Model) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def _beside(
+        self, times: np.ndarray, states: np.ndarray, rates: np.ndarray, values: np.ndarray | None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return states and their derivatives by time with those of the sensitivities after."""
+        model, m = self._sensitivity_model, len(times)
+        if model is None or values is None:
+            return states, rates
+        slopes = model.rates(times, states, values)
+        return (
+            np.concatenate([states, values.reshape(m, -1)], axis=1),
+            np.concatenate([rates, slopes.reshape(m, -1)], axis=1),
+        )
+
+    def _with_events(
+        self, model: Model, x: np.ndarray, rates: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         moments = np.repeat([e.time for e in self.events], 2)
         sides = np.array([side for e in self.events for side in (e.before, e.after)])
-        rates = model.derivatives(moments, sides)
+        values = None
+        if self._sensitivity is not None:
+            values = np.array(
+                [v for e in self.events for v in (e.sensitivity_before, e.sensitivity_after)]
+            )
+        own, slopes = self._beside(moments, sides, model.derivatives(moments, sides), values)
         other = ~np.isin(self.times, moments)  # on which side such a node is, nobody tells
         nodes = np.concatenate([moments, self.times[other]])
         order = np.argsort(nodes, kind="stable")
         return (
             nodes[order],
-            np.concatenate([sides, self.states[other]])[order],
-            np.concatenate([rates, self.derivatives[other]])[order],
+            np.concatenate([own, x[other]])[order],
+            np.concatenate([slopes, rates[other]])[order],
         )
 
     # -- pictures ---------------------------------------------------------------------------------
@@ -471,7 +569,8 @@ class Trajectory:
         """Return an `xarray.Dataset` with one variable for each quantity along ``time``.
 
         Each variable has the attributes ``role`` (its kind, such as 'coordinate' or 'output') and
-        ``latex``; constants are scalar coordinates.
+        ``latex``; constants are scalar coordinates. Sensitivities are one variable, 'sensitivity',
+        along ``time``, ``quantity`` and ``parameter``.
 
         Parameters
         ----------
@@ -504,7 +603,7 @@ class Trajectory:
             for name, (s, v) in zip(names, self.constants.items(), strict=True)
         }
         xarray = require("xarray", "labels", "Trajectory.to_xarray")
-        return to_dataset(xarray, self.times, columns, constants)
+        return to_dataset(xarray, self.times, columns, constants, self._sensitivity)
 
     def to_dataframe(self) -> Any:
         """Return a `pandas.DataFrame` with one column for each quantity, indexed by ``time``.
@@ -583,6 +682,8 @@ class Trajectory:
             events=events,
             statistics=statistics,
         )
+        if parts.sensitivity is not None:
+            loaded._take_sensitivity(*parts.sensitivity)
         loaded._latex = parts.latex
         loaded._derivatives = table.get("derivative")
         loaded._energy = table.get("energy")

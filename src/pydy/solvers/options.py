@@ -12,6 +12,7 @@ from pydy._checks import number, real_array
 from pydy._names import nearest
 from pydy.solvers.events import CompiledEvents
 from pydy.solvers.run.constraints import CompiledConstraints
+from pydy.solvers.sensitivities import CompiledSensitivities
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -38,6 +39,7 @@ class SolverOptions(StepOptions, total=False):
     progress: bool
     events: CompiledEvents | None
     constraints: CompiledConstraints | None
+    sensitivities: CompiledSensitivities | None
 
 
 @dataclass(frozen=True)
@@ -62,6 +64,9 @@ class Options:
         Whether a bar shows the simulated time; needs tqdm.
     events : CompiledEvents or None
     constraints : CompiledConstraints or None
+    sensitivities : CompiledSensitivities or None
+        Of a state that has columns of sensitivities after it; `rtol` and `atol` are those of the
+        state alone.
     """
 
     rtol: Any = _DEFAULT
@@ -74,6 +79,7 @@ class Options:
     progress: bool = False
     events: CompiledEvents | None = None
     constraints: CompiledConstraints | None = None
+    sensitivities: CompiledSensitivities | None = None
 
 
 _MOST = 2**62
@@ -136,11 +142,16 @@ def _check_kinds(given: Mapping[str, Any]) -> None:
         value = given[name]
         if not isinstance(value, bool | np.bool_ | int) or value not in (0, 1):
             raise TypeError(f"`{name}` must be True or False, got {value!r}.")
-    for name, kind in (("events", CompiledEvents), ("constraints", CompiledConstraints)):
+    kinds = {
+        "events": ("integrate", CompiledEvents),
+        "constraints": ("integrate", CompiledConstraints),
+        "sensitivities": ("simulate", CompiledSensitivities),
+    }
+    for name, (method, kind) in kinds.items():
         value = given.get(name)
         if not isinstance(value, kind | None):
             raise TypeError(
                 f"`{name}` cannot be handed to a solver as they are, got {value!r}: they have to "
-                f"be compiled with the equations. Call system.integrate({name}=…), with "
+                f"be compiled with the equations. Call system.{method}({name}=…), with "
                 "`system.ode_solver` set to this solver."
             )

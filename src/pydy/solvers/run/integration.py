@@ -98,6 +98,8 @@ class Integration:
         stopped: Callable[[], bool] = lambda: False,
     ) -> None:
         self.name, self.n, self.options = method, n, options
+        beside = options.sensitivities
+        self.states = n if beside is None else beside.states  # without their sensitivities
         self.interrupts = Interrupts(stopped)
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
@@ -270,9 +272,10 @@ class Integration:
         t = float(self.progress.state[at.TIME])
         code = _PROJECT(int(self.arrays.constraints.words[at.PROJECT]))(self._place, t, address(x))
         self._raise_callback()
-        moved = np.abs(x - before)
-        if code != 0 or (moved > 1e-3 * (1.0 + np.abs(before))).any():
-            k = int(np.argmax(moved / (1.0 + np.abs(before))))
+        size = 1.0 + np.abs(before[: self.states])
+        moved = np.abs(x[: self.states] - before[: self.states])
+        if code != 0 or (moved > 1e-3 * size).any():
+            k = int(np.argmax(moved / size))
             after = float(x[k])
             self.memory.x[:] = before
             mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {after:.6g}"
@@ -460,14 +463,14 @@ class Integration:
         """Raise the error of an outcome."""
         self._end(code, **details)
         t, reached = float(self.progress.state[at.TIME]), int(self.progress.counts[at.NEXT])
-        x = self.memory.x[: self.n].copy()
+        x = self.memory.x[: self.states].copy()
         shown = ", ".join(f"{self._state_name(k)} = {v:.6g}" for k, v in enumerate(x[:12]))
-        more = f", and {self.n - 12} more" if self.n > 12 else ""
+        more = f", and {self.states - 12} more" if self.states > 12 else ""
         remedy = OUTCOMES[code].remedy.format(**details)
         raise kind(
             f"`{self.name}` {self.status} at t = {t!r} in the state {shown}{more}. {remedy}",
             self.progress.times[:reached].copy(),
-            self._rows[:reached].copy(),
+            self._rows[:reached, : self.states].copy(),
             t,
             x,
             self.info(),

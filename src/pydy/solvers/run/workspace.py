@@ -189,15 +189,22 @@ class Workspace:
         memory = Memory(*[flat[place : place + size] for place, size in places])
         start = address(flat)
         self._memory_rows = [n for place, size in places for n in (start + 8 * place, size, 1)]
+        memory.rtol[:n], memory.atol[:n] = self._tolerances()
+        np.maximum(memory.atol, 1e-300, out=memory.atol)  # 0 / 0 would be no error
+        return method, memory
+
+    def _tolerances(self) -> tuple[np.ndarray, np.ndarray]:
+        options, beside = self.options, self.options.sensitivities
+        n = self.n if beside is None else beside.states
+        rtol, atol = np.empty(n), np.empty(n)
         try:
-            memory.rtol[:n], memory.atol[:n] = self.options.rtol, self.options.atol
+            rtol[:], atol[:] = options.rtol, options.atol
         except ValueError:
             raise ValueError(
                 f"`rtol` and `atol` must be numbers or have the shape ({n},), got the shapes "
-                f"{np.shape(self.options.rtol)} and {np.shape(self.options.atol)}."
+                f"{np.shape(options.rtol)} and {np.shape(options.atol)}."
             ) from None
-        np.maximum(memory.atol, 1e-300, out=memory.atol)  # 0 / 0 would be no error
-        return method, memory
+        return (rtol, atol) if beside is None else beside.tolerances(rtol, atol)
 
     def _hold(self) -> Constraints:
         wanted = self.options.constraints

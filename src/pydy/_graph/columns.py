@@ -1,0 +1,129 @@
+"""Sensitivities beside a state: directional derivatives along several columns at once.
+
+With S = ∂x/∂θ for parameters θ of the right-hand side f(x, r, p, t), or of the initial conditions,
+each column obeys S' = (∂f/∂x) S + ∂f/∂θ (Hairer, Nørsett, Wanner, Solving ODEs I, I.14). The right
+side is the derivative of f along the direction (S, dθ): one walk over the graph of f, which shares
+all values with f itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pydy._graph.derivative import Rows
+from pydy._graph.factor import factor_sums
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.passes import Passes
+from pydy._graph.program import Program
+from pydy._graph.simplify import simplify
+
+__all__ = ["Columns"]
+
+
+@dataclass(frozen=True)
+class Columns:
+    """The state with columns of sensitivities after it: x, then S row after row.
+
+    Attributes
+    ----------
+    states : int
+        Number of states, n.
+    directions : tuple
+        For each column what the equations are differentiated by: None, where the parameter is an
+        initial condition alone; (group, index) of an input; or ('r', index, weight), where the
+        input's derivative by the parameter is the input `weight` of r.
+    weights : int
+        How many such further inputs r has at its end.
+    """
+
+    states: int
+    directions: tuple[tuple[str, int] | tuple[str, int, int] | None, ...]
+    weights: int = 0
+
+    @property
+    def count(self) -> int:
+        """Number of columns, k."""
+        return len(self.directions)
+
+    @property
+    def size(self) -> int:
+        """Number of states and sensitivities, n (1 + k)."""
+        return self.states * (1 + self.count)
+
+    def together(self, states: np.ndarray, columns: np.ndarray) -> np.ndarray:
+        """Return states (..., n) and sensitivities (..., n, k) as (..., n (1 + k))."""
+        flat = columns.reshape(*columns.shape[:-2], self.states * self.count)
+        return np.concatenate([states, flat], axis=-1)
+
+    def apart(self, whole: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return states (..., n) and sensitivities (..., n, k) of (..., n (1 + k))."""
+        n = self.states
+        return whole[..., :n], whole[..., n:].reshape(*whole.shape[:-1], n, self.count)
+
+    def rows(self, graph: Graph) -> Rows:
+        """Return the derivatives of any nodes along the columns."""
+        n, k = self.states, self.count
+        given: dict[int, dict[int, int]] = {}
+        for i in range(n):
+            own = {j: graph.input("x", n + i * k + j) for j in range(k)}
+            given[graph.input("x", i)] = own
+        for j, direction in enumerate(self.directions):
+            if direction is not None:
+                weight = graph.input("r", direction[2]) if len(direction) == 3 else graph.one
+                given.setdefault(graph.input(*direction[:2]), {})[j] = weight
+        return Rows(graph, given)
+
+    def rates_program(
+        self, graph: Graph, nodes: Sequence[int], sizes: tuple[int, int, int], passes: Passes
+    ) -> Program:
+        """Return the Program of the derivatives of the states and of their sensitivities.
+
+        Parameters
+        ----------
+        graph : Graph
+            Gets the new nodes.
+        nodes : sequence of nodes
+            The derivatives of the states.
+        sizes : (int, int, int)
+            Numbers of states, specifieds and constants.
+        passes : Passes
+        """
+        nodes = simplify(graph, nodes, passes)
+        cells = self._cells(graph, nodes, passes)
+        return self._lowered(graph, [("rates", (self.size,), [*nodes, *cells])], sizes, passes)
+
+    def program(
+        self,
+        graph: Graph,
+        blocks: Sequence[tuple[str, Sequence[int]]],
+        sizes: tuple[int, int, int],
+        passes: Passes,
+    ) -> Program:
+        """Return the Program of the derivatives of blocks of nodes, of shapes (rows, k).
+
+        The parameters are those of `rates_program`.
+        """
+        lowered = []
+        for name, nodes in blocks:
+            cells = self._cells(graph, simplify(graph, nodes, passes), passes)
+            lowered.append((name, (len(nodes), self.count), cells))
+        return self._lowered(graph, lowered, sizes, passes)
+
+    def _cells(self, graph: Graph, nodes: Sequence[int], passes: Passes) -> list[int]:
+        rows = self.rows(graph)
+        cells = [rows(node).get(j, graph.zero) for node in nodes for j in range(self.count)]
+        return factor_sums(graph, cells) if passes.factor else cells
+
+    def _lowered(
+        self,
+        graph: Graph,
+        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
+        sizes: tuple[int, int, int],
+        passes: Passes,
+    ) -> Program:
+        whole = (self.size, sizes[1] + self.weights, sizes[2])
+        return lower(graph, whole, blocks, passes=passes)

@@ -1,0 +1,426 @@
+"""Sensitivities of a simulation: which parameters, their columns at the start, and the equations.
+
+The columns ∂x/∂θ are integrated beside the state (`pydy._graph.columns`). An initial condition is a
+parameter of its own state; where the constraints tie others to it, they follow by the implicit
+function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for the dependent states d.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._assembly.stored import stored_program
+from pydy._checks import Places, describe, listed
+from pydy._graph.columns import Columns
+from pydy._kernel import Kernel, KernelCall
+from pydy._system.definition import Definition
+from pydy._system.evaluation import evaluate
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen.right_hand_side import RightHandSide, raise_singular
+from pydy.inputs import SampledInput
+from pydy.solvers.sensitivities import CompiledSensitivities
+from pydy.solvers.solver import Solver
+
+__all__ = ["Parameter", "Sensitive", "Wanted", "read_parameters"]
+
+_DEPENDENT = 1e-9
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """Something that a motion depends on.
+
+    Attributes
+    ----------
+    symbol : symbol
+        A constant, a state for its initial condition, or a specified.
+    kind : {'constants', 'states', 'specifieds'}
+    place : int
+        In p, x or r.
+    samples : SampledInput or None
+        The samples of a specified, of which each is a parameter; those of this one alone.
+    """
+
+    symbol: Any
+    kind: str
+    place: int
+    samples: SampledInput | None = None
+
+    @property
+    def count(self) -> int:
+        """The number of columns."""
+        return 1 if self.samples is None else len(self.samples.times)
+
+
+def read_parameters(
+    definition: Definition, plan: SpecifiedsPlan, wanted: Any
+) -> tuple[Parameter, ...]:
+    """Return the parameters that a user named.
+
+    Raises
+    ------
+    ValueError
+        One that the system does not have, or has twice; or a specified of which no derivative is
+        taken.
+    """
+    one = isinstance(wanted, str) or hasattr(wanted, "free_symbols")
+    symbols = [wanted] if one else listed("sensitivities", wanted)
+    if not symbols:
+        raise ValueError(
+            "`sensitivities` must name at least one constant, initial condition or specified."
+        )
+    for _, _, label in plan.functions:
+        raise ValueError(
+            f"`sensitivities` need the derivatives of the specifieds, but {label} is a Python "
+            "function, which has none. Give it as a SymPy expression of states, time and "
+            "constants, or as samples, pydy.inputs.SampledInput(times, values)."
+        )
+    found: list[Parameter] = []
+    for symbol in symbols:
+        parameter = _parameter(definition, plan, symbol)
+        if any(p.symbol == parameter.symbol for p in found):
+            raise ValueError(
+                f"`sensitivities` has `{parameter.symbol}` more than once. Keep one of them."
+            )
+        found.append(parameter)
+    return tuple(found)
+
+
+def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any) -> Parameter:
+    kinds = ("constants", "states", "specifieds")
+    for kind in kinds:
+        place = definition.places[kind].get(key, "sensitivities")
+        if place is not None:
+            break
+    else:
+        everything = [s for kind in kinds for s in definition.places[kind].symbols]
+        what = "constants, states (for their initial conditions) and specifieds of the system"
+        Places(everything, what).find(key, "sensitivities")  # raises, with names that are alike
+        raise AssertionError(key)
+    symbol = definition.places[kind].symbols[place]
+    if kind != "specifieds":
+        return Parameter(symbol, kind, place)
+    if symbol in plan.expressions:
+        raise ValueError(
+            f"`sensitivities` has the specified `{symbol}`, which is given as the expression "
+            f"`{plan.expressions[symbol]}`. Name the constants in it instead."
+        )
+    for columns, samples in plan.sampled:
+        if place in columns:
+            return Parameter(symbol, kind, place, samples.of([columns.tolist().index(place)]))
+    if isinstance(symbol, sm.Derivative) and symbol not in plan.given:
+        raise ValueError(
+            f"`sensitivities` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
+            "instead, or the constants in its expression."
+        )
+    return Parameter(symbol, kind, place)
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitive:
+    """A System's equations with columns of sensitivities beside the state.
+
+    Attributes
+    ----------
+    definition : Definition
+    implementation : RightHandSide
+        With its linear solve and all expressions compiled in, as it is integrated.
+    plan : SpecifiedsPlan
+    parameters : tuple of Parameter
+    p : ndarray
+    """
+
+    definition: Definition
+    implementation: RightHandSide
+    plan: SpecifiedsPlan
+    parameters: tuple[Parameter, ...]
+    p: np.ndarray
+    columns: Columns = field(init=False)
+
+    def __post_init__(self) -> None:
+        s = len(self.definition.specifieds)
+        directions: list[Any] = []
+        weights = 0
+        for parameter in self.parameters:
+            if parameter.kind == "states":
+                directions.append(None)
+            elif parameter.kind == "constants":
+                directions.append(("p", parameter.place))
+            elif parameter.samples is None:
+                directions.append(("r", parameter.place))
+            else:
+                for _ in range(parameter.count):
+                    directions.append(("r", parameter.place, s + weights))
+                    weights += 1
+        n = len(self.definition.states)
+        object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
+
+    # -- compiled ---------------------------------------------------------------------------------
+
+    def kernel(self, block: str = "rates") -> Kernel:
+        """Return the Kernel of the rates and their sensitivities, or of a block's derivatives."""
+        columns, assembly = self.columns, self.implementation.assembly
+
+        def make() -> Any:
+            graph = assembly.graph.copy()
+            nodes = getattr(assembly, block)
+            if block == "rates":
+                return columns.rates_program(graph, nodes, assembly.sizes, assembly.passes)
+            return columns.program(graph, [(block, nodes)], assembly.sizes, assembly.passes)
+
+        key = ("sensitivities", block, columns)
+        return self.implementation.compiled_by(
+            key, lambda: stored_program(assembly, f"sensitivities of {block} {columns}", make)
+        )
+
+    def call(self) -> KernelCall:
+        """Return the equations with sensitivities and their numbers, for native solvers."""
+        implementation = self.implementation
+        return KernelCall(
+            self.kernel(),
+            self.p,
+            np.concatenate([self.plan.values, np.zeros(self.columns.weights)]),
+            (*self.plan.sampled, *self._weights()),
+            None,
+            lambda: tuple(map(str, implementation.layout.states)),
+            lambda: implementation.compiled_jacobian("rates", "x"),
+        )
+
+    def _weights(self) -> list[tuple[np.ndarray, SampledInput]]:
+        """Return the derivatives of sampled inputs by their samples, with their places in r."""
+        result, start = [], len(self.definition.specifieds)
+        for parameter in self.parameters:
+            if parameter.samples is not None:
+                places = np.arange(start, start + parameter.count)
+                result.append((places, _by_samples(parameter)))
+                start += parameter.count
+        return result
+
+    def function(self) -> Callable[..., np.ndarray]:
+        """Return ``f(x, t, …)`` for solvers, of states with their sensitivities."""
+        call, n = self.call(), self.columns.states
+        kernel, layout, p = call.kernel, self.implementation.layout, call.p
+
+        def f(x: Any, t: Any, *args: Any) -> np.ndarray:
+            out = np.empty(self.columns.size)
+            state = np.ascontiguousarray(x, dtype=float)
+            r = call.inputs_at(state, float(t))
+            status = kernel.call(state, float(t), r, p, out)
+            if status > 0:
+                raise_singular(layout, float(t), state[:n])
+            if status < 0:
+                out[:] = evaluate(kernel, layout, np.array([float(t)]), state[None], r[None], p)[0]
+            return out
+
+        f.native = lambda args: call  # type: ignore[attr-defined]
+        return f
+
+    def compiled(self, scales: np.ndarray | None) -> CompiledSensitivities:
+        """Return what native solvers need to know beside the equations."""
+        return CompiledSensitivities(self.columns.states, self.columns.count, scales)
+
+    def rows(self, times: np.ndarray) -> np.ndarray:
+        """Return r with its further inputs at some times, shape (m, s + w) or (1, s + w)."""
+        call = self.call()
+        if not call.sampled:
+            return call.r[None]
+        r = np.tile(call.r, (len(times), 1))
+        for places, samples in call.sampled:
+            r[:, places] = samples.rows(times)
+        return r
+
+    def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
+        out = self._sweep(self.kernel(), times, states, values)
+        return self.columns.apart(out)[1]
+
+    def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the sensitivities of the outputs, shape (m, o, k)."""
+        out = self._sweep(self.kernel("outputs"), times, states, values)
+        return out.reshape(len(times), -1, self.columns.count)
+
+    def _sweep(
+        self, kernel: Kernel, times: np.ndarray, states: np.ndarray, values: np.ndarray
+    ) -> np.ndarray:
+        whole = self.columns.together(states, values)
+        layout = self.implementation.layout
+        return evaluate(kernel, layout, times, whole, self.rows(times), self.p)
+
+    # -- the start --------------------------------------------------------------------------------
+
+    def start(self, x0: np.ndarray, t: float, dependent: Sequence[int]) -> np.ndarray:
+        """Return the sensitivities of the initial state, shape (n, k).
+
+        Parameters
+        ----------
+        x0 : ndarray, shape (n,)
+        t : float
+        dependent : sequence of int
+            The places of the states that follow from the others by the constraints.
+
+        Raises
+        ------
+        ValueError
+            A parameter is a dependent initial condition, or the constraints cannot be solved for
+            the dependent ones.
+        """
+        n, k = self.columns.states, self.columns.count
+        values = np.zeros((n, k))
+        column = 0
+        for parameter in self.parameters:
+            if parameter.kind == "states":
+                if parameter.place in dependent:
+                    names = describe([self.definition.states[d] for d in dependent])
+                    raise ValueError(
+                        f"`sensitivities` has the initial condition of `{parameter.symbol}`, which "
+                        f"follows from the others by the constraints, as do {names}. Name "
+                        "independent ones, or make it independent: call "
+                        "set_dependent_initial_conditions(dep_vars=…) with other variables."
+                    )
+                values[parameter.place, column] = 1.0
+            column += parameter.count
+        equations = self.definition.equations
+        blocks = [b for b in ("holonomic", "velocity") if getattr(equations, b)]
+        if blocks:
+            self._complete(values, x0, t, list(dependent), blocks)
+        return values
+
+    def _complete(
+        self, values: np.ndarray, x0: np.ndarray, t: float, dependent: list[int], blocks: list[str]
+    ) -> None:
+        """Let the dependent initial conditions follow the others."""
+        layout, n = self.implementation.layout, self.columns.states
+        instant = np.array([t])
+        args = (instant, x0[None], self.plan.rows(x0[None], instant), self.p)
+        rows = [
+            evaluate(self.implementation.compiled_jacobian(block, "x"), layout, *args)
+            for block in blocks
+        ]
+        gradient = np.concatenate([row.reshape(-1, n) for row in rows])
+        moved = np.concatenate(
+            [
+                self._sweep(self.kernel(b), instant, x0[None], values[None]).reshape(
+                    -1, self.columns.count
+                )
+                for b in blocks
+            ]
+        )
+        solved, *_ = np.linalg.lstsq(gradient[:, dependent], -moved, rcond=_DEPENDENT)
+        values[dependent] += solved
+        size = np.abs(gradient) @ np.abs(values) + np.abs(moved)
+        if (np.abs(gradient[:, dependent] @ solved + moved) > 1e-6 * size + 1e-300).any():
+            names = describe([self.definition.states[d] for d in dependent]) if dependent else ""
+            which = f"for {names}" if names else "for any: none is named as dependent"
+            raise ValueError(
+                "`sensitivities` need to know how the dependent initial conditions follow from the "
+                f"others, but the constraints cannot be solved {which}. Call "
+                "set_dependent_initial_conditions(dep_vars=…) with variables for which they can."
+            )
+
+
+class Wanted:
+    """Sensitivities that a simulation is to find, and what it is integrated with for them.
+
+    Parameters
+    ----------
+    parameters : symbol, name, or iterable of these
+    controlled : bool
+        Whether the step control of a native solver looks at the sensitivities too.
+
+    Attributes
+    ----------
+    sensitive : Sensitive
+        From the call of `problem` on.
+    """
+
+    sensitive: Sensitive
+
+    def __init__(self, parameters: Any, controlled: bool) -> None:
+        self._parameters = parameters
+        self._controlled = controlled
+
+    def problem(
+        self,
+        definition: Definition,
+        integrated: RightHandSide,
+        plan: SpecifiedsPlan,
+        start: tuple[np.ndarray, float],
+        p: np.ndarray,
+        dependent: Sequence[int],
+        solver: Any,
+        options: dict[str, Any],
+    ) -> tuple[Callable[..., np.ndarray], np.ndarray, dict[str, Any]]:
+        """Return the right-hand side, the initial values and the options of the solver.
+
+        Parameters
+        ----------
+        definition : Definition
+        integrated : RightHandSide
+            Of the states alone.
+        plan : SpecifiedsPlan
+        start : (ndarray, float)
+            The initial state and its time.
+        p : ndarray
+        dependent : sequence of int
+            The places of the dependent initial conditions.
+        solver : callable
+        options : dict
+            For the solver.
+        """
+        parameters = read_parameters(definition, plan, self._parameters)
+        self.sensitive = sensitive = Sensitive(definition, integrated, plan, parameters, p)
+        values = sensitive.start(*start, dependent)
+        columns = sensitive.columns
+        if isinstance(solver, Solver):
+            scales = self._scales(parameters, start[0], p) if self._controlled else None
+            options = {**options, "sensitivities": sensitive.compiled(scales)}
+        else:
+            for name in options.keys() & {"rtol", "atol"}:
+                if np.size(options[name]) == columns.states > 1:  # others as of their states
+                    every = np.repeat(np.asarray(options[name]), columns.count)
+                    options = {**options, name: np.concatenate([options[name], every])}
+        return sensitive.function(), columns.together(start[0], values), options
+
+    def results(self, whole: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
+        """Return the states of a solver's result, and what a Trajectory takes beside them."""
+        sensitive = self.sensitive
+        states, values = (np.ascontiguousarray(part) for part in sensitive.columns.apart(whole))
+        counts = {parameter.symbol: parameter.count for parameter in sensitive.parameters}
+        return states, {"sensitivities": (counts, values), "sensitivity_model": sensitive}
+
+    def cut(self, error: Any) -> None:
+        """Leave the sensitivities out of what an error holds."""
+        n = self.sensitive.columns.states
+        if getattr(error, "states", None) is not None:
+            error.states = error.states[:, :n]
+        error.state = error.state[:n]
+
+    def _scales(self, parameters: Sequence[Parameter], x0: np.ndarray, p: np.ndarray) -> np.ndarray:
+        sizes = []
+        for parameter in parameters:
+            if parameter.samples is not None:
+                own = np.abs(parameter.samples.values).max()
+            elif parameter.kind == "specifieds":
+                own = abs(self.sensitive.plan.values[parameter.place])
+            else:
+                own = abs((p if parameter.kind == "constants" else x0)[parameter.place])
+            sizes += [own if own > 0.0 else 1.0] * parameter.count
+        return np.array(sizes)
+
+
+def _by_samples(parameter: Parameter) -> SampledInput:
+    """Return the derivatives of a sampled input by each of its samples."""
+    samples = parameter.samples
+    assert samples is not None
+    if samples.interpolation == "pchip":
+        raise ValueError(
+            f"`sensitivities` has `{parameter.symbol}`, whose samples are interpolated by 'pchip': "
+            "the cubic depends on them in a way that is not differentiated. Use the interpolation "
+            "'linear' or 'previous'."
+        )
+    return SampledInput(samples.times, np.eye(parameter.count), samples.interpolation)

@@ -1,0 +1,273 @@
+"""Sensitivities of trajectories, against closed forms and integrations at other numbers."""
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.integrate import odeint
+from scipy.linalg import expm
+
+from pydy import System
+from pydy.inputs import SampledInput
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+
+TIGHT = {"rtol": 1e-12, "atol": 1e-12}
+NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
+
+
+def oscillator(number=11):
+    system = multi_mass_spring_damper(1)
+    system.constants = {name: NUMBERS[name] for name in ("m0", "k0", "c0")}
+    system.initial_conditions = {name: NUMBERS[name] for name in ("x0", "v0")}
+    system.times = np.linspace(0.0, 5.0, number)
+    return system
+
+
+def exact_oscillator(times):
+    """Derivatives of exp(A t) x0 by all five numbers, by complex steps: (m, 2, 5)."""
+    columns = []
+    for k in range(5):
+        m, stiffness, c, x, v = [
+            value + 1e-30j * (j == k) for j, value in enumerate(NUMBERS.values())
+        ]
+        matrix = np.array([[0.0, 1.0], [-stiffness / m, -c / m]])
+        columns.append([(expm(matrix * t) @ [x, v]).imag / 1e-30 for t in times])
+    return np.moveaxis(columns, 0, -1)
+
+
+def relative(found, expected):
+    return np.abs(found - expected).max() / np.abs(expected).max()
+
+
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9"])
+def test_a_linear_system_follows_the_matrix_exponential(solver):
+    system = oscillator()
+    system.ode_solver = solver
+    trajectory = system.simulate(sensitivities=list(NUMBERS), **TIGHT)
+    assert relative(trajectory.sensitivity.values, exact_oscillator(system.times)) < 1e-9
+
+
+def test_a_solver_of_the_users_integrates_sensitivities():
+    system = oscillator()
+    found = system.simulate(sensitivities=list(NUMBERS), **TIGHT).sensitivity.values
+    system.ode_solver = lambda f, x0, t, args, **options: odeint(f, x0, t, args=args, **options)
+    again = system.simulate(sensitivities=list(NUMBERS), rtol=[1e-12, 1e-12], atol=1e-12)
+    expected = exact_oscillator(system.times)
+    assert max(relative(found, expected), relative(again.sensitivity.values, expected)) < 1e-9
+
+
+def test_fixed_steps_carry_sensitivities():
+    system = oscillator()
+    system.ode_solver = "rk4"
+    trajectory = system.simulate(sensitivities=["k0"], step=1e-3)
+    expected = exact_oscillator(system.times)[:, :, 1]
+    assert relative(trajectory.sensitivity.values[:, :, 0], expected) < 1e-9
+
+
+def test_a_pendulum_follows_elliptic_functions():
+    q, u = me.dynamicsymbols("q, u")
+    m, length, g = sm.symbols("m, l, g")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    arm = frame.orientnew("A", "Axis", (q, frame.z))
+    arm.set_ang_vel(frame, u * frame.z)
+    bob = origin.locatenew("P", -length * arm.y)
+    bob.v2pt_theory(origin, frame, arm)
+    kane = me.KanesMethod(frame, q_ind=[q], u_ind=[u], kd_eqs=[q.diff() - u])
+    kane.kanes_equations([me.Particle("bob", bob, m)], [(bob, -m * g * frame.y)])
+    system = System(kane, constants={m: 1.2, length: 0.7, g: 9.81}, ode_solver="dop853")
+    system.initial_conditions, system.times = {q: 1.1}, np.linspace(0.0, 3.0, 7)
+    found = system.simulate(sensitivities=[q, length, g, m], **TIGHT).sensitivity
+
+    def angle(q0, length, g, t):
+        k = mpmath.sin(q0 / 2)
+        wave = mpmath.ellipfun("cd", mpmath.sqrt(g / length) * t, m=k * k)
+        return 2 * mpmath.asin(k * wave)
+
+    with mpmath.workdps(40):
+        numbers = [mpmath.mpf("1.1"), mpmath.mpf("0.7"), mpmath.mpf("9.81")]
+        orders = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        expected = [
+            [float(mpmath.diff(lambda *v, t=t: angle(*v, t), numbers, order)) for order in orders]
+            for t in system.times.tolist()
+        ]
+    assert relative(found[q][:, :3], np.array(expected)) < 1e-9
+    assert np.abs(found[q, m]).max() < 1e-13
+
+
+def test_steps_are_those_without_sensitivities_unless_they_are_asked_for():
+    system = n_link_pendulum_on_cart(2)
+    system.initial_conditions = {"q1": 0.4}
+    system.times, system.ode_solver = np.linspace(0.0, 2.0, 5), "dop853"
+    plain = system.simulate(rtol=1e-8, atol=1e-8)
+    beside = system.simulate(sensitivities=["m1", "q1"], rtol=1e-8, atol=1e-8)
+    controlled = system.simulate(
+        sensitivities=["m1", "q1"], control_sensitivities=True, rtol=1e-8, atol=1e-8
+    )
+    assert beside.statistics["steps"] == plain.statistics["steps"]
+    assert beside.statistics["evaluations"] == plain.statistics["evaluations"]
+    assert controlled.statistics["steps"] > plain.statistics["steps"]
+    assert np.allclose(beside.states, plain.states, rtol=0.0, atol=1e-9)
+
+
+def test_sensitivities_agree_with_the_variational_equations_integrated_apart():
+    system = n_link_pendulum_on_cart(2)
+    system.initial_conditions = {"q1": 0.4, "u2": -0.3}
+    system.times, system.ode_solver = np.linspace(0.0, 2.0, 5), "vern9"
+    found = system.simulate(sensitivities=["m1", "u2"], **TIGHT).sensitivity.values
+    n, places = len(system.states), [str(s) for s in system.states].index("u2(t)")
+    place = [str(s) for s in sorted(system.constants_symbols, key=str)].index("m1")
+
+    def variational(y, t):
+        x, columns = y[:n], y[n:].reshape(n, 2)
+        slope = system.evaluate_jacobian(x, t) @ columns
+        slope[:, 0] += system.evaluate_jacobian(x, t, wrt="constants")[:, place]
+        return np.concatenate([system.evaluate_ode(x, t), slope.ravel()])
+
+    start = np.zeros((n, 2))
+    start[places, 1] = 1.0
+    x0 = system.evaluate_ode() * 0.0
+    x0[[str(s) for s in system.states].index("q1(t)")] = 0.4
+    x0[places] = -0.3
+    whole = odeint(variational, np.concatenate([x0, start.ravel()]), system.times, **TIGHT)
+    assert relative(found, whole[:, n:].reshape(-1, n, 2)) < 1e-9
+
+
+def driven_mass(**specifieds):
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    system.constants = {"m0": 1.3, "k0": 2.0, "c0": 0.2}
+    system.specifieds = {"f0": specifieds["f0"]}
+    system.times, system.ode_solver = np.linspace(0.0, 4.0, 9), "dop853"
+    return system
+
+
+def difference(change, size=1e-4):
+    """Return the central difference of the results of a function of a small number."""
+    ahead, behind = change(size), change(-size)
+    return (ahead - behind) / (2.0 * size)
+
+
+def test_the_parameters_of_an_expression_for_an_input_are_parameters():
+    amplitude, t = sm.symbols("A"), me.dynamicsymbols._t
+
+    def states(change):
+        system = driven_mass(f0=amplitude * sm.sin(3 * t))
+        system.constants = {**system.constants, amplitude: 0.8 + change}
+        return system.simulate(sensitivities=[amplitude], **TIGHT)
+
+    found = states(0.0).sensitivity.values[:, :, 0]
+    assert relative(found, difference(lambda h: states(h).states)) < 1e-9  # linear in A
+
+
+def test_an_input_that_is_a_number_is_a_parameter():
+    found = driven_mass(f0=0.8).simulate(sensitivities=["f0"], **TIGHT).sensitivity.values[:, :, 0]
+    expected = difference(lambda h: driven_mass(f0=0.8 + h).simulate(**TIGHT).states)
+    assert relative(found, expected) < 1e-9
+
+
+@pytest.mark.parametrize("interpolation", ["linear", "previous"])
+def test_each_sample_of_an_input_is_a_parameter(interpolation):
+    times, values = np.array([0.0, 0.7, 2.0, 4.0]), np.array([0.5, -1.0, 2.0, 0.3])
+
+    def states(*, by=None, **options):
+        changed = values if by is None else values + by
+        system = driven_mass(f0=SampledInput(times, changed, interpolation))
+        return system.simulate(max_step=0.05, rtol=1e-9, atol=1e-9, **options)
+
+    found = states(sensitivities=["f0", "m0"]).sensitivity
+    assert found.names == ("f0[0]", "f0[1]", "f0[2]", "f0[3]", "m0")
+    assert found["x0", "f0"].shape == (9, 4)
+    for k in range(4):
+        # The equations are linear in the samples: any difference is exact.
+        expected = (states(by=np.eye(4)[k]).states - states(by=-np.eye(4)[k]).states) / 2.0
+        assert np.abs(found.values[:, :, k] - expected).max() < 1e-6
+
+
+def test_outputs_have_sensitivities_too():
+    system = oscillator()
+    power, x0, k0 = sm.Symbol("P"), system.coordinates[0], sm.Symbol("k0")
+    system.outputs = {power: k0 * x0 * system.speeds[0]}
+    system.ode_solver = "dop853"
+    trajectory = system.simulate(sensitivities=["k0", "x0"], **TIGHT)
+    values, x, v = trajectory.sensitivity, trajectory["x0"], trajectory["v0"]
+    expected = x * v + 2.0 * (values[x0, k0] * v + x * values["v0", "k0"])
+    assert relative(values[power, k0], expected) < 1e-12
+
+
+def test_sensitivities_have_names():
+    system = oscillator()
+    trajectory = system.simulate(sensitivities=["m0", system.coordinates[0]])
+    found = trajectory.sensitivity
+    assert repr(found) == "Sensitivity of 2 states to m0, x0 at 11 times"
+    assert found["x0"].shape == (11, 2)
+    assert np.array_equal(found["x0", sm.Symbol("m0")], found.values[:, 0, 0])
+    with pytest.raises(
+        KeyError, match="`k0` is none of the parameters of the sensitivities: m0, x0"
+    ):
+        found["x0", "k0"]
+    with pytest.raises(KeyError, match="`y` is none of the states and outputs"):
+        found["y", "m0"]
+
+
+def test_at_other_times_sensitivities_are_interpolated():
+    system = oscillator(501)
+    system.ode_solver = "dop853"
+    trajectory = system.simulate(sensitivities=list(NUMBERS), **TIGHT)
+    between = [0.015, 2.222, 4.99]
+    found = trajectory.at(between).sensitivity
+    assert relative(found.values, exact_oscillator(between)) < 1e-8
+
+
+def test_xarray_has_sensitivities_by_name(tmp_path):
+    pytest.importorskip("xarray")
+    system = oscillator()
+    trajectory = system.simulate(sensitivities=["m0", "x0"])
+    dataset = trajectory.to_xarray()
+    labelled = dataset["sensitivity"].sel(quantity="v0", parameter="m0")
+    assert np.array_equal(labelled, trajectory.sensitivity["v0", "m0"])
+    trajectory.save(tmp_path / "run.nc")
+    loaded = type(trajectory).load(tmp_path / "run.nc")
+    assert np.array_equal(loaded.sensitivity["v0", "m0"], trajectory.sensitivity["v0", "m0"])
+
+
+def test_a_trajectory_without_sensitivities_says_how_to_get_them():
+    with pytest.raises(ValueError, match=r"no sensitivities\. Name the parameters"):
+        oscillator().simulate().sensitivity
+
+
+@pytest.mark.parametrize(
+    ("wanted", "message"),
+    [
+        (["mass"], "`sensitivities` has the key `mass`, which is not one of the constants, states"),
+        (["m0", sm.Symbol("m0")], "`sensitivities` has `m0` more than once"),
+        ([], "`sensitivities` must name at least one"),
+    ],
+)
+def test_what_is_no_parameter_is_refused(wanted, message):
+    with pytest.raises(ValueError, match=message):
+        oscillator().simulate(sensitivities=wanted)
+
+
+@pytest.mark.parametrize(
+    ("force", "wanted", "message"),
+    [
+        (
+            lambda x, t: 1.0,
+            "m0",
+            r"f0\(t\) is a Python function, which has none\. Give it as a SymPy",
+        ),
+        (sm.sin(me.dynamicsymbols._t), "f0", "`f0.t.`, which is given as the expression"),
+        (SampledInput([0, 2, 4], [0, 1, 0], "pchip"), "f0", "interpolated by 'pchip'"),
+    ],
+)
+def test_inputs_without_derivatives_are_refused(force, wanted, message):
+    with pytest.raises(ValueError, match=message):
+        driven_mass(f0=force).simulate(sensitivities=[wanted])
+
+
+def test_integrate_says_where_sensitivities_are_found():
+    system = oscillator()
+    system.ode_solver = "dop853"
+    with pytest.raises(TypeError, match=r"`sensitivities` cannot .* Call system\.simulate"):
+        system.integrate(sensitivities=["m0"])
