@@ -47,6 +47,34 @@ def test_no_model_costs_more_operations_than_it_did(name):
     assert operations(assembly.program("rates")) <= whole
 
 
+# Operations at every call in the Jacobian of the derivatives by the states.
+JACOBIANS = {
+    "pendulum-5": 1230,
+    "pendulum-10": 5061,
+    "rods-3": 5916,
+    "bicycle": 6217,
+}
+
+
+@pytest.mark.parametrize("name", sorted(JACOBIANS))
+def test_no_jacobian_costs_more_operations_than_it_did(name):
+    program = assembly_of(frozen.read(name)).jacobian_program("rates", "x")
+    assert operations(program) <= JACOBIANS[name]
+
+
+def test_function_and_jacobian_are_simplified_once(monkeypatch):
+    from pydy._assembly import assembly as module
+
+    assembly = assembly_of(frozen.read("pendulum-5"))
+    calls = []
+    real = module.simplify
+    monkeypatch.setattr(module, "simplify", lambda *args: calls.append(1) or real(*args))
+    assembly.program("rates")
+    assembly.jacobian_program("rates", "x")
+    assembly.jacobian_program("rates", "p")
+    assert len(calls) == 1
+
+
 def test_a_chain_of_masses_costs_the_same_for_each_mass():
     from pydy.models import multi_mass_spring_damper
 

@@ -81,6 +81,12 @@ class Assembly:
     mechanism: Mechanism | None = None
     external: bool = False
     given: Mapping[int, int] = field(default_factory=dict)
+    _simplified: dict[str, tuple[Graph, list[int]]] = field(
+        default_factory=dict, init=False, repr=False, compare=False
+    )
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_simplified": {}}
 
     @property
     def constraints(self) -> list[int]:
@@ -133,9 +139,16 @@ class Assembly:
         names : {'rates', 'ordinary', 'outputs', 'holonomic', 'velocity', 'constraints', ...}
             Attributes of this class.
         """
-        own, blocks = self.fork(), []
+        if names == ("rates",):
+            graph, nodes = self.simplified("rates")
+            with collector_paused():
+                return lower(
+                    graph, self.sizes, [("rates", (len(nodes),), nodes)], passes=self.passes
+                )
+        own = self.fork()
+        blocks: list[tuple[str, tuple[int, ...], list[int]]] = []
         for name in names:
-            nodes: list[int] = getattr(own, name)
+            nodes = getattr(own, name)
             n = len(self.speeds)
             square = name == "kinetic_hessian" and nodes
             blocks.append((name, (n, n) if square else (len(nodes),), nodes))
@@ -180,8 +193,21 @@ class Assembly:
         """
         if isinstance(by, str):
             by = [(by, k) for k in range(dict(zip("xrp", self.sizes, strict=True))[by])]
-        nodes = getattr(self, name)
-        return derivative_program(self.graph, nodes, by, "jacobian", self.sizes, self.passes)
+        graph, nodes = self.simplified(name)
+        return derivative_program(graph, nodes, by, "jacobian", self.sizes, self.passes)
+
+    def simplified(self, name: str) -> tuple[Graph, list[int]]:
+        """Return a block's nodes after simplification, in a graph of their own.
+
+        Functions and derivatives start from the same nodes, which are found once.
+        """
+        known = self._simplified.get(name)
+        if known is None:
+            own = self.fork()
+            with collector_paused():
+                nodes = simplify(own.graph, getattr(own, name), self.passes)
+            known = self._simplified[name] = (own.graph, nodes)
+        return known[0].copy(), known[1]
 
     def substituted(self, mapping: Mapping[int, int]) -> Assembly:
         """Return the Assembly with other nodes in place of some inputs, in every block."""

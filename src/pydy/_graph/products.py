@@ -17,7 +17,6 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes import Passes
 from pydy._graph.program import Program
-from pydy._graph.simplify import simplify
 
 __all__ = ["KINDS", "derivative_program"]
 
@@ -38,9 +37,9 @@ def derivative_program(
     Parameters
     ----------
     graph : Graph
-        Stays as it is.
+        Gets the new nodes.
     outputs : sequence of m nodes
-        One for gradients and Hessians.
+        Simplified ones; one for gradients and Hessians.
     variables : sequence of k pairs (group, index)
     kind : one of `KINDS`
         What to compute, with the shape of the only block:
@@ -61,8 +60,7 @@ def derivative_program(
     """
     n, s, c = sizes
     with collector_paused():
-        g = graph.copy()
-        nodes = simplify(g, outputs, passes)
+        g, nodes = graph, outputs
         by = [g.input(*place) for place in variables]
         m, k = len(nodes), len(by)
 

@@ -13,6 +13,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._checks import Places, listed, real_array, shown
 from pydy._graph.node import Graph
 from pydy._graph.products import derivative_program
+from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
 from pydy._mechanics.symbols import find_symbols
 from pydy._system.analysis import variables
@@ -44,15 +45,15 @@ class Target:
     names: tuple[str, ...]
 
     def nodes(self, assembly: Assembly) -> tuple[Graph, list[int]]:
-        """Return the quantities as nodes of a graph that grows on its own."""
-        own = assembly.fork()
+        """Return the quantities as simplified nodes of a graph that grows on its own."""
         if self.block:
-            return own.graph, list(getattr(own, self.block))
+            return assembly.simplified(self.block)
+        own = assembly.fork()
         nodes = [
             own.outputs[one] if isinstance(one, int) else own.read([one], "`of`")[0]
             for one in self.chosen
         ]
-        return own.graph, nodes
+        return own.graph, simplify(own.graph, nodes, assembly.passes)
 
 
 def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Target:
