@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._names import name_of, told_apart, written_out
+from pydy._names import name_of, nearest, told_apart, written_out
 
 __all__ = [
     "Places",
@@ -271,14 +271,18 @@ class Places:
         if place is None:
             raise ValueError(
                 f"`{argument}` has the key `{key}`, which is not one of the {self.what}: "
-                f"{describe(self.symbols)}.{self._alike(key)}"
+                f"{describe(self.symbols)}.{self.meant(key)}"
             )
         return place
 
-    def _alike(self, key: Any) -> str:
-        """Return a sentence about symbols that differ from a key in their assumptions alone."""
+    def meant(self, key: Any) -> str:
+        """Return a sentence, after a space, about what an unknown key may stand for, or nothing.
+
+        That is a symbol of nearly this name, or one that differs in its assumptions alone.
+        """
         if isinstance(key, str):
-            return ""
+            close = nearest(key, sorted(map(name_of, self.symbols)), or_all=False)
+            return f" {key!r} is a str, the name of a symbol. {close}" if close else ""
         alike = [self.symbols[k] for k in self._named.get(name_of(key), ())]
         if not alike:
             return ""

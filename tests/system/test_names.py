@@ -12,6 +12,7 @@ from cases import close
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.solvers import Event
 from pydy.system import System
 
 M, HEAVY = sm.Symbol("m"), sm.Symbol("m", positive=True)
@@ -266,3 +267,17 @@ def test_symbols_of_different_kinds_may_share_a_name():
         system = two_masses(sm.Symbol("x"), HEAVY, times=[0.0, 1.0])
     with pytest.raises(ValueError, match="not one of the states"):
         system.initial_conditions = {sm.Symbol("x"): 1.0}
+
+
+def test_a_name_that_is_nearly_one_is_answered_with_it(system):
+    with pytest.raises(ValueError, match=r"'k00' is a str, the name of a symbol. Did you mean `k0`"):
+        system.constants = {"k00": 1.0}
+
+
+def test_a_reset_of_another_symbol_of_the_same_name_says_what_is_meant(system):
+    system.ode_solver, system.times = "dop853", [0.0, 1.0]
+    other = me.dynamicsymbols("v0", real=True)
+    with pytest.raises(ValueError, match=r"got v0\(t\) \(real\), known is v0\(t\)"):
+        system.integrate(events=Event(system.states[0] - 1, reset={other: 0.0}))
+    with pytest.raises(ValueError, match=r"'v01' is a str, .* Did you mean `v0`"):
+        system.integrate(events=Event(system.states[0] - 1, reset={"v01": 0.0}))

@@ -285,3 +285,9 @@ def test_show_displays_inline_in_a_notebook(trajectory, monkeypatch):
     scene = swing().animate(trajectory)
     scene.show()
     assert shown == [scene._repr_html_()]
+
+
+def test_states_and_constants_go_by_name():
+    scene = swing().animate(TIMES, STATES, symbols=["q(t)", "u"], constants={"l": 0.5})
+    known = swing().animate(TIMES, STATES, symbols=[q, u], constants={l: 0.5})
+    np.testing.assert_array_equal(scene.poses, known.poses)

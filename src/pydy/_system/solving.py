@@ -128,7 +128,7 @@ def check_events(events: Any, states: Places) -> tuple[Event, ...]:
             if place is None:
                 raise ValueError(
                     f"`reset` of the event `{event.name}` has a value for `{key}`, which is no "
-                    f"state of the system: {describe(states.symbols)}."
+                    f"state of the system: {describe(states.symbols)}.{states.meant(key)}"
                 )
             if states.symbols[place] in reset:
                 raise ValueError(

@@ -166,6 +166,7 @@ def motion_of_arrays(
             "u2]; only a scene made by `system.scene()` knows."
         )
     symbols = tuple(listed("symbols", symbols, "functions of time", hashable=True))
+    symbols = tuple(s.removesuffix("(t)") if isinstance(s, str) else s for s in symbols)
     t, x = _samples(times, states, len(symbols))
     columns = []
     given = check_mapping("specifieds", specifieds)
