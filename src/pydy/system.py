@@ -38,6 +38,7 @@ from pydy._system.evaluation import (
     warn_not_finite,
 )
 from pydy._system.expressions import check_expressions, driven, unfollowed
+from pydy._system.forces import Multipliers, Reaction, find_multipliers, find_reaction
 from pydy._system.inputs import (
     SymbolSet,
     check_mapping,
@@ -374,6 +375,97 @@ class System:
         others = [self._equations.time, *definition.constants, *definition.specifieds]
         given = check_potential(energy, self._equations.coordinates, others)
         self._energies = EnergyModel(self._equations, given)
+
+    @property
+    def constraint_forces(self) -> Multipliers:
+        """Multipliers of the constraints: a dictionary of symbols to expressions.
+
+        ``lambda0`` belongs to the first row of `constraints`, and so on. With a row c, its
+        multiplier adds lambda ∂c'/∂u to the equation of each speed u: a force in the direction in
+        which c grows. Its unit times that of c is that of work (holonomic), or of power
+        (nonholonomic). A row whose rate no velocity constraint implies, such as the norm of a
+        quaternion, has no multiplier.
+
+        The expressions depend on states, derivatives of the speeds, constants and specifieds.
+        They may be written into outputs, events and scenes; outputs of their names are
+        ``system.outputs = system.constraint_forces``. Keys may be names.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies.
+
+        Examples
+        --------
+        The tension of a string is minus the multiplier of its length:
+
+        >>> import sympy as sm
+        >>> import sympy.physics.mechanics as me
+        >>> x, y, u, v = me.dynamicsymbols('x, y, u, v')
+        >>> N, O = me.ReferenceFrame('N'), me.Point('O')
+        >>> O.set_vel(N, 0)
+        >>> P = O.locatenew('P', x*N.x + y*N.y)
+        >>> kane = me.KanesMethod(
+        ...     N, [x], [u], kd_eqs=[x.diff() - u, y.diff() - v], q_dependent=[y],
+        ...     u_dependent=[v], configuration_constraints=[sm.sqrt(x**2 + y**2) - 2],
+        ...     velocity_constraints=[x*u + y*v], bodies=[me.Particle('bob', P, 3)],
+        ...     forcelist=[(P, -30*N.y)],
+        ... )
+        >>> system = System(kane)
+        >>> system.outputs = {'tension': -system.constraint_forces['lambda0']}
+        >>> system.evaluate_outputs([0.0, -2.0, 1.0, 0.0])[0].round(12)  # 3*10 + 3*1**2/2
+        np.float64(31.5)
+        """
+        return find_multipliers(self._equations)
+
+    def reaction(
+        self, bodies: Any, point: Any, *, frame: Any = None, loads: Iterable[Any] = ()
+    ) -> Reaction:
+        """Return the force and torque that hold some bodies: of a joint, a bearing, a contact.
+
+        They are what Newton's and Euler's laws ask for beyond the loads on these bodies: the
+        resultant, about a point, of all that acts on them from outside, without the loads.
+
+        Parameters
+        ----------
+        bodies : RigidBody, Particle, str, or list of them
+            All bodies on one side of the cut; those beyond a joint, for its reaction on them. A
+            load is counted if the point or the frame it acts on moves with one of them, and with no
+            body outside. Massless points and frames whose loads are to be counted, and hinges, may
+            be in the list too.
+        point : Point
+            Where the force acts, and about which the torque is taken.
+        frame : ReferenceFrame, optional
+            For the components; the inertial one by default.
+        loads : iterable of loads, optional
+            What else acts on these bodies from outside, elsewhere than at `point`: the reaction of
+            another joint or contact, from multipliers or from another call. Pairs of a Point and a
+            force, or of a ReferenceFrame and a torque.
+
+        Returns
+        -------
+        Reaction
+            ``force`` and ``torque``, SymPy vectors, to be projected, added, drawn as arrows; its
+            method ``outputs(name)`` gives the six components for `outputs`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            An argument does not fit, a position is not known, or the method knows no bodies.
+
+        Examples
+        --------
+        >>> import sympy.physics.mechanics as me
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1)
+        >>> cart, bob = system.eom_method.bodies
+        >>> pin = system.reaction(bob, cart.masscenter)  # of the cart on the rod
+        >>> system.outputs = pin.outputs('pin')
+        >>> system.constants = {'m1': 3.0, 'g': 10.0}
+        >>> system.evaluate_outputs([0.0, 0.0, 0.0, 0.0]).round(12)[:2]
+        array([ 0., 30.])
+        """
+        return find_reaction(self._equations, bodies, point, frame, loads)
 
     @property
     def outputs_symbols(self) -> list[Any]:
@@ -1751,6 +1843,7 @@ class System:
             self._named,
             self._definition.states,
             options,
+            lambda: self._differentiable().assembly,
         )
 
     def plot(self, names: list[Any] | None = None, **options: Any) -> Any:

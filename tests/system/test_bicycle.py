@@ -66,3 +66,20 @@ def test_the_wheels_of_a_bicycle_at_rest_carry_its_weight():
     system = system_of(model, specifieds={})
     weight = 9.81 * sum(v for s, v in model.constants.items() if s.name.startswith("m_"))
     close(sum(system.evaluate_outputs()[-2:]), weight)
+
+
+@pytest.mark.parametrize("lean", [0.0, 0.2])
+def test_the_forces_under_the_wheels_need_no_auxiliary_speeds(lean):
+    model = bicycle()
+    start = {s: v for s, v in model.start.items() if s.name not in {"u_psi", "omega_F", "u_x"}}
+    system = system_of(model, initial_conditions=start)
+    rolling = {s.name: s for s in model.states}
+    system.initial_conditions |= {rolling["phi"]: lean, rolling["delta"]: lean / 2}
+    system.set_dependent_initial_conditions(use_jac=True)
+    points = {load[0].name: load[0] for load in model.kane.forcelist}
+    system.outputs = system.reaction(model.kane.bodies, points["P"]).outputs("ground")
+    values = dict(zip(map(str, system.outputs_symbols), system.evaluate_outputs(), strict=True))
+    close(-values["ground_Fz"], values["N_r(t)"] + values["N_f(t)"], 1e-12)
+    if not lean:  # the front wheel's share by its lever, the wheelbase
+        wheelbase = next(v for s, v in model.constants.items() if s.name == "w")
+        close(values["ground_Ty"], values["N_f(t)"] * wheelbase, 1e-12)

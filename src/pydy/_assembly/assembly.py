@@ -163,7 +163,7 @@ class Assembly:
             Of the block, and in messages.
         shape : tuple of int
         expressions : iterable of expressions
-            In C order; they may hold q', which the kinematics provide, but not u'.
+            In C order; they may hold q' and u', but not u' where that is `external`.
 
         Raises
         ------

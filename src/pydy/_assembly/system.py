@@ -112,7 +112,8 @@ def assemble_system(
         matrix,
         forcing,
         passes,
-        known,
+        # A user's solver finds u' from M and F, which what is read later cannot wait for.
+        known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
         [atoms[s] for s in u],
         equations.mechanism,
         external,

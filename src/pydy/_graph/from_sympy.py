@@ -128,37 +128,53 @@ def _log(graph: Graph, expr: Any, args: list[int]) -> int:
 class Formula(sm.Atom):  # type: ignore[misc]
     """A node of a graph, as a function of some of its inputs."""
 
-    __slots__ = ("graph", "inputs", "node")
+    __slots__ = ("graph", "inputs", "name", "node")
 
     graph: Graph
     node: int
     inputs: tuple[int, ...]
+    name: str
 
-    def __new__(cls, graph: Graph, node: int, inputs: tuple[int, ...]) -> Formula:
+    def __new__(
+        cls, graph: Graph, node: int, inputs: tuple[int, ...], name: str | None = None
+    ) -> Formula:
         """Make a formula; two are equal if they are of the same node of the same graph."""
         self: Formula = super().__new__(cls)
         self.graph, self.node, self.inputs = graph, node, inputs
+        self.name = f"formula {node}" if name is None else name
         return self
 
     def __reduce_ex__(self, protocol: Any) -> Any:
-        return type(self), (self.graph, self.node, self.inputs)
+        return type(self), (self.graph, self.node, self.inputs, self.name)
 
     def _hashable_content(self) -> tuple[Any, ...]:
         return (id(self.graph), self.node)
 
     def _sympystr(self, printer: Any) -> str:
-        return f"formula {self.node}"
+        return self.name
 
 
 class NodeExpression(sm.Expr):  # type: ignore[misc]
     """A SymPy expression that is kept as a node of a graph: a formula, applied to symbols."""
 
+    is_commutative = True
+
     @classmethod
-    def of(cls, graph: Graph, node: int, symbols: Mapping[int, Any]) -> NodeExpression:
-        """Return the expression of a node; `symbols` says what each input stands for."""
+    def of(
+        cls, graph: Graph, node: int, symbols: Mapping[int, Any], name: str | None = None
+    ) -> NodeExpression:
+        """Return the expression of a node; `symbols` says what each input stands for.
+
+        It prints as its name, or as a number.
+        """
         inputs = tuple(n for n in graph.reachable([node]) if graph.ops[n] == "input")
-        made: NodeExpression = cls(Formula(graph, node, inputs), *(symbols[n] for n in inputs))
+        formula = Formula(graph, node, inputs, name)
+        made: NodeExpression = cls(formula, *(symbols[n] for n in inputs))
         return made
+
+    def _sympystr(self, printer: Any) -> str:
+        name: str = self.args[0].name
+        return name
 
 
 def _node_expression(graph: Graph, expr: Any, args: list[int]) -> int:

@@ -24,7 +24,7 @@ _DEPENDENT = 1e-8  # a unit row with less than this outside a span lies in it
 
 
 def classify(equations: Equations) -> Equations:
-    """Return the equations with `nonholonomic` filled in."""
+    """Return the equations with `nonholonomic` and `enforced` filled in."""
     if not equations.velocity:
         return equations
     if not equations.holonomic:
@@ -35,8 +35,17 @@ def classify(equations: Equations) -> Equations:
     values = next(states.samples(blocks, _TRIALS), None)
     if values is None:  # nothing can be evaluated
         return replace(equations, nonholonomic=equations.velocity)
-    completing = _completing(values["rates"], values["motion"])
-    return replace(equations, nonholonomic=tuple(equations.velocity[k] for k in completing))
+    rows, motion = values["rates"], values["motion"]
+    return replace(
+        equations,
+        nonholonomic=tuple(equations.velocity[k] for k in _completing(rows, motion)),
+        enforced=tuple(k for k, row in enumerate(rows) if _implied(row, motion)),
+    )
+
+
+def _implied(row: np.ndarray, motion: np.ndarray) -> bool:
+    """Return whether the motion rows imply a row; that of a quaternion's norm is zero."""
+    return bool(np.linalg.norm(row) > _DEPENDENT) and not _completing(motion, row[None])
 
 
 def _completing(rates: np.ndarray, motion: np.ndarray) -> list[int]:

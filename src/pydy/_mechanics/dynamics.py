@@ -16,7 +16,7 @@ from pydy._graph.identities import signatures
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid
 
-__all__ = ["Inertia", "Load", "loads_and_inertias", "points_of"]
+__all__ = ["Inertia", "Load", "inertia_seen", "loads_and_inertias", "points_of"]
 
 
 @dataclass(frozen=True)
@@ -96,7 +96,7 @@ def _rotation(
     terms = tuple(body.central_inertia.args)
     if not terms:
         return
-    home, tensor, change = _seen(kinematics, body.frame, terms)
+    home, tensor, change = inertia_seen(kinematics, body.frame, terms)
     w, _ = kinematics.spin(body.frame, home)
     alpha = kinematics.angular_acceleration(body.frame, home)
     momentum = kinematics.turned(tensor, w)
@@ -109,7 +109,7 @@ def _rotation(
     loads.append(Load(w, [g.neg(x) for x in needed]))
 
 
-def _seen(
+def inertia_seen(
     kinematics: Kinematics, frame: Any, terms: tuple[Any, ...]
 ) -> tuple[Any, list[Vec], list[Vec]]:
     """Return the axes to write a body's rotation in, its inertia there, and the rate of that.

@@ -8,8 +8,10 @@ from typing import Any
 import sympy as sm
 
 from pydy._forks import cached_property
+from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.form import Formed
 from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 
 __all__ = ["Equations"]
@@ -46,6 +48,10 @@ class Equations:
         The bodies and loads behind the equations, where the method knows them.
     formed : Formed or None
         The equations of motion as nodes of a graph, formed from the bodies and loads.
+    multibody : Multibody or None
+        What the equations of motion can be formed from, where the method knows it.
+    enforced : tuple of int
+        The places of the holonomic constraints whose rates the velocity constraints imply.
     """
 
     time: sm.Symbol
@@ -67,6 +73,8 @@ class Equations:
     zeros: tuple[Any, ...] = field(default=(), repr=False)
     mechanism: Mechanism | None = field(default=None, repr=False)
     formed: Formed | None = field(default=None, repr=False)
+    multibody: Multibody | None = field(default=None, repr=False)
+    enforced: tuple[int, ...] = ()
 
     @cached_property
     def symbols(self) -> dict[Any, None]:
@@ -101,3 +109,17 @@ class Equations:
         if self.mechanism is None or not self.mechanism.bodies:
             return None
         return self.in_states(self.mechanism.kinetic_energy)
+
+    @cached_property
+    def constraint_forces(self) -> ConstraintForces | None:
+        """What gives multipliers and reactions; None without bodies."""
+        if self.multibody is None:
+            return None
+        states = {*self.coordinates, *self.speeds, *self.coordinate_rates, *self.speed_rates}
+        found = find_symbols(self.auxiliary_equations)
+        return ConstraintForces(
+            self.multibody,
+            {k: self.holonomic[k] for k in self.enforced},
+            {len(self.holonomic) + k: e for k, e in enumerate(self.nonholonomic)},
+            [s for s in found if not s.is_Symbol and s not in states and s not in self.symbols],
+        )

@@ -214,7 +214,16 @@ class Snapshot:
         values = dict(zip(definition.constants, self.p.tolist(), strict=True))
         equations, states = definition.equations, definition.states
         return make_scene(
-            equations, visuals, reference_frame, origin, values, None, None, states, options
+            equations,
+            visuals,
+            reference_frame,
+            origin,
+            values,
+            None,
+            None,
+            states,
+            options,
+            lambda: self.implementation.assembly,
         )
 
     def _sweep(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:

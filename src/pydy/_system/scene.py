@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from pydy._assembly.assembly import Assembly
+from pydy._graph.from_sympy import NodeExpression
 from pydy._mechanics.equations import Equations
 from pydy.viz.defaults import find_origin, guess_up, skeleton
 from pydy.viz.motion import Model
@@ -27,6 +29,7 @@ def make_scene(
     trajectory: Callable[[Any, Any], Any] | None,
     states: tuple[Any, ...],
     options: dict[str, Any],
+    assembly: Callable[[], Assembly],
 ) -> Scene:
     """Return a scene, with what was not said taken from the bodies and loads.
 
@@ -42,6 +45,8 @@ def make_scene(
         See `pydy.viz.motion.Model`.
     options : dict
         Of the Scene.
+    assembly : callable
+        Gives the equations of motion, where the scene holds derivatives of the speeds.
     """
     mechanism = equations.mechanism
     bodies = mechanism.bodies if mechanism is not None else ()
@@ -66,7 +71,8 @@ def make_scene(
         up = guess_up(reference_frame, mechanism.loads, constants)
         options = options if up is None else {**options, "up": up}
     rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)
-    definitions = {**dict(rates), **dict.fromkeys(equations.zeros, 0)}
+    definitions = _Definitions(equations, assembly)
+    definitions.update({**dict(rates), **dict.fromkeys(equations.zeros, 0)})
     model = Model(states, definitions, times, trajectory)
     if not visuals:
         # Bodies, and lines that show how they hang together.
@@ -74,3 +80,28 @@ def make_scene(
         lines = [Visual(Line(pair, colour=_LINES), name="lines") for pair in pairs]
         visuals = [*bodies, *lines]
     return Scene(reference_frame, origin, *visuals, model=model, **options)
+
+
+class _Definitions(dict[Any, Any]):
+    """What else a scene may hold; derivatives of speeds, as forces have them, when asked for."""
+
+    def __init__(self, equations: Equations, assembly: Callable[[], Assembly]) -> None:
+        super().__init__()
+        self._rates, self._assembly = equations.speed_rates, assembly
+
+    def __contains__(self, symbol: object) -> bool:
+        return super().__contains__(symbol) or (
+            symbol in self._rates and symbol in self._assembly().atoms
+        )
+
+    def __missing__(self, symbol: Any) -> Any:
+        assembly = self._assembly()
+        graph = assembly.graph
+        symbols = {
+            node: s
+            for s, node in assembly.atoms.items()
+            if graph.ops[node] == "input" and s not in self._rates
+        }
+        for rate in self._rates:
+            self[rate] = NodeExpression.of(graph, assembly.atoms[rate], symbols, str(rate))
+        return self[symbol]

@@ -130,3 +130,34 @@ def _(v):
     system = _off_the_circle()
     system.set_dependent_initial_conditions(use_jac=v)
     return list(system.initial_conditions.values())
+
+
+def _reaction(**changes: Any) -> Any:
+    o = world().o
+    given = {"bodies": o.body, "point": o.P, **changes}
+    found = o.system.reaction(given.pop("bodies"), given.pop("point"), **given)
+    return len(found.outputs("a"))
+
+
+def _default(value: Any) -> bool:
+    return value is None
+
+
+@target("reaction.bodies", nothing("symbols", "texts", "arrays"), "`bodies")
+def _(v):
+    return _reaction(bodies=v)
+
+
+@target("reaction.point", nothing("symbols", "texts"), "`point")
+def _(v):
+    return _reaction(point=v)
+
+
+@target("reaction.frame", nothing("symbols", "texts", allowed=_default), "`frame")
+def _(v):
+    return _reaction(frame=v)
+
+
+@target("reaction.loads", nothing("symbols", "texts", "arrays", allowed=empty_or_none), "load")
+def _(v):
+    return _reaction(loads=v)

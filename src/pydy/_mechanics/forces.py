@@ -1,0 +1,284 @@
+"""Constraint forces on the graph: multipliers of constraints, and reactions where bodies are cut.
+
+Both are written in q, u and u', so that they hold whatever solves for u'. Multipliers λ follow from
+
+    M u' = F + Jᵀ λ,        J: the constraints' derivatives by the speeds,
+
+of which Kane's equations keep only what is free of λ. What M u' − F is, all speeds free, comes from
+the outer bodies inwards as in the recursive Newton–Euler algorithm; the rows of the dependent
+speeds give as many equations for λ as there are independent constraints. A reaction is the sum of
+m a and of the change of angular momentum over the bodies on one side of the cut, less the loads on
+them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy as sm
+from sympy.physics.mechanics import Point, Vector
+
+from pydy._forks import cached_property
+from pydy._graph.collector import collector_paused
+from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import NodeExpression
+from pydy._graph.identities import signatures
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.dynamics import Load, inertia_seen, loads_and_inertias
+from pydy._mechanics.elimination import composite
+from pydy._mechanics.form import moving
+from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.reader import Multibody, is_rigid
+
+__all__ = ["ConstraintForces"]
+
+
+class ConstraintForces:
+    """The forces behind the constraints and joints of a mechanism.
+
+    Parameters
+    ----------
+    body : Multibody
+    holonomic : mapping of int to expressions
+        The configuration constraints that the velocity constraints enforce, by their places among
+        the constraints.
+    nonholonomic : mapping of int to expressions
+        The other velocity constraints likewise. Together they imply all velocity constraints.
+    idle : sequence of functions of time
+        Noncontributing forces in the loads: they stand for what is computed here.
+    """
+
+    def __init__(
+        self,
+        body: Multibody,
+        holonomic: dict[int, Any],
+        nonholonomic: dict[int, Any],
+        idle: Sequence[Any],
+    ) -> None:
+        self.body, self.holonomic, self.nonholonomic = body, holonomic, nonholonomic
+        self.idle = tuple(idle)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Graphs and expressions are made again when they are asked for.
+        return type(self), (self.body, self.holonomic, self.nonholonomic, self.idle)
+
+    @cached_property
+    def _kinematics(self) -> Kinematics:
+        return moving(self.body, in_bodies=True)
+
+    @cached_property
+    def _rates(self) -> _Rates:
+        return _Rates(self._kinematics)
+
+    @cached_property
+    def multipliers(self) -> dict[Any, Any]:
+        """λ of each constraint: symbols lambda0, lambda1, … to expressions in q, u and u'."""
+        places = [*self.holonomic, *self.nonholonomic]
+        if not places:
+            return {}
+        names = [f"lambda{k}" for k in places]
+        with collector_paused():
+            nodes = self._multipliers()
+        return {sm.Symbol(n): self._expression(k, n) for n, k in zip(names, nodes, strict=True)}
+
+    def _multipliers(self) -> Vec:
+        kinematics = self._kinematics
+        g, n, d = kinematics.graph, len(kinematics.speeds), len(self.body.dependent_speeds)
+        inertias, loads = loads_and_inertias(kinematics)
+        for part in inertias:
+            needed = kinematics.turned(part.matrix, self._rates(part.velocity))
+            loads.append(Load(part.velocity, [g.neg(x) for x in needed]))
+        parts = (g, kinematics.rows, kinematics.groups, kinematics.speeds)
+        _, rest = composite(*parts, [], loads)  # F − M u' with all speeds free
+        rows = [
+            *kinematics.dt(kinematics.read.all(self.holonomic.values())),
+            *kinematics.read.all(self.nonholonomic.values()),
+        ]
+        bound = jacobian(g, rows, kinematics.speeds[n - d :])
+        columns = [[row.get(k, g.zero) for k in range(d)] for row in bound]  # Jᵀ, by columns
+        force = [g.neg(x) for x in rest[n - d :]]
+        if len(columns) == d:
+            found = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[0]
+        else:
+            found = self._shortest(columns, force)
+        return self._without_idle(found)
+
+    def _shortest(self, columns: Sequence[Vec], force: Vec) -> Vec:
+        """Return the least multipliers where more constraints than are independent share a force.
+
+        With A = Jᵀ, λ = Aᵀ (A Aᵀ)⁻¹ f.
+        """
+        g, d = self._kinematics.graph, len(force)
+        square = [
+            [g.sum([(g.mul(c[i], c[j]), 1.0) for c in columns]) for j in range(d)] for i in range(d)
+        ]
+        share = g.solve(square, [force], "ldl")[0]
+        return [g.sum([(g.mul(a, b), 1.0) for a, b in zip(c, share, strict=True)]) for c in columns]
+
+    def reaction(
+        self,
+        members: Iterable[Any],
+        point: Any,
+        frame: Any,
+        loads: Iterable[tuple[Any, Any]],
+        name: str,
+    ) -> tuple[Vector, Vector]:
+        """Return force and torque about a point of what holds some bodies, beside the loads.
+
+        Parameters
+        ----------
+        members : iterable of Particle, RigidBody, Point and ReferenceFrame
+            The bodies; massless points and frames whose loads act on them.
+        point : Point
+        frame : ReferenceFrame
+            For the components.
+        loads : iterable of (Point, force Vector) and (ReferenceFrame, torque Vector)
+            What else acts on them.
+        name : str
+            Of the expressions, in print.
+        """
+        members = list(members)
+        kinematics = self._kinematics
+        with collector_paused():
+            force, torque = _Balance(kinematics, self._rates, point, frame).of(
+                [b for b in self.body.bodies if b in members],
+                [*self._loads_on(members), *loads],
+            )
+            nodes = self._without_idle([*force, *torque])
+        values = [
+            self._expression(n, f"{name}_{part}{axis}")
+            for n, (part, axis) in zip(nodes, [(p, a) for p in "FT" for a in "xyz"], strict=True)
+        ]
+        return (
+            Vector([(sm.Matrix(values[:3]), frame)]),
+            Vector([(sm.Matrix(values[3:]), frame)]),
+        )
+
+    def _loads_on(self, members: Sequence[Any]) -> list[tuple[Any, Any]]:
+        """Return the loads on bodies: at points and frames that move with them and no other."""
+        found = []
+        for where, vector in self.body.loads:
+            owners = [where] if where in members else self._owners(where)
+            if owners and all(owner in members for owner in owners):
+                found.append((where, vector))
+        return found
+
+    def _owners(self, where: Any) -> list[Any]:
+        bodies = self.body.bodies
+        if not isinstance(where, Point):
+            own = [b for b in bodies if is_rigid(b) and b.frame is where]
+            return own or [b for b in bodies if is_rigid(b) and self._turn_alike(b.frame, where)]
+        own = [b for b in bodies if b.masscenter is where]
+        return own or [b for b in bodies if self._carries(b, where)]
+
+    def _turn_alike(self, frame: Any, other: Any) -> bool:
+        k = self._kinematics
+        return k.equal(k.spin(frame)[0], k.expressed(k.spin(other)[0], other, frame))
+
+    def _carries(self, body: Any, point: Any) -> bool:
+        """Return whether a point moves as a point of the body would."""
+        k = self._kinematics
+        try:
+            way = point.pos_from(body.masscenter)
+        except ValueError:
+            return False
+        if not is_rigid(body):
+            return bool(k.vanishes(k.vector(way, k.inertial)))
+        home, v = k.at(body.masscenter)
+        turning = k.cross(k.spin(body.frame)[0], k.vector(way, body.frame))
+        own = k.plus(k.expressed(v, home, k.inertial), k.expressed(turning, body.frame, k.inertial))
+        home, v = k.at(point)
+        return k.equal(own, k.expressed(v, home, k.inertial))
+
+    def _without_idle(self, nodes: Vec) -> Vec:
+        g, atoms = self._kinematics.graph, self._kinematics.read.atoms
+        nodes = substitute(g, nodes, {atoms[s]: g.zero for s in self.idle if s in atoms})
+        values = signatures(g, nodes)
+        return [node if value else g.zero for node, value in zip(nodes, values, strict=True)]
+
+    def _expression(self, node: int, name: str) -> Any:
+        g = self._kinematics.graph
+        if node == g.zero:
+            return sm.S.Zero
+        return NodeExpression.of(g, node, self._kinematics.symbols(), name)
+
+
+class _Rates:
+    """Derivatives of velocities by time that come from u', through the anchors between."""
+
+    def __init__(self, kinematics: Kinematics) -> None:
+        self.graph, self.rows = kinematics.graph, kinematics.rows
+        self.known = dict(zip(kinematics.speeds, kinematics.accelerations, strict=True))
+
+    def __call__(self, velocity: Vec) -> Vec:
+        """Return what u' adds to the accelerations at u' = 0."""
+        rows = [self.rows(n) for n in velocity]
+        todo = [(k, False) for row in rows for k in row]
+        while todo:
+            anchor, ready = todo.pop()
+            if anchor in self.known:
+                continue
+            row = self.rows.through(anchor)
+            if ready:
+                self.known[anchor] = self._sum(row)
+            else:
+                todo.append((anchor, True))
+                todo += [(k, False) for k in row]
+        return [self._sum(row) for row in rows]
+
+    def _sum(self, row: dict[int, int]) -> int:
+        g = self.graph
+        return g.sum([(g.mul(d, self.known[k]), 1.0) for k, d in row.items()])
+
+
+class _Balance:
+    """Newton's and Euler's laws for some bodies, about a point."""
+
+    def __init__(self, kinematics: Kinematics, rates: _Rates, point: Any, frame: Any) -> None:
+        self.kinematics, self.rates, self.point, self.frame = kinematics, rates, point, frame
+        zero = kinematics.graph.zero
+        self.force, self.torque = [zero] * 3, [zero] * 3
+
+    def of(self, bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> tuple[Vec, Vec]:
+        """Return force and torque: what the bodies need beyond the loads."""
+        for body in bodies:
+            self._move(body)
+            if is_rigid(body):
+                self._turn(body)
+        k = self.kinematics
+        for where, vector in loads:
+            opposite = [k.graph.neg(n) for n in k.vector(vector, self.frame)]
+            if isinstance(where, Point):
+                self._push(where, opposite)
+            else:
+                self.torque = k.plus(self.torque, opposite)
+        return self.force, self.torque
+
+    def _push(self, where: Any, force: Vec) -> None:
+        k = self.kinematics
+        arm = k.vector(where.pos_from(self.point), self.frame)
+        self.force = k.plus(self.force, force)
+        self.torque = k.plus(self.torque, k.cross(arm, force))
+
+    def _move(self, body: Any) -> None:
+        k, g = self.kinematics, self.kinematics.graph
+        mass, point = k.read(body.mass), body.masscenter
+        home, v, _ = k.motion(point)
+        a = k.plus(k.acceleration(point), self.rates(v))
+        (change,) = k.dt([mass])
+        needed = [g.add(g.mul(mass, x), g.mul(change, y)) for x, y in zip(a, v, strict=True)]
+        self._push(point, k.expressed(needed, home, self.frame))
+
+    def _turn(self, body: Any) -> None:
+        k = self.kinematics
+        terms = tuple(body.central_inertia.args)
+        if not terms:
+            return
+        home, tensor, change = inertia_seen(k, body.frame, terms)
+        w, _ = k.spin(body.frame, home)
+        alpha = k.plus(k.angular_acceleration(body.frame, home), self.rates(w))
+        needed = k.plus(
+            k.turned(tensor, alpha), k.cross(w, k.turned(tensor, w)), k.turned(change, w)
+        )
+        self.torque = k.plus(self.torque, k.expressed(needed, home, self.frame))

@@ -1,0 +1,145 @@
+"""Constraint forces as a user asks for them: by name, for bodies, at a point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sm
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, Vector
+
+from pydy._checks import describe, listed, shown
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.forces import ConstraintForces
+from pydy._mechanics.reader import read_loads
+from pydy._names import name_of
+
+__all__ = ["Multipliers", "Reaction", "find_multipliers", "find_reaction"]
+
+
+class Multipliers(dict[Any, Any]):
+    """Multipliers of the constraints by symbol; a name is taken too."""
+
+    def __missing__(self, key: Any) -> Any:
+        for symbol, expression in self.items():
+            if symbol.name == key:
+                return expression
+        names = describe(list(self)) if self else "none"
+        raise KeyError(f"`constraint_forces` has no multiplier {key!r}; it has {names}.")
+
+
+@dataclass(frozen=True, eq=False)
+class Reaction:
+    """What holds some bodies, beside the loads on them.
+
+    Attributes
+    ----------
+    force : Vector
+    torque : Vector
+        About the point of the cut.
+    frame : ReferenceFrame
+        The axes in which both were formed.
+    """
+
+    force: Any
+    torque: Any
+    frame: Any
+
+    def outputs(self, name: str) -> dict[Any, Any]:
+        """Return the components as a dictionary for `System.outputs`.
+
+        Parameters
+        ----------
+        name : str
+            The outputs are called ``name_Fx``, ``name_Fy``, ``name_Fz``, ``name_Tx``, ``name_Ty``
+            and ``name_Tz``.
+        """
+        if not isinstance(name, str) or not name:
+            raise TypeError(f"`name` must be a string that is not empty, got {shown(name)}.")
+        found = {}
+        for part, vector in (("F", self.force), ("T", self.torque)):
+            for axis, value in zip("xyz", vector.to_matrix(self.frame), strict=True):
+                found[sm.Symbol(f"{name}_{part}{axis}")] = value
+        return found
+
+
+def find_multipliers(equations: Equations) -> Multipliers:
+    """Return the multipliers of all constraints that bind the motion."""
+    if not equations.velocity:
+        return Multipliers()
+    return Multipliers(_forces(equations).multipliers)
+
+
+def find_reaction(
+    equations: Equations, bodies: Any, point: Any, frame: Any, loads: Any
+) -> Reaction:
+    """Return the reaction on some bodies; see `System.reaction`."""
+    forces = _forces(equations)
+    members = [_member(forces, item) for item in _several(bodies)]
+    own = forces.body.bodies
+    if not any(item in own for item in members):
+        raise ValueError(
+            f"`bodies` must hold one body of the system or more: {describe(list(own))}."
+        )
+    if not isinstance(point, Point):
+        raise TypeError(f"`point` must be a Point, got {shown(point)}.")
+    if frame is None:
+        frame = forces.body.frame
+    if not isinstance(frame, ReferenceFrame):
+        raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
+    more = read_loads(listed("loads", loads, "loads"))
+    for where, vector in more:
+        if not isinstance(vector, Vector):
+            raise TypeError(f"`loads` must hold pairs with a Vector, got {shown(vector)}.")
+        if isinstance(where, Point):
+            _check_way(where, point)
+    for item in members:
+        if not isinstance(item, ReferenceFrame):
+            _check_way(item if isinstance(item, Point) else item.masscenter, point)
+    return Reaction(*forces.reaction(members, point, frame, more, f"reaction_{point}"), frame)
+
+
+def _forces(equations: Equations) -> ConstraintForces:
+    forces = equations.constraint_forces
+    if forces is None:
+        raise ValueError(
+            "Constraint forces follow from bodies and loads, but `eom_method` holds no bodies: "
+            "construct a KanesMethod with `bodies=` and `forcelist=`, or call its "
+            "`kanes_equations(bodies, loads)`."
+        )
+    return forces
+
+
+def _several(bodies: Any) -> list[Any]:
+    if isinstance(bodies, (str, RigidBody, Particle)):
+        return [bodies]
+    if not isinstance(bodies, Iterable):
+        raise TypeError(
+            "`bodies` must be a RigidBody or Particle, its name, or a list of them, got "
+            f"{shown(bodies)}."
+        )
+    return listed("bodies", bodies)
+
+
+def _member(forces: ConstraintForces, item: Any) -> Any:
+    bodies = forces.body.bodies
+    if isinstance(item, (Point, ReferenceFrame)) or any(item is body for body in bodies):
+        return item
+    named = [body for body in bodies if isinstance(item, str) and name_of(body) == item]
+    if len(named) == 1:
+        return named[0]
+    raise ValueError(
+        f"`bodies` has {shown(item)}, which is none of the system's bodies: "
+        f"{describe(list(bodies))}. Give the RigidBody or Particle, or its name."
+    )
+
+
+def _check_way(item: Any, point: Any) -> None:
+    try:
+        item.pos_from(point)
+    except ValueError:
+        raise ValueError(
+            f"`point` is {point}, but the position of {item} from there is not known. Use "
+            f"`{point}.set_pos(...)`, from a point that is located from the bodies."
+        ) from None
