@@ -158,6 +158,10 @@ def _(v):
     return _reaction(frame=v)
 
 
-@target("reaction.loads", nothing("symbols", "texts", "arrays", allowed=empty_or_none), "load")
+def _no_loads(value: Any) -> bool:
+    return empty_or_none(value) or (isinstance(value, np.ndarray) and not value.size)
+
+
+@target("reaction.loads", nothing("symbols", "texts", "arrays", allowed=_no_loads), "load")
 def _(v):
     return _reaction(loads=v)
