@@ -7,14 +7,13 @@ from __future__ import annotations
 
 import argparse
 import time
-from dataclasses import fields
 from typing import Any
 
 from harness import frozen
 from harness.program import assembly_of
 from harness.report import save, seconds, table
 
-from pydy._graph.passes import Passes
+from pydy._graph.switches import Passes
 
 
 def main() -> None:
@@ -71,9 +70,8 @@ def _count(model: frozen.Model, passes: bool) -> dict[str, Any]:
 
 
 def _without_each(model: frozen.Model) -> dict[str, int]:
-    """Return the operations at every call with one pass left out, or all of them."""
-    names = [f.name for f in fields(Passes)]
-    chosen = {name: Passes(**{name: False}) for name in names} | {"passes": Passes.none()}
+    """Return the operations at every call with one pass or strategy left out, or all passes."""
+    chosen = {name: Passes.without(name) for name in Passes.names()} | {"passes": Passes.none()}
     counts = {}
     for name, switched in chosen.items():
         count = assembly_of(model, passes=switched).program("rates").operation_count

@@ -6,12 +6,12 @@ import sympy as sm
 from pydy._assembly.assembly import Assembly
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
-from pydy._graph.linsolve import UnrolledLDL
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
-from pydy._graph.passes import Passes
 from pydy._graph.program import Program, Tape
+from pydy._graph.solve.ldl import UnrolledLDL
+from pydy._graph.switches import Passes
 
 __all__ = [
     "BINARY",

@@ -12,7 +12,7 @@ from sympy.physics.mechanics import dynamicsymbols
 from harness.frozen import Model
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.system import assemble_system
-from pydy._graph.passes import Passes
+from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.ode_function_generators import make_system_function

@@ -19,7 +19,7 @@ from scipy.integrate import odeint
 from pydy._assembly.system import check_accelerations
 from pydy._checks import describe, flag, real_array, vector
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
-from pydy._graph.passes import Passes
+from pydy._graph.switches import Passes
 from pydy._kernel import Kernel
 from pydy._mechanics.extract import extract
 from pydy._names import nearest

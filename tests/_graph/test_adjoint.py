@@ -9,8 +9,8 @@ from graphs import BINARY, UNARY, P, X, nodes_of, on_tape, values
 from pydy._graph.adjoint import adjoints
 from pydy._graph.derivative import jacobian
 from pydy._graph.node import Graph
-from pydy._graph.passes import Passes
 from pydy._graph.products import KINDS, derivative_program
+from pydy._graph.switches import Passes
 
 x, y, z, w = X
 POINT = (0.7, 1.3, 0.4, 1.9)

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from graphs import on_tape
-from pydy._graph import body_basis as module
-from pydy._graph.body_basis import body_basis
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
+from pydy._graph.solve import body_basis as module
+from pydy._graph.solve.body_basis import body_basis
 
 
 def planar_arm(graph, links, inertia=True):
@@ -73,7 +73,8 @@ def test_a_plane_arm_in_relative_speeds_is_one_in_absolute_speeds(links):
 @pytest.mark.parametrize("most", [8, 64])
 @pytest.mark.parametrize("links", [2, 4])
 def test_the_given_unknowns_come_back(links, most, monkeypatch):
-    monkeypatch.setattr(module, "_MOST_TERMS", most)  # with 8, one body of 4 is left as it is
+    # With 8, one body of 4 is left as it is.
+    monkeypatch.setattr(module, "LONGEST_BODY_POLYNOMIAL", most)
     graph = Graph()
     matrix, column, _, _ = planar_arm(graph, links)
     lower = [matrix[i][j] for i in range(links) for j in range(links)]

@@ -9,6 +9,9 @@ from graphs import BINARY, UNARY, P, X, nodes_of, on_tape, values
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._graph.derivative import jacobian
 from pydy._graph.node import Graph
+from pydy._graph.switches import Passes
+
+LOOP = Passes.without("ldl", "lu")
 
 x, y, z, w = X
 
@@ -223,7 +226,7 @@ def solved(matrix, kind, columns):
     ("kind", "matrix", "options"),
     [
         ("ldl", SYMMETRIC, {}),
-        ("ldl", SYMMETRIC, {"unroll_limit": 0}),
+        ("ldl", SYMMETRIC, {"passes": LOOP}),
         ("lu", SYMMETRIC, {}),
         ("lu", GENERAL, {}),
         ("ldl", SYMMETRIC - 8 * sm.eye(3), {}),
@@ -253,7 +256,7 @@ def test_the_derivative_of_a_solve_uses_the_factors_that_exist():
     graph, nodes = solved(GENERAL, "lu", RIGHT)
     rows = jacobian(graph, nodes, [graph.input("x", k) for k in range(4)])
     cells = [d for row in rows for d in row.values()]
-    program = on_tape(graph, [*nodes, *cells], unroll_limit=0)
+    program = on_tape(graph, [*nodes, *cells], passes=LOOP)
     assert program.ops.count("factor") == 1
 
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from graphs import on_tape
-from pydy._graph.identities import merge_equal
+from pydy._graph.passes.merge import merge_equal
 
 
 def test_a_squared_sine_and_cosine_are_one(graph, x, y):

@@ -7,9 +7,10 @@ from graphs import on_tape, solve_program
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
+from pydy._graph.switches import Passes
 
 ENGINES = ["interpreted", "compiled"]
-UNROLLED, LOOP = {}, {"unroll_limit": 0}
+UNROLLED, LOOP = {}, {"passes": Passes.without("ldl", "lu")}
 WAYS = {"unrolled ldl": ("ldl", UNROLLED), "ldl in a loop": ("ldl", LOOP), "lu": ("lu", UNROLLED)}
 
 

@@ -1,6 +1,6 @@
 """Common pairs of terms or factors become values of their own."""
 
-from pydy._graph.share import is_pair, share_pairs
+from pydy._graph.passes.share import is_pair, share_pairs
 
 
 def plus(*names):

@@ -6,9 +6,10 @@ import sympy.physics.mechanics as me
 from sympy.physics.mechanics import models
 
 import mechanisms
-from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.lower import lower
 from pydy._graph.simplify import simplify
+from pydy._graph.solve.choose import solve_accelerations
+from pydy._graph.switches import Passes
 from pydy._mechanics.choice import chosen
 from pydy._mechanics.kane import multibody_of_kane
 from pydy.models import n_link_pendulum_on_cart
@@ -67,7 +68,7 @@ def rods(n):
 def operations(formed):
     graph, solved = formed.graph, formed.accelerations
     if solved is None:
-        solved = solve_accelerations(graph, formed.matrix, formed.forcing, "ldl")
+        solved = solve_accelerations(graph, formed.matrix, formed.forcing, "ldl", Passes())
     nodes = simplify(graph, [*formed.rates, *solved])
     sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])

@@ -15,7 +15,7 @@ import zoo
 from graphs import P, X, program_of
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
-from pydy._graph.passes import Passes
+from pydy._graph.switches import Passes
 from pydy.system import System
 from rounding import SAFETY, OutsideError, UnclearError, bounded
 

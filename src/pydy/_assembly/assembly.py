@@ -9,7 +9,7 @@ from __future__ import annotations
 import hashlib
 import marshal
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import astuple, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from pydy._graph.collector import collector_paused
@@ -17,12 +17,12 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._graph.passes import Passes
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
+from pydy._graph.switches import Passes
 from pydy._mechanics.mechanism import Mechanism
 
 __all__ = ["Assembly"]
@@ -252,6 +252,6 @@ class Assembly:
     def fingerprint(self) -> bytes:
         """Return a digest of all that Programs are made from."""
         blocks = [getattr(self, name) for name in ("sizes", *_BLOCKS)]
-        content = (self.graph.ops, self.graph.args, blocks, astuple(self.passes))
+        content = (self.graph.ops, self.graph.args, blocks, self.passes.running())
         # Version 2 of the format writes every object in full: equal content gives equal bytes.
         return hashlib.sha256(marshal.dumps(content, 2)).digest()

@@ -12,11 +12,11 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.rewrite import substitute
+from pydy._graph.solve.choose import solve_accelerations
 
 __all__ = ["stabilised"]
 
@@ -43,7 +43,7 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
     rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
     first = graph.args[assembly.speeds[0]][1]
     before = assembly.rates[first : first + n]
-    after = solve_accelerations(graph, rows, forcing, "lu")
+    after = solve_accelerations(graph, rows, forcing, "lu", assembly.passes)
     mapping = dict(zip(before, after, strict=True))
     return replace(
         assembly,

@@ -10,7 +10,7 @@ from pydy._assembly.symbols import input_nodes
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
-from pydy._graph.passes import Passes
+from pydy._graph.switches import Passes
 
 __all__ = ["assemble_form"]
 

@@ -8,13 +8,13 @@ from typing import Any
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.outputs import Group, auxiliary_groups, evaluate_groups
 from pydy._assembly.symbols import input_nodes
-from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
-from pydy._graph.passes import Passes
 from pydy._graph.rewrite import substitute
+from pydy._graph.solve.choose import solve_accelerations
+from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 
 __all__ = ["assemble_system", "check_accelerations"]
@@ -93,7 +93,7 @@ def assemble_system(
     else:
         kind = "ldl" if equations.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        solved = solve_accelerations(graph, rows, forcing, kind, rebase=passes.rebase)
+        solved = solve_accelerations(graph, rows, forcing, kind, passes)
     read.what = "the outputs"
     values = evaluate_groups(graph, read, groups, dict(zip(accelerations, solved, strict=True)))
     integrated = auxiliary_groups(equations, groups)

@@ -14,12 +14,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from pydy._graph.derivative import Rows
-from pydy._graph.factor import factor_sums
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._graph.passes import Passes
+from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
+from pydy._graph.switches import Passes
 
 __all__ = ["Columns"]
 
@@ -116,7 +116,7 @@ class Columns:
     def _cells(self, graph: Graph, nodes: Sequence[int], passes: Passes) -> list[int]:
         rows = self.rows(graph)
         cells = [rows(node).get(j, graph.zero) for node in nodes for j in range(self.count)]
-        return factor_sums(graph, cells) if passes.factor else cells
+        return factor_sums(graph, cells) if "factor" in passes else cells
 
     def _lowered(
         self,

@@ -1,8 +1,6 @@
-"""Nodes that are equal as functions become one: what hash-consing cannot see.
+"""Which nodes are equal as functions, told by exact values.
 
-Equations of motion hold the same quantity in several forms: a speed beside the derivatives it was
-defined by, written out; an entry of a matrix and its mirror image; the sum of a squared sine and
-cosine. Every node is evaluated in arithmetic modulo a prime (`pydy._graph.modular`), at a random
+Every node is evaluated in arithmetic modulo a prime (`pydy._graph.modular`), at a random
 point. The sine and cosine of an argument are a random point of the unit circle; any other function
 is a random number for each value of its arguments. Angle sums and the like are so not seen, and
 nothing is that does not hold.
@@ -12,56 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pydy._graph.expand import is_exact
 from pydy._graph.modular import PRIME, arbitrary, inverse, residue
 from pydy._graph.node import Graph
-from pydy._graph.operations import ANGLES, OPERATIONS
-from pydy._graph.rewrite import again, replaced
+from pydy._graph.operations import OPERATIONS
+from pydy._graph.tuning import SOLVED_MODULO_A_PRIME
 
-__all__ = ["merge_equal", "signatures"]
-
-
-def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
-    """Return roots in which equal nodes, or opposite ones, are one: the one that costs least.
-
-    A node is never replaced by one with other denominators or functions than its own, which may be
-    undefined where the node is not, nor a product that keeps x − y by a sum in which it cancels.
-    """
-    nodes = _with_candidates(graph, graph.reachable(roots))
-    values, poles, costs = _evaluated(graph, nodes)
-    best: dict[int, list[int]] = {}
-    for constant in (graph.zero, graph.one):
-        best[values[constant]] = [constant]
-    stand_in: dict[int, int] = {}
-    # Operands cost less than what is made of them.
-    order = sorted(nodes, key=lambda node: (costs[node], node))
-    for node in order:
-        value = values[node]
-        group = best.setdefault(min(value, PRIME - value), [])
-        stand_in[node] = node
-        if graph.ops[node] in ("factor", "solve", "guard", "bool"):
-            continue
-        for other in group:
-            if poles[other] <= poles[node] and not _is_rougher(graph, other, node):
-                stand_in[node] = other
-                break
-        else:
-            group.append(node)
-    if all(node == other for node, other in stand_in.items()):
-        return list(roots)
-    new: dict[int, int] = {graph.zero: graph.zero, graph.one: graph.one}
-    for node in order:
-        other = stand_in[node]
-        if other == node:
-            if all(new[n] == n for n in graph.operands(node)):
-                new[node] = node
-            else:
-                new[node] = again(graph, graph.ops[node], replaced(graph, node, new))
-        elif values[other] == values[node]:
-            new[node] = new[other]
-        else:
-            new[node] = graph.neg(new[other])
-    return [new[root] for root in roots]
+__all__ = ["evaluated", "signatures"]
 
 
 def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
@@ -69,40 +23,11 @@ def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
 
     It is 0 for what vanishes. Small linear systems are solved.
     """
-    values, _, _ = _evaluated(graph, graph.reachable(nodes), solving=True)
+    values, _, _ = evaluated(graph, graph.reachable(nodes), solving=True)
     return [values[node] for node in nodes]
 
 
-def _with_candidates(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Add what nodes are often equal to: reciprocals, and squares of sines and cosines."""
-    found: dict[int, None] = {}
-    angles: dict[int, list[int]] = {}
-    for node in nodes:
-        op, args = graph.ops[node], graph.args[node]
-        if op == "prod":
-            found.update((graph.powi(n, -1), None) for n, e in args if e < 0)
-        elif op in ANGLES:
-            angles.setdefault(args[0], []).append(node)
-    both = [node for pair in angles.values() if len(pair) == 2 for node in pair]
-    found.update((graph.powi(node, 2), None) for node in both)
-    known, stack = set(nodes), list(found)
-    while stack:
-        node = stack.pop()
-        if node not in known:
-            known.add(node)
-            stack += graph.operands(node)
-    return sorted(known)
-
-
-def _is_rougher(graph: Graph, other: int, node: int) -> bool:
-    """Return whether `other` is a sum in which may cancel what an exact factor of `node` keeps."""
-    _, product = graph.scaled(node)
-    if graph.ops[product] != "prod" or graph.ops[graph.scaled(other)[1]] != "sum":
-        return False
-    return any(is_exact(graph, n) for n, _ in graph.args[product])
-
-
-def _evaluated(
+def evaluated(
     graph: Graph, nodes: Sequence[int], *, solving: bool = False
 ) -> tuple[dict[int, int], dict[int, frozenset[int]], dict[int, float]]:
     """Return each node's value, what it divides by and calls, and its cost written out as a tree.
@@ -160,10 +85,6 @@ def _evaluated(
     return values, poles, costs
 
 
-# Larger systems are not solved modulo a prime: in Python that takes n³ times 0.2 µs.
-_LARGEST = 32
-
-
 class _Solutions:
     """Solutions of linear systems modulo a prime, each found once."""
 
@@ -187,7 +108,7 @@ class _Solutions:
             kind, (n, entries, column) = "ldl", args[:3]
         else:
             return None
-        if n > _LARGEST:
+        if n > SOLVED_MODULO_A_PRIME:
             return None
         if entries not in self._inverses:
             cells = [self.values[e] for e in entries]

@@ -13,11 +13,11 @@ import numpy as np
 
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program
+from pydy._graph.tuning import SINGULAR
 
 __all__ = ["run"]
 
 Values = list[Any]
-EPS = float(np.finfo(float).eps)
 
 
 def run(
@@ -120,7 +120,7 @@ def singular(matrix: np.ndarray) -> np.ndarray:
     for k in range(n):
         pivot = k + np.argmax(np.abs(a[:, k:, k]), axis=1)
         a[index, k], a[index, pivot] = a[index, pivot].copy(), a[index, k].copy()
-        bad |= np.abs(a[:, k, k]) <= n * EPS
+        bad |= np.abs(a[:, k, k]) <= n * SINGULAR
         factors = a[:, k + 1 :, k : k + 1] / a[:, k : k + 1, k : k + 1]
         a[:, k + 1 :] -= factors * a[:, k : k + 1]
     return bad

@@ -10,28 +10,16 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
-from pydy._graph.interpret import run
-from pydy._graph.linsolve import LoopFactor, UnrolledLDL, UnrolledLU, symmetric
 from pydy._graph.node import Graph
 from pydy._graph.operations import TRUTHS
-from pydy._graph.passes import Passes
+from pydy._graph.passes.share import is_pair, share_pairs
 from pydy._graph.program import Program, Tape
-from pydy._graph.semiseparable import Part, SemiseparableLDL, separate
-from pydy._graph.share import is_pair, share_pairs
-from pydy._graph.structure import elimination_order, pivot_order
+from pydy._graph.solve.choose import factorised
+from pydy._graph.solve.matrix import Factor, Matrix, Part
+from pydy._graph.solve.semiseparable import SemiseparableLDL
+from pydy._graph.switches import Passes
 
-__all__ = ["UNROLL_LIMIT", "lower"]
-
-# Multiply-adds of an elimination that is written out, about those of a full 24 by 24 matrix. An
-# elimination of constants costs only code, since it runs once per binding.
-UNROLL_LIMIT = 3500
-
-# Below this many multiply-adds an elimination needs no structure beside its zeros.
-_SEPARATE_FROM = 200
-
-Factor = LoopFactor | UnrolledLDL | UnrolledLU | SemiseparableLDL
+__all__ = ["lower"]
 
 
 def lower(
@@ -39,7 +27,6 @@ def lower(
     sizes: tuple[int, int, int],
     blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
     *,
-    unroll_limit: int = UNROLL_LIMIT,
     passes: Passes | None = None,
 ) -> Program:
     """Return the Program that computes `blocks`.
@@ -52,23 +39,25 @@ def lower(
         ``('x', i)``, ``('t', 0)``, ``('r', i)`` and ``('p', i)``.
     blocks : sequence of (name, shape, nodes)
         Row-major.
-    unroll_limit : int
-        The most multiply-adds of an LDLᵀ and one solve that are written out.
     passes : Passes, optional
         All by default.
     """
-    lowering = _Lowering(graph, sizes, unroll_limit, passes or Passes())
-    return Program.from_tape(*lowering.run(blocks))
+    passes = Passes() if passes is None else passes
+    lowering = _Lowering(graph, sizes, passes)
+    program = Program.from_tape(*lowering.run(blocks))
+    # Generators multiply the same factors in their own order, which shared pairs do not foresee.
+    if lowering.by_generators and "share products" in passes:
+        other = lower(graph, sizes, blocks, passes=passes.but("share products"))
+        return min(program, other, key=lambda p: p.operation_count["run"].total())
+    return program
 
 
 class _Lowering:
-    def __init__(
-        self, graph: Graph, sizes: tuple[int, int, int], unroll_limit: int, passes: Passes
-    ) -> None:
+    def __init__(self, graph: Graph, sizes: tuple[int, int, int], passes: Passes) -> None:
         self.graph = graph
         self.sizes = sizes
         self.tape = Tape()
-        self.unroll_limit = unroll_limit
+        self.by_generators = False
         self.passes = passes
         self.new: dict[int, int] = {}
         self.factors: dict[int, Factor] = {}
@@ -120,7 +109,7 @@ class _Lowering:
             return tape.make(op, *args)
         if op == "factor":
             kind, n, entries = args
-            self.factors[node] = self._factorise(kind, n, entries)
+            self.factors[node] = self._factorised(kind, n, entries)
             return -1
         if op == "solve":
             return self.factors[args[0]].solve([new[b] for b in args[1]])
@@ -132,31 +121,17 @@ class _Lowering:
             return tape.make("guard", n, *parts[:2], new[sound], parts[2])
         return tape.make(op, *(new[a] for a in args))
 
-    def _factorise(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
-        """Unroll an elimination unless its operations, zeros left out, are too many."""
-        tape = self.tape
+    def _factorised(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
         cells = [self.new[e] for e in entries]
-        if kind == "ldl":
-            zero = tape.const(0.0)
-            filled = np.array(symmetric(n, cells)).reshape(n, n) != zero
-            setup = np.array([tape.setup[c] for c in cells]).reshape(n, n)
-            order, cost = elimination_order(filled, setup.diagonal())
-            constant = setup.all()
-            found = None
-            if self.passes.separate and not constant and cost > _SEPARATE_FROM:
-                found = separate(self.graph, n, entries)
-            if found is not None and found.cost < cost:
-                return SemiseparableLDL(tape, n, cells, found, self._parts)
-            if cost <= self.unroll_limit * (4 if constant else 1):
-                return UnrolledLDL(tape, n, cells, order)
-        elif n:
-            pivots = self._pivots(n, cells)
-            if pivots is not None and pivots[2] <= self.unroll_limit:
-                return UnrolledLU(tape, n, cells, *pivots[:2])
-        return LoopFactor(tape, kind, n, cells)
+        matrix = Matrix(
+            self.tape, kind, n, cells, self.graph, entries, self.sizes, self._sum_of_parts
+        )
+        found = factorised(matrix, self.passes)
+        self.by_generators |= isinstance(found, SemiseparableLDL)
+        return found
 
-    def _parts(self, parts: dict[Part, float]) -> int:
-        """Return the value of a generator of a semiseparable matrix."""
+    def _sum_of_parts(self, parts: dict[Part, float]) -> int:
+        """Return a sum of products of nodes."""
         tape = self.tape
         result = tape.const(0.0)
         for part, coefficient in parts.items():
@@ -165,24 +140,6 @@ class _Lowering:
             assert factors is not None
             result = tape.add(result, factors)
         return result
-
-    def _pivots(self, n: int, cells: list[int]) -> tuple[list[int], list[int], int] | None:
-        """Look at a matrix at generic states and choose its pivots."""
-        program = Program.from_tape(self.tape, self.sizes, [("matrix", (n * n,), cells)])
-        rng = np.random.default_rng(0)
-        found = []
-        n_x, n_r, n_p = self.sizes
-        for _ in range(4):
-            # States on both sides of zero, constants of different sizes.
-            t, x, r = (rng.normal(0.0, 0.5, shape) for shape in ((8,), (8, n_x), (8, n_r)))
-            p = 10.0 ** rng.uniform(-1.0, 1.0, n_p)
-            values, failed = run(program, t, x, r, p)
-            found += [row for row, bad in zip(values, failed, strict=True) if not bad]
-        samples = np.array([m.reshape(n, n) for m in found if np.isfinite(m).all()])
-        if len(samples) < 16:
-            return None
-        filled = np.array(cells).reshape(n, n) != self.tape.const(0.0)
-        return pivot_order(samples, filled)
 
     # -- sums -------------------------------------------------------------------------------------
 
@@ -205,7 +162,7 @@ class _Lowering:
             terms = [((n, abs(c)), c > 0.0) for n, c in graph.args[node][1]]
             rows.append(sorted(terms, key=rank))
         self.sums = dict(zip(sums, rows, strict=True))
-        if self.passes.share_sums:
+        if "share sums" in self.passes:
             self.sums.update(zip(sums[:count], share_pairs(rows[:count]), strict=True))
 
     def _sum(self, node: int) -> int:
@@ -281,7 +238,7 @@ class _Lowering:
             if fixed or size != 1.0:
                 above.insert(0, ("fixed", fixed, size))
             factors.append(above)
-        if self.passes.share_products:
+        if "share products" in self.passes:
             shared = share_pairs([[(factor, True) for factor in row] for row in factors[:count]])
             factors[:count] = [[tree for tree, _ in row] for row in shared]
         self.products = dict(zip(places, factors, strict=True))

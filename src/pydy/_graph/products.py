@@ -12,11 +12,11 @@ from collections.abc import Sequence
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import directional, jacobian
-from pydy._graph.factor import factor_sums
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._graph.passes import Passes
+from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program
+from pydy._graph.switches import Passes
 
 __all__ = ["KINDS", "derivative_program"]
 
@@ -86,10 +86,10 @@ def derivative_program(
         else:
             shape, extra = (k, vectors), k * vectors
             first = adjoints(g, nodes, [g.one], by)
-            first = factor_sums(g, first) if passes.factor else first
+            first = factor_sums(g, first) if "factor" in passes else first
             seeds = {node: given(k, i) for i, node in enumerate(by)}
             cells = _dense(g, directional(g, first, seeds), vectors)
-        cells = factor_sums(g, cells) if passes.factor else cells
+        cells = factor_sums(g, cells) if "factor" in passes else cells
         return lower(g, (n, s + extra, c), [(kind, shape, cells)], passes=passes)
 
 

@@ -30,6 +30,7 @@ from typing import Any
 from pydy._forks import cached_property
 from pydy._graph.listing import listing
 from pydy._graph.operations import ANGLES, operands, with_operands
+from pydy._graph.tuning import DEEPER
 
 __all__ = ["Block", "Program", "Tape"]
 
@@ -338,14 +339,10 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
             needs: Sequence[int] = (*column[::-1], sound, *fast, *entries)
         else:
             needs = operands(op, args)
-            if op in ("add", "sub") and levels[needs[1]] > levels[needs[0]] + _CLEARLY:
+            if op in ("add", "sub") and levels[needs[1]] > levels[needs[0]] + DEEPER:
                 needs = needs[::-1]
         stack.extend(n for n in reversed(needs) if n not in done)
     return order
-
-
-# Levels by which one operand of a sum must be above the other to come first.
-_CLEARLY = 2
 
 
 def _levels(tape: Tape) -> list[int]:

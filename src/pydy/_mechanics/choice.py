@@ -7,12 +7,14 @@ everywhere, and what simplification saves is not seen before: forms are counted.
 
 from __future__ import annotations
 
-from pydy._graph.accelerations import solve_accelerations
 from pydy._graph.collector import collector_paused
-from pydy._graph.identities import merge_equal
+from pydy._graph.counting import operations
 from pydy._graph.lower import lower
-from pydy._graph.simplify import operations, simplify
-from pydy._graph.structure import difference_basis
+from pydy._graph.passes.merge import merge_equal
+from pydy._graph.simplify import simplify
+from pydy._graph.solve.choose import solve_accelerations
+from pydy._graph.solve.differences import difference_basis
+from pydy._graph.switches import Passes
 from pydy._mechanics.form import Formed, forms
 from pydy._mechanics.reader import Multibody
 
@@ -49,7 +51,7 @@ def _estimated(formed: Formed) -> int:
     else:
         matrix, column = formed.matrix, formed.forcing
         if (chain := difference_basis(graph, matrix, column)) is not None:
-            matrix, column = chain
+            matrix, column = chain.matrix, chain.column
         lower = [matrix[i][j] for i in range(n) for j in range(i + 1)]
         filled = sum(node != graph.zero for node in lower) - n
         # What LDLᵀ takes of a matrix with so many entries, less what its structure saves: half.
@@ -63,7 +65,7 @@ def _counted(formed: Formed) -> int:
     graph = formed.graph.copy()
     solved = formed.accelerations
     if solved is None:
-        solved = solve_accelerations(graph, formed.matrix, formed.forcing, "ldl")
+        solved = solve_accelerations(graph, formed.matrix, formed.forcing, "ldl", Passes())
     nodes = simplify(graph, [*formed.rates, *solved])
     sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])

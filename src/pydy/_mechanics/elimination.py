@@ -23,11 +23,10 @@ from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
+from pydy._graph.tuning import SINGULAR
 from pydy._mechanics.dynamics import Inertia, Load
 
 __all__ = ["Solution", "composite", "eliminated"]
-
-_EPS = 2.0**-52
 
 
 @dataclass(frozen=True)
@@ -119,7 +118,7 @@ def eliminated(
     limits = sizes.of(speeds)
     sound = graph.boolean(True)
     for speed, pivot in pivots:
-        limit = graph.sum([(limits[speed], len(speeds) * _EPS)])
+        limit = graph.sum([(limits[speed], len(speeds) * SINGULAR)])
         floor = fixed.get(speed, graph.zero)
         # What the bodies at the joint itself weigh is part of the pivot: checked once per binding.
         if floor != graph.zero and graph.constant[floor] and graph.constant[limit]:

@@ -15,7 +15,7 @@ from pydy._assembly.system import assemble_system
 from pydy._checks import Places, listed
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
-from pydy._graph.passes import Passes
+from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of

@@ -17,7 +17,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.form import assemble_form
 from pydy._backends.registry import resolve
 from pydy._checks import describe, flag, listed, resolved, shown
-from pydy._graph.passes import Passes
+from pydy._graph.switches import Passes
 from pydy._mechanics.symbols import find_symbols
 from pydy.codegen.arguments import checked_expression
 from pydy.codegen.external_solve import resolve_solver, solve_symbolically

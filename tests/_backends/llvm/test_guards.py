@@ -8,10 +8,11 @@ from graphs import on_tape
 from pydy._backends.c.cython_ import CythonBackend
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
+from pydy._graph.counting import operations
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
-from pydy._graph.simplify import operations, simplify
+from pydy._graph.simplify import simplify
 
 BACKENDS = {
     "llvm": LLVMBackend(lanes=1),

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 from pydy._graph.operations import OPERATIONS, TRUTHS, operands
 from pydy._graph.program import Program
+from pydy._graph.tuning import SINGULAR
 
 __all__ = ["c_prototypes", "c_source"]
 
@@ -37,7 +38,7 @@ static inline double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : a;
    singular. */
 static inline int32_t lu_factor(int n, double *a, int *pivots, double *scales)
 {
-    const double tolerance = n * 2.220446049250313e-16;
+    const double tolerance = n * SINGULAR;
     int32_t singular = 0;
     for (int i = 0; i < n; i++) {
         double top = 0.0;
@@ -134,7 +135,15 @@ def c_source(program: Program, *, prefix: str = "", static: bool = False) -> str
     """
     head = f"/* Written by pydy for the program {program.digest}. */\n\n"
     first, second = (f"{'static ' if static else ''}{s}" for s in _signatures(prefix, "RESTRICT "))
-    lines = [head + _HELPERS, first, *_prepare(program), "", second, *_kernel(program), ""]
+    lines = [
+        head + _HELPERS.replace("SINGULAR", repr(SINGULAR)),
+        first,
+        *_prepare(program),
+        "",
+        second,
+        *_kernel(program),
+        "",
+    ]
     return "\n".join(lines)
 
 

@@ -9,6 +9,7 @@ matrix is not a failure: it comes out as NaN.
 from __future__ import annotations
 
 from pydy._backends.llvm.ir import Function, hex_double, literal, vector_type
+from pydy._graph.tuning import SINGULAR
 
 __all__ = ["mask", "solver_declarations", "solver_functions", "solver_names"]
 
@@ -71,7 +72,7 @@ def _lu_factor() -> str:
     """
     f = Function("lu_factor", "i1", "ptr %a, ptr %pivots, ptr %scales, i64 %n, i64 %s", _INTERNAL)
     size = f.let("sitofp i64 %n to double")
-    tolerance = f.let(f"fmul double {size}, {hex_double(2.0**-52)}")
+    tolerance = f.let(f"fmul double {size}, {hex_double(SINGULAR)}")
     singular = f.variable("i1", "false")
 
     def scale(value: str, place: str) -> None:
@@ -221,7 +222,7 @@ def _ldl_factor(lanes: int) -> str:
     f = Function(f"pydy_ldl_factor_{lanes}", "i32", "ptr %a, ptr %inverse, i64 %n", _PUBLIC)
     flags = f.slot(b)
     size = f.let("sitofp i64 %n to double")
-    tolerance = f.let(f"fmul double {size}, {hex_double(2.0**-52)}")
+    tolerance = f.let(f"fmul double {size}, {hex_double(SINGULAR)}")
     if lanes > 1:
         one = f.let(f"insertelement {v} poison, double {tolerance}, i32 0")
         tolerance = f.let(f"shufflevector {v} {one}, {v} poison, <{lanes} x i32> zeroinitializer")

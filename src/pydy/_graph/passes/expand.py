@@ -11,17 +11,12 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-from pydy._graph.factor import Term, factored, terms_of
 from pydy._graph.node import Graph
+from pydy._graph.passes.factor import Term, factored, terms_of
 from pydy._graph.rewrite import again, rebuild
+from pydy._graph.tuning import LONGEST_MULTIPLIED_OUT, POPULAR
 
 __all__ = ["expand_sums", "is_exact"]
-
-# The most terms of a sum that is multiplied out, by how often it is used: what is used twice is
-# computed once as it stands.
-_LONGEST = {1: 4, 2: 2}
-# A sum that is used twice must bring a factor that at least so many terms then have.
-_POPULAR = 3
 
 
 def expand_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
@@ -122,7 +117,7 @@ class _Expansion:
                 if exponent == 1:
                     found |= self._factors_in(node) or set()
             counts.update(found)
-        return {n for n, count in counts.items() if count >= _POPULAR}
+        return {n for n, count in counts.items() if count >= POPULAR}
 
     def _wanted(self, node: int, exponent: int, popular: set[int]) -> bool:
         """Tell whether a factor is to be multiplied out."""
@@ -142,7 +137,7 @@ class _Expansion:
         if graph.ops[node] != "sum" or graph.constant[node]:
             return None
         c0, terms = graph.args[node]
-        if len(terms) + bool(c0) > _LONGEST.get(self.uses[node], 0):
+        if len(terms) + bool(c0) > LONGEST_MULTIPLIED_OUT.get(self.uses[node], 0):
             return None
         if is_exact(graph, node):
             return None

@@ -12,16 +12,14 @@ import heapq
 from collections.abc import Hashable, Sequence
 from itertools import pairwise
 
+from pydy._graph.tuning import LONGEST_PAIRED
+
 __all__ = ["Tree", "is_pair", "share_pairs"]
 
 # An operand, or the combination of two trees.
 Tree = Hashable
 # A tree, and whether it counts positive; factors of a product always do.
 Signed = tuple[Tree, bool]
-
-# In longer rows only neighbours are tried: all pairs would cost the square of the length, and what
-# long sums share is mostly a run of terms (the loads on everything below a joint).
-_LONG = 20
 
 
 class _Pair(tuple[Signed, Signed]):
@@ -96,7 +94,7 @@ def _signed(trees: list[Tree], entry: int) -> Signed:
 
 def _candidates(row: list[int]) -> set[tuple[int, int]]:
     """Return the pairs of a row; the first of each is made positive."""
-    if len(row) > _LONG:
+    if len(row) > LONGEST_PAIRED:
         couples = [(min(a, b), max(a, b)) for a, b in pairwise(row)]
     else:
         ordered = sorted(row)

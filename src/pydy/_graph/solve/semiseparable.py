@@ -18,19 +18,35 @@ from collections import defaultdict
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from pydy._graph.linsolve import symmetric
 from pydy._graph.node import Graph
 from pydy._graph.program import Tape
+from pydy._graph.solve.ldl import elimination_order
+from pydy._graph.solve.matrix import Matrix, Part, Proposal, symmetric
+from pydy._graph.tuning import (
+    CANCELLATION,
+    LONGEST_ENTRY,
+    MOST_CHANNELS,
+    SEPARATE_FROM,
+    SINGULAR,
+)
 
-__all__ = ["Generators", "SemiseparableLDL", "separate"]
+__all__ = ["Generators", "SemiseparableLDL", "propose", "separate"]
 
-# A product of powers of nodes.
-Part = tuple[tuple[int, int], ...]
 # What multiplies a column's part in each row: {row: {part: coefficient}}.
 _Rows = dict[int, dict[Part, float]]
 
-_MOST_TERMS = 8  # of an entry, multiplied out
-_MOST_CHANNELS = 6
+
+def propose(matrix: Matrix) -> Proposal | None:
+    """Offer an elimination by generators, if the matrix has them and is not small or constant."""
+    if matrix.kind != "ldl" or matrix.fixed.all():
+        return None
+    if elimination_order(matrix.filled, matrix.fixed.diagonal())[1] <= SEPARATE_FROM:
+        return None
+    found = separate(matrix.graph, matrix.n, matrix.entries)
+    if found is None:
+        return None
+    tape, n, cells, value = matrix.tape, matrix.n, matrix.cells, matrix.value
+    return found.cost, lambda: SemiseparableLDL(tape, n, cells, found, value)
 
 
 @dataclass(frozen=True)
@@ -108,7 +124,7 @@ def separate(graph: Graph, n: int, entries: Sequence[int]) -> Generators | None:
                 c = len(channels)
                 channels.append((rows, {}))
             channels[c][1][j] = (own, scale)
-        if len(channels) > _MOST_CHANNELS:
+        if len(channels) > MOST_CHANNELS:
             return None
     if not channels:
         return None
@@ -139,7 +155,7 @@ def _multiplied_out(graph: Graph, node: int) -> list[tuple[Part, float]] | None:
                 break
         if inner is None:
             done[tuple(sorted(powers.items()))] += coefficient
-            if len(done) > _MOST_TERMS:
+            if len(done) > LONGEST_ENTRY:
                 return None
             continue
         exponent = powers.pop(inner)
@@ -157,7 +173,7 @@ def _multiplied_out(graph: Graph, node: int) -> list[tuple[Part, float]] | None:
             else:
                 products = [(((n, 1),), c) for n, c in pairs]
                 products += [((), c0)] if c0 else []
-        if len(products) + len(waiting) > 4 * _MOST_TERMS:
+        if len(products) + len(waiting) > 4 * LONGEST_ENTRY:
             return None
         for factors, c in products:
             joined = dict(powers)
@@ -165,10 +181,6 @@ def _multiplied_out(graph: Graph, node: int) -> list[tuple[Part, float]] | None:
                 joined[n] = joined.get(n, 0) + e * exponent
             waiting.append(({n: e for n, e in joined.items() if e}, coefficient * c**exponent))
     return [(part, c) for part, c in done.items() if c]
-
-
-# A diagonal entry may be the difference of terms at most so much larger than itself.
-_CANCELLATION = 16.0
 
 
 class SemiseparableLDL:
@@ -191,7 +203,7 @@ class SemiseparableLDL:
         self.n = n
         self.entries = symmetric(n, entries)
         zero, one = tape.const(0.0), tape.const(1.0)
-        tolerance, limit = tape.const(n * 2.0**-52), tape.const(_CANCELLATION)
+        tolerance, limit = tape.const(n * SINGULAR), tape.const(CANCELLATION)
         count = len(generators.rows[0])
         self.columns = [[value(part) for part in column] for column in generators.columns]
         self.inverse: list[int] = []

@@ -25,11 +25,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from itertools import product
 
+from pydy._graph.counting import operations
 from pydy._graph.derivative import jacobian
-from pydy._graph.identities import merge_equal, signatures
+from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
+from pydy._graph.passes.merge import merge_equal
 from pydy._graph.rewrite import substitute
-from pydy._graph.simplify import operations
+from pydy._graph.tuning import LONGEST_BODY_POLYNOMIAL, MOST_SPEEDS_OF_A_BODY
 
 __all__ = ["BodyBasis", "body_basis"]
 
@@ -39,12 +41,6 @@ _Polynomial = dict[_Powers, int]
 # The sign of a product, and its factors.
 _Product = tuple[float, tuple[int, ...]]
 _Places = dict[tuple[int, int], int]
-
-# The terms of a polynomial: of a body's own constants there are few, and the masses and lengths
-# that it carries come with them.
-_MOST_TERMS = 64
-# The speeds of one body.
-_MOST_SPEEDS = 6
 
 
 def body_basis(
@@ -119,7 +115,7 @@ class BodyBasis:
     def _settle(self, end: int) -> None:
         """Write entries before `end` that are the same in every state without the state."""
         graph, m = self.graph, self.matrix
-        near = range(max(end - _MOST_SPEEDS, 0), end)
+        near = range(max(end - MOST_SPEEDS_OF_A_BODY, 0), end)
         places = [(i, j) for i in near for j in range(near.start, i + 1)]
         places = [(i, j) for i, j in places if not graph.constant[m[i][j]]]
         nodes = [m[i][j] for i, j in places]
@@ -248,7 +244,7 @@ class _Polynomials:
         for sign, part in parts:
             for powers, node in part.items():
                 terms.setdefault(powers, []).append((node, sign))
-        if len(terms) > _MOST_TERMS:
+        if len(terms) > LONGEST_BODY_POLYNOMIAL:
             raise _TooLongError
         sums = {powers: graph.sum(nodes) for powers, nodes in terms.items()}
         return {powers: node for powers, node in sums.items() if node != graph.zero}

@@ -1,109 +1,97 @@
-"""Linear solves as part of a Program.
+"""L U with pivots chosen beforehand, written out as elementary operations.
 
-A symmetric positive definite matrix is factorised as L D Lᵀ without pivoting, unrolled into
-elementary operations: zeros and ones of the structure disappear by themselves and what depends on
-constants alone falls into the setup stage (Golub & Van Loan, Matrix Computations, 4th ed., §4.1.2).
-Any other matrix is factorised as L U with pivots chosen beforehand. A guard accepts a solution by
-its pivots, or its backward error, and falls back to LU with partial pivoting. Large matrices go to
-a loop in the back end.
+A guard accepts a solution by its backward error, and falls back to partial pivoting.
 """
 
 from __future__ import annotations
 
-from pydy._graph.program import Tape
+import numpy as np
 
-__all__ = ["LoopFactor", "UnrolledLDL", "UnrolledLU", "symmetric"]
+from pydy._graph.interpret import run
+from pydy._graph.program import Program, Tape
+from pydy._graph.solve.matrix import Matrix, Proposal
+from pydy._graph.tuning import BACKWARD_ERROR, PIVOT_SHARE, SINGULAR, SMALL_PIVOT, UNROLL_LIMIT
 
-
-def symmetric(n: int, entries: list[int]) -> list[int]:
-    """Return the matrix that the lower triangle stands for, whatever the upper one holds."""
-    return [entries[max(i, j) * n + min(i, j)] for i in range(n) for j in range(n)]
-
-
-class LoopFactor:
-    """A factorisation that the back end does in a loop."""
-
-    def __init__(self, tape: Tape, kind: str, n: int, entries: list[int]) -> None:
-        self.tape = tape
-        if kind == "ldl":
-            entries = symmetric(n, entries)
-        self.node = tape.make("factor", kind, n, tuple(entries))
-
-    def solve(self, column: list[int]) -> int:
-        """Return the vector node of the solution."""
-        return self.tape.make("solve", self.node, tuple(column))
+__all__ = ["UnrolledLU", "pivot_order", "propose"]
 
 
-class UnrolledLDL:
-    """L D Lᵀ of a symmetric matrix, of which the lower triangle is read, in a given order."""
-
-    def __init__(
-        self, tape: Tape, n: int, entries: list[int], order: list[int] | None = None
-    ) -> None:
-        self.tape = tape
-        self.n = n
-        order = self.order = list(range(n)) if order is None else order
-        # The fallback must see a symmetric matrix too, whatever stands in the upper triangle.
-        self.entries = symmetric(n, entries)
-        zero = self.zero = tape.const(0.0)
-        cell = [[self.entries[i * n + j] for j in order] for i in order]
-        lower: list[list[int]] = [[zero] * n for _ in range(n)]
-        scaled: list[list[int]] = [[zero] * n for _ in range(n)]  # L · D
-        self.inverse: list[int] = []
-        one, tolerance = tape.const(1.0), tape.const(n * 2.0**-52)
-        self.sound = tape.make("bool", True)
-        for j in range(n):
-            pivot = cell[j][j]
-            row = [k for k in range(j) if scaled[j][k] != zero]
-            for k in row:
-                pivot = self._minus(pivot, lower[j][k], scaled[j][k])
-            # A pivot is judged by its own diagonal entry: units do not matter.
-            limit = zero if pivot == cell[j][j] else tape.mul(tolerance, cell[j][j])
-            self._require(tape.make("lt", limit, pivot))
-            inverse = tape.make("div", one, pivot)
-            self.inverse.append(inverse)
-            for i in range(j + 1, n):
-                value = cell[i][j]
-                # Of the two equal products the one that does not wait for this row's quotients.
-                for k in row:
-                    value = self._minus(value, scaled[i][k], lower[j][k])
-                if value != zero:
-                    scaled[i][j] = value
-                    lower[i][j] = tape.mul(value, inverse)
-        self.lower = lower
-
-    def _require(self, condition: int) -> None:
-        tape = self.tape
-        first = tape.ops[self.sound] == "bool"
-        self.sound = condition if first else tape.make("and", self.sound, condition)
-
-    def _minus(self, value: int, a: int, b: int) -> int:
-        if self.zero in (a, b):
-            return value
-        return self.tape.sub(value, self.tape.mul(a, b))
-
-    def solve(self, column: list[int]) -> int:
-        """Return the vector node of the guarded solution."""
-        n, tape = self.n, self.tape
-        y = [column[i] for i in self.order]
-        for i in range(n):
-            for k in range(i):
-                y[i] = self._minus(y[i], self.lower[i][k], y[k])
-        x = [tape.mul(v, d) for v, d in zip(y, self.inverse, strict=True)]
-        for i in reversed(range(n)):
-            for k in range(i + 1, n):
-                x[i] = self._minus(x[i], self.lower[k][i], x[k])
-        fast = [0] * n
-        for place, value in zip(self.order, x, strict=True):
-            fast[place] = value
-        return tape.make("guard", n, tuple(self.entries), tuple(column), self.sound, tuple(fast))
+def propose(matrix: Matrix) -> Proposal | None:
+    """Offer to write the elimination out, unless it is too long or there is no sound order."""
+    if matrix.kind != "lu" or not matrix.n or (samples := _generic(matrix)) is None:
+        return None
+    pivots = pivot_order(samples, matrix.filled)
+    if pivots is None or pivots[2] > UNROLL_LIMIT:
+        return None
+    rows, columns, cost = pivots
+    return cost, lambda: UnrolledLU(matrix.tape, matrix.n, matrix.cells, rows, columns)
 
 
-# A pivot smaller than this share of its row leaves the decision, singular or not, to the fallback.
-_SMALL_PIVOT = 1e-9
-# The backward error of a solution that is taken, in units of n·eps. Four in a hundred states of a
-# bicycle are beyond 4, six in a thousand beyond 32, and a fallback holds up all lanes of a batch.
-_BACKWARD_ERROR = 32
+def _generic(matrix: Matrix) -> np.ndarray | None:
+    """Return the matrix at generic states, or None where it is hardly ever defined."""
+    n = matrix.n
+    program = Program.from_tape(matrix.tape, matrix.sizes, [("matrix", (n * n,), matrix.cells)])
+    rng = np.random.default_rng(0)
+    found = []
+    n_x, n_r, n_p = matrix.sizes
+    for _ in range(4):
+        # States on both sides of zero, constants of different sizes.
+        t, x, r = (rng.normal(0.0, 0.5, shape) for shape in ((8,), (8, n_x), (8, n_r)))
+        p = 10.0 ** rng.uniform(-1.0, 1.0, n_p)
+        values, failed = run(program, t, x, r, p)
+        found += [row for row, bad in zip(values, failed, strict=True) if not bad]
+    samples = np.array([m.reshape(n, n) for m in found if np.isfinite(m).all()])
+    return samples if len(samples) >= 16 else None
+
+
+def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], list[int], int] | None:
+    """Choose the pivots of an LU beforehand: few new entries, and sound at generic states.
+
+    Parameters
+    ----------
+    samples : ndarray, shape (m, n, n)
+        The matrix at m generic states.
+    filled : ndarray of bool, shape (n, n)
+        Its pattern.
+
+    Returns
+    -------
+    (rows, columns, cost) or None
+        In the order of elimination, by Markowitz' count with threshold pivoting (Duff, Erisman &
+        Reid, Direct Methods for Sparse Matrices, 2nd ed., §§5.2, 7.2), and the multiply-adds of
+        the factorisation and one solve. None where no entry would do at all samples.
+    """
+    a = samples / np.abs(samples).max(axis=2, keepdims=True).clip(1e-300)
+    pattern = filled.copy()
+    n = len(filled)
+    rows_left, columns_left = list(range(n)), list(range(n))
+    rows: list[int] = []
+    columns: list[int] = []
+    cost = 0
+    for _ in range(n):
+        best: tuple[int, int, int] | None = None
+        in_row = pattern[np.ix_(rows_left, columns_left)].sum(axis=1)
+        in_column = pattern[np.ix_(rows_left, columns_left)].sum(axis=0)
+        size = np.abs(a[:, rows_left][:, :, columns_left])
+        sound = (size >= PIVOT_SHARE * size.max(axis=1, keepdims=True)) & (size > 1e-9)
+        allowed = sound.all(axis=0) & pattern[np.ix_(rows_left, columns_left)]
+        for i, j in zip(*np.nonzero(allowed), strict=True):
+            rank = (int((in_row[i] - 1) * (in_column[j] - 1)), int(i), int(j))
+            if best is None or rank < best:
+                best = rank
+        if best is None:
+            return None
+        row, column = rows_left.pop(best[1]), columns_left.pop(best[2])
+        rows.append(row)
+        columns.append(column)
+        others = [i for i in rows_left if pattern[i, column]]
+        across = [j for j in columns_left if pattern[row, j]]
+        cost += len(others) * (len(across) + 2) + len(across) + 1
+        for i in others:
+            factor = a[:, i, column] / a[:, row, column]
+            for j in across:
+                a[:, i, j] -= factor * a[:, row, j]
+                pattern[i, j] = True
+    return rows, columns, cost
 
 
 class UnrolledLU:
@@ -128,7 +116,7 @@ class UnrolledLU:
         self.columns = columns
         zero = self.zero = tape.const(0.0)
         cell = [[entries[i * n + j] for j in columns] for i in rows]
-        one, small = tape.const(1.0), tape.const(_SMALL_PIVOT)
+        one, small = tape.const(1.0), tape.const(SMALL_PIVOT)
         sizes = [self._largest([c for c in row if c != zero]) for row in cell]
         self.lower: list[list[int]] = [[zero] * n for _ in range(n)]
         self.inverse: list[int] = []
@@ -206,7 +194,7 @@ class UnrolledLU:
     def _accurate(self, column: list[int], x: list[int]) -> int:
         """Return whether the residual of every row is a matter of rounding."""
         n, tape, zero = self.n, self.tape, self.zero
-        tolerance = tape.const(_BACKWARD_ERROR * n * 2.0**-52)
+        tolerance = tape.const(BACKWARD_ERROR * n * SINGULAR)
         sizes = [self._size(value) for value in x]
         sound = self.sound
         for i in range(n):

@@ -1,0 +1,1 @@
+"""Linear systems inside a Program: their unknowns, and how their matrices are factorised."""

@@ -1,0 +1,103 @@
+"""Differences of neighbouring rows: where each coordinate carries everything after it.
+
+Neighbouring rows of M and b then agree but for one body. With T the identity less the first
+superdiagonal, T M Tᵀ is nearly diagonal and T b short: ``(T M Tᵀ) y = T b`` and ``x = Tᵀ y``, that
+is ``x[i] = y[i] − y[i − 1]``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from pydy._graph.node import Graph
+
+__all__ = ["Differences", "difference_basis"]
+
+
+@dataclass(frozen=True)
+class Differences:
+    """A linear system in the differences of another one's rows.
+
+    Attributes
+    ----------
+    matrix : list of list of nodes
+    column : list of nodes
+    """
+
+    graph: Graph
+    matrix: list[list[int]]
+    column: list[int]
+
+    def given_unknowns(self, y: Sequence[int]) -> list[int]:
+        """Return the unknowns of the first system from those of this one."""
+        return [y[0], *(self.graph.sub(b, a) for a, b in pairwise(y))]
+
+
+def _terms(graph: Graph, node: int) -> dict[int, float]:
+    """Return a node as a linear combination, a constant under the key −1."""
+    op, args = graph.ops[node], graph.args[node]
+    if op == "const":
+        return {-1: args[0]} if args[0] else {}
+    if op == "sum":
+        terms = dict(args[1])
+        if args[0]:
+            terms[-1] = args[0]
+        return terms
+    return {node: 1.0}
+
+
+def _minus(a: dict[int, float], b: dict[int, float]) -> dict[int, float]:
+    result = dict(a)
+    for n, c in b.items():
+        rest = result.get(n, 0.0) - c
+        if rest:
+            result[n] = rest
+        else:
+            result.pop(n, None)
+    return result
+
+
+def _node(graph: Graph, terms: dict[int, float]) -> int:
+    return graph.sum([(n, c) for n, c in terms.items() if n >= 0], terms.get(-1, 0.0))
+
+
+def difference_basis(
+    graph: Graph, matrix: Sequence[Sequence[int]], column: Sequence[int]
+) -> Differences | None:
+    """Return a symmetric system in differences, when at least half of its entries vanish."""
+    n = len(matrix)
+    if n < 3:
+        return None
+    zero = graph.zero
+    if sum(entry != zero for row in matrix for entry in row) < 0.75 * n * n:
+        return None
+    known: dict[int, dict[int, float]] = {}
+
+    def terms(i: int, j: int) -> dict[int, float]:
+        if i >= n or j >= n:
+            return {}
+        entry = matrix[max(i, j)][min(i, j)]
+        if entry not in known:
+            known[entry] = _terms(graph, entry)
+        return known[entry]
+
+    def difference(i: int, j: int) -> dict[int, float]:
+        above = _minus(terms(i, j), terms(i + 1, j))
+        return _minus(above, _minus(terms(i, j + 1), terms(i + 1, j + 1)))
+
+    # The last rows tell at little cost whether it is worth while.
+    if any(difference(n - 1, j) for j in range(n - 2)):
+        return None
+    cells = [[difference(i, j) for j in range(i + 1)] for i in range(n)]
+    filled = sum(2 * bool(cell) for row in cells for cell in row)
+    if filled > 0.5 * n * n + n:
+        return None
+    rows = [[zero] * n for _ in range(n)]
+    for i in range(n):
+        for j in range(i + 1):
+            rows[i][j] = rows[j][i] = _node(graph, cells[i][j])
+    right = [_terms(graph, b) for b in column] + [{}]
+    differences = [_node(graph, _minus(right[i], right[i + 1])) for i in range(n)]
+    return Differences(graph, rows, differences)

@@ -1,0 +1,78 @@
+"""A linear system's matrix, as the strategies that factorise it see it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+
+from pydy._graph.node import Graph
+from pydy._graph.program import Tape
+
+__all__ = ["Factor", "Matrix", "Part", "Proposal", "symmetric"]
+
+Part = tuple[tuple[int, int], ...]
+"""A product of powers of nodes of a graph."""
+
+
+class Factor(Protocol):
+    """A matrix that is factorised."""
+
+    def solve(self, column: list[int]) -> int:
+        """Return the vector node of the solution."""
+
+
+Proposal = tuple[int, Callable[[], Factor]]
+"""The multiply-adds of the factorisation and one solve, and what writes it."""
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """A square matrix.
+
+    Attributes
+    ----------
+    tape : Tape
+        Receives the operations.
+    kind : {'ldl', 'lu'}
+        Symmetric and positive definite, of which the lower triangle is read; or any.
+    n : int
+    cells : list of int
+        The entries on the tape, row by row.
+    graph : Graph
+    entries : sequence of nodes
+        The same in the graph.
+    sizes : (int, int, int)
+        Of the Program.
+    value : callable
+        Writes a sum of products of nodes of the graph on the tape, given ``{part: coefficient}``.
+    """
+
+    tape: Tape
+    kind: str
+    n: int
+    cells: list[int]
+    graph: Graph
+    entries: Sequence[int]
+    sizes: tuple[int, int, int]
+    value: Callable[[dict[Part, float]], int]
+
+    @cached_property
+    def filled(self) -> np.ndarray:
+        """Which entries are not structurally zero."""
+        cells = symmetric(self.n, self.cells) if self.kind == "ldl" else self.cells
+        filled: np.ndarray = np.array(cells).reshape(self.n, self.n) != self.tape.const(0.0)
+        return filled
+
+    @cached_property
+    def fixed(self) -> np.ndarray:
+        """Which entries depend on constants alone."""
+        return np.array([self.tape.setup[c] for c in self.cells]).reshape(self.n, self.n)
+
+
+def symmetric(n: int, entries: list[int]) -> list[int]:
+    """Return the matrix that the lower triangle stands for, whatever the upper one holds."""
+    return [entries[max(i, j) * n + min(i, j)] for i in range(n) for j in range(n)]

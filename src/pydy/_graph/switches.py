@@ -1,0 +1,65 @@
+"""Which rewriting passes and solve strategies run. All do; a benchmark leaves some out."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pydy._graph.passes import SHARING, SIMPLIFICATIONS
+from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
+
+__all__ = ["Passes"]
+
+
+@dataclass(frozen=True)
+class Passes:
+    """Switches, by the names in the lists of passes and strategies.
+
+    ``name in passes`` tells whether one is on.
+
+    Attributes
+    ----------
+    off : frozenset of str
+    """
+
+    off: frozenset[str] = frozenset()
+
+    def __contains__(self, name: object) -> bool:
+        return name not in self.off
+
+    @staticmethod
+    def names() -> list[str]:
+        """Return all names, in the order in which they run."""
+        first = [name for name, _ in UNKNOWNS]
+        rewriting = [name for name, _ in SIMPLIFICATIONS]
+        factorising = [name for name, _ in FACTORISATIONS]
+        return list(dict.fromkeys([*first, *rewriting, *SHARING, *factorising]))
+
+    @classmethod
+    def without(cls, *names: str) -> Passes:
+        """Return the switches with some of them off.
+
+        Raises
+        ------
+        ValueError
+            There is no pass or strategy of that name.
+        """
+        for name in names:
+            if name not in cls.names():
+                raise ValueError(
+                    f"`names` has {name!r}, which is no pass or strategy: they are "
+                    f"{', '.join(cls.names())}."
+                )
+        return cls(frozenset(names))
+
+    def but(self, name: str) -> Passes:
+        """Return the same with one more off."""
+        return Passes(self.off | {name})
+
+    @classmethod
+    def none(cls) -> Passes:
+        """Return the switches all off but for the plain eliminations, which rewrite nothing."""
+        return cls(frozenset(cls.names()) - {"ldl", "lu"})
+
+    def running(self) -> tuple[str, ...]:
+        """Return the names of those that are on."""
+        return tuple(name for name in self.names() if name in self)

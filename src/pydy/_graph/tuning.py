@@ -1,0 +1,74 @@
+"""Thresholds of the graph, each with what it was found by.
+
+Counts are those of `tests/test_operation_counts.py`, at every call of a whole right-hand side.
+"""
+
+from __future__ import annotations
+
+__all__ = [
+    "BACKWARD_ERROR",
+    "CANCELLATION",
+    "DEEPER",
+    "LONGEST_BODY_POLYNOMIAL",
+    "LONGEST_ENTRY",
+    "LONGEST_MULTIPLIED_OUT",
+    "LONGEST_PAIRED",
+    "MOST_CHANNELS",
+    "MOST_SPEEDS_OF_A_BODY",
+    "PIVOT_SHARE",
+    "POPULAR",
+    "SEPARATE_FROM",
+    "SINGULAR",
+    "SMALL_PIVOT",
+    "SOLVED_MODULO_A_PRIME",
+    "UNROLL_LIMIT",
+]
+
+# A matrix of n rows is singular where a pivot is not above n times this of its scale: what
+# rounding leaves of a pivot that is zero (Higham, Accuracy and Stability, 2nd ed., §9.3). Every
+# solve uses it.
+SINGULAR = 2.0**-52
+
+# -- rewriting ------------------------------------------------------------------------------------
+
+# Terms of a sum that is multiplied out, by how often it is used. Sums that are used twice: 893 and
+# 2,528 operations without for 10 and 20 links (670 and 1,390 with).
+LONGEST_MULTIPLIED_OUT = {1: 4, 2: 2}
+# Terms that must have a factor in common before a sum that is used twice is multiplied out.
+POPULAR = 3
+# Operands of a row of which all pairs are tried; of longer ones neighbours. All pairs cost the
+# square of the length, and what long sums share is mostly a run of terms.
+LONGEST_PAIRED = 20
+# Rows of linear systems that are solved modulo a prime: that takes n³ times 0.2 µs in Python.
+SOLVED_MODULO_A_PRIME = 32
+
+# -- order of operations --------------------------------------------------------------------------
+
+# Levels by which one operand of a sum must be above the other to be computed first.
+DEEPER = 2
+
+# -- linear solves --------------------------------------------------------------------------------
+
+# Multiply-adds of an elimination that is written out, about those of a full 24 by 24 matrix;
+# beyond, compiling takes longer than the loop loses. Of constants four times as many: they run
+# once.
+UNROLL_LIMIT = 3500
+# Multiply-adds of an elimination from which separable rows are looked for: below, it needs none.
+SEPARATE_FROM = 200
+# Terms of an entry, multiplied out, in the search for separable rows; a chain's entries have two.
+LONGEST_ENTRY = 8
+# Channels of a matrix with separable rows; a chain in the plane has two.
+MOST_CHANNELS = 6
+# How much larger than a diagonal entry the terms may be whose difference it is, where rows
+# separate: four bits at most are lost. In chains of bodies they never are larger.
+CANCELLATION = 16.0
+# Terms of an entry as a polynomial in a body's own constants, of which there are few.
+LONGEST_BODY_POLYNOMIAL = 64
+MOST_SPEEDS_OF_A_BODY = 6
+# A pivot below this share of its row leaves the decision, singular or not, to partial pivoting.
+SMALL_PIVOT = 1e-9
+# Backward error of a solution that is taken, in units of n·eps. Four in a hundred states of a
+# bicycle are beyond 4, six in a thousand beyond 32, and a fallback holds up all lanes of a batch.
+BACKWARD_ERROR = 32
+# Share of its column that a pivot chosen beforehand has at every sampled state.
+PIVOT_SHARE = 0.01
