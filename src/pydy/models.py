@@ -6,9 +6,9 @@ from typing import Any
 
 import sympy as sm
 import sympy.physics.mechanics as me
-from sympy.physics.mechanics.models import n_link_pendulum_on_cart as _sympy_pendulum
 
 from pydy._checks import flag, shown
+from pydy._mechanics.definition import Definition
 from pydy.system import System
 
 __all__ = ["multi_mass_spring_damper", "n_link_pendulum_on_cart"]
@@ -91,7 +91,6 @@ def multi_mass_spring_damper(
     loads = []
     for i in range(n):
         point = above.locatenew(f"P{i}", x[i] * ceiling.x)
-        point.set_vel(ceiling, above.vel(ceiling) + v[i] * ceiling.x)
         pull = -k[i] * x[i] - c[i] * v[i]
         if i + 1 < n:
             pull += k[i + 1] * x[i + 1] + c[i + 1] * v[i + 1]
@@ -103,17 +102,25 @@ def multi_mass_spring_damper(
         loads.append((point, pull * ceiling.x))
         above = point
 
-    rates = [xi.diff(t) - vi for xi, vi in zip(x, v, strict=True)]
+    return _system(Definition(ceiling, x, v, bodies=particles, loads=loads))
+
+
+def _system(definition: Definition) -> System:
+    definition.as_method = _kanes_method
+    return System(definition)
+
+
+def _kanes_method(definition: Definition) -> me.KanesMethod:
+    """Return what scripts expect as `eom_method`: it takes SymPy long, and few ask for it."""
     kane = me.KanesMethod(
-        ceiling,
-        q_ind=x,
-        u_ind=v,
-        kd_eqs=rates,
-        bodies=particles,
-        forcelist=loads,
+        definition.frame,
+        q_ind=definition.coordinates,
+        u_ind=definition.speeds,
+        kd_eqs=definition.kinematic_equations,
         kd_eqs_solver=_solve_identity,  # SymPy's own would eliminate it, in n³ steps
     )
-    return System(kane)
+    kane.kanes_equations(definition.bodies, definition.loads)
+    return kane
 
 
 def _solve_identity(matrix: Any, column: Any) -> Any:
@@ -126,7 +133,8 @@ def n_link_pendulum_on_cart(
     """Return a planar pendulum of n links on a cart that slides along a line.
 
     Each link is massless with a particle at its end. All angles are measured from the upright
-    direction. The equations are those of `sympy.physics.mechanics.models.n_link_pendulum_on_cart`.
+    direction. The equations are those of `sympy.physics.mechanics.models.n_link_pendulum_on_cart`,
+    formed from the bodies.
 
     Parameters
     ----------
@@ -157,4 +165,20 @@ def n_link_pendulum_on_cart(
     """
     _check_size(n)
     forced, driven = flag(cart_force, "`cart_force`"), flag(joint_torques, "`joint_torques`")
-    return System(_sympy_pendulum(n, forced, driven))
+    q, u = me.dynamicsymbols(f"q:{n + 1}"), me.dynamicsymbols(f"u:{n + 1}")
+    m, l, g = sm.symbols(f"m:{n + 1}"), sm.symbols(f"l:{n}"), sm.Symbol("g")
+    torques = [*me.dynamicsymbols(f"T1:{n + 1}"), 0] if driven else [0] * (n + 1)
+    ground, rest = me.ReferenceFrame("I"), me.Point("O")
+    rest.set_vel(ground, 0)
+    end = rest.locatenew("P0", q[0] * ground.x)
+    push = me.dynamicsymbols("F") if forced else 0
+    particles = [me.Particle("Pa0", end, m[0])]
+    loads = [(end, push * ground.x - m[0] * g * ground.y)]
+    for i in range(n):
+        link = ground.orientnew(f"B{i}", "Axis", [q[i + 1], ground.z])
+        link.set_ang_vel(ground, u[i + 1] * ground.z)
+        end = end.locatenew(f"P{i + 1}", l[i] * link.y)
+        particles.append(me.Particle(f"Pa{i + 1}", end, m[i + 1]))
+        loads.append((end, -m[i + 1] * g * ground.y))
+        loads.append((link, (torques[i] - torques[i + 1]) * ground.z))
+    return _system(Definition(ground, q, u, bodies=particles, loads=loads))

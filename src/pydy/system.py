@@ -21,7 +21,7 @@ from pydy._checks import describe, flag, real_array, vector
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._graph.switches import Passes
 from pydy._kernel import Kernel
-from pydy._mechanics.extract import extract
+from pydy._mechanics.extract import extract, method_of, symbolic_matrices
 from pydy._names import nearest
 from pydy._system.analysis import Numbers, find_equilibrium, linearize, variables
 from pydy._system.causes import cause_of, explain
@@ -283,7 +283,7 @@ class System:
     @property
     def eom_method(self) -> Any:
         """The KanesMethod that the equations come from. Read-only."""
-        return self._eom_method
+        return method_of(self._eom_method)
 
     @property
     def coordinates(self) -> list[Any]:
@@ -692,15 +692,10 @@ class System:
         solver = resolve_solver(options.pop("linear_sys_solver", None))
         equations = definition.equations
         if isinstance(solver, str):
-            if equations.formed is not None:
-                raise NotImplementedError(
-                    "`linear_sys_solver='sympy'` needs a mass matrix in SymPy, but the equations "
-                    "of motion were formed from the bodies. Call `kanes_equations()` of the "
-                    "KanesMethod and pass `equations='method'` to System."
-                )
-            solved = solve_symbolically(equations.mass_matrix, equations.forcing, solver)
+            solved = solve_symbolically(*symbolic_matrices(equations, self._eom_method), solver)
             equations = replace(
                 equations,
+                formed=None,
                 mass_matrix=sm.eye(len(solved)),
                 forcing=tuple(solved),
                 positive_definite=True,

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 from sympy.physics.mechanics import models as sympy_models
 
 import zoo
@@ -148,3 +149,32 @@ def test_a_model_can_be_integrated_at_once(model):
     system = model(2)
     system.times = [0.0, 0.1]
     assert system.integrate().shape == (2, system.num_states)
+
+
+@pytest.mark.parametrize("make", [multi_mass_spring_damper, n_link_pendulum_on_cart])
+def test_the_method_is_sympys_and_is_derived_when_it_is_asked_for(make, monkeypatch):
+    derived = []
+    kanes_equations = me.KanesMethod.kanes_equations
+
+    def noted(kane, *args):
+        derived.append(kane)
+        return kanes_equations(kane, *args)
+
+    monkeypatch.setattr(me.KanesMethod, "kanes_equations", noted)
+    system = make(2)
+    state = numbered(system)
+    found = system.evaluate_ode(state)
+    assert not derived
+    kane = system.eom_method
+    assert derived == [kane]
+    assert system.eom_method is kane
+    assert [*kane.q, *kane.u] == system.states
+    close(System(kane, system.constants, equations="method").evaluate_ode(state), found, 1e-12)
+
+
+def test_the_sample_systems_can_be_solved_symbolically():
+    system = n_link_pendulum_on_cart(1)
+    state = numbered(system)
+    found = system.evaluate_ode(state)
+    system.generate_ode_function(linear_sys_solver="sympy")
+    close(system.evaluate_ode(state), found, 1e-12)

@@ -28,11 +28,12 @@ _NEAR = 1.15
 @collector_paused()
 def chosen(body: Multibody) -> Formed:
     """Return the equations of motion in the form that takes fewest operations."""
-    in_bodies, in_ground = forms(body, in_bodies=True), forms(body, in_bodies=False)
+    in_bodies = forms(body, in_bodies=True)
+    in_ground = in_bodies if in_bodies[0].in_one_frame else forms(body, in_bodies=False)
     best: list[Formed] = []
     costs: list[int] = []
     for pair in zip(in_bodies, in_ground, strict=True):  # of each kind
-        own = [_estimated(formed) for formed in pair]
+        own = [_estimated(formed) for formed in dict.fromkeys(pair)]
         costs.append(min(own))
         best.append(pair[own.index(costs[-1])])
     if len(best) == 2 and max(costs) < _NEAR * min(costs):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -98,7 +98,7 @@ class Definition:
         t = dynamicsymbols._t
         self.frame = frame
         self.coordinates = _functions("coordinates", coordinates)
-        rates = tuple(q.diff(t) for q in self.coordinates)
+        rates = self._rates = tuple(q.diff(t) for q in self.coordinates)
         self.speeds = rates if speeds is None else _functions("speeds", speeds, rates)
         self.bodies = check_bodies(listed("bodies", bodies, "Particle and RigidBody objects"))
         if not self.bodies:
@@ -123,6 +123,7 @@ class Definition:
         )
         self.dependent_speeds = _among("dependent_speeds", dependent_speeds, self.speeds, "speeds")
         self._check_names()
+        self.as_method: Callable[[Definition], Any] | None = None
 
     def __repr__(self) -> str:
         constraints = len(self.holonomic_constraints) + len(self.nonholonomic_constraints)
@@ -131,6 +132,11 @@ class Definition:
             f"coordinates, {len(self.speeds)} speeds, {constraints} constraints"
         )
         return f"<Definition in {self.frame}: {counts}>"
+
+    @cached_property
+    def method(self) -> Any:
+        """What System shows as its `eom_method`: this, or what `as_method` makes of it, once."""
+        return self if self.as_method is None else self.as_method(self)
 
     def _kinematic(self, equations: Any, rates: Sequence[Any]) -> tuple[Any, ...]:
         if equations is not None:
@@ -155,9 +161,8 @@ class Definition:
     @cached_property
     def multibody(self) -> Multibody:
         """The same, with q' solved for and dependent coordinates and speeds behind the others."""
-        t = dynamicsymbols._t
-        rates = tuple(q.diff(t) for q in self.coordinates)
-        wanted = [rate for rate in rates if rate not in self.speeds]
+        rates, speeds = self._rates, set(self.speeds)
+        wanted = [rate for rate in rates if rate not in speeds]
         equations = [e for e in self.kinematic_equations if e != 0]
         solved = dict(
             zip(wanted, solve_rates(equations, wanted, "kinematic_equations"), strict=True)
@@ -166,7 +171,7 @@ class Definition:
             frame=self.frame,
             bodies=self.bodies,
             loads=self.loads,
-            time=t,
+            time=dynamicsymbols._t,
             coordinates=self.coordinates,
             speeds=self.speeds,
             coordinate_rates=rates,
@@ -181,14 +186,14 @@ class Definition:
             kinematics_of(body), self.dependent_coordinates, self.dependent_speeds
         )
         coordinates = _behind(self.coordinates, q_dep)
+        rate_of = dict(zip(self.coordinates, rates, strict=True))
+        rates = tuple(rate_of[q] for q in coordinates)
         return replace(
             body,
             coordinates=coordinates,
             speeds=_behind(self.speeds, u_dep),
-            coordinate_rates=tuple(q.diff(t) for q in coordinates),
-            coordinate_derivatives=tuple(
-                solved.get(rate, rate) for rate in (q.diff(t) for q in coordinates)
-            ),
+            coordinate_rates=rates,
+            coordinate_derivatives=tuple(solved.get(rate, rate) for rate in rates),
             holonomic=tuple(body.holonomic[k] for k in places.rows),
             velocity=tuple(body.velocity[k] for k in motions.rows),
             dependent_coordinates=q_dep,

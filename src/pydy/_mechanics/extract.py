@@ -14,7 +14,7 @@ from pydy._mechanics.joints import equations_of_joints, equations_of_system
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.lagrange import equations_of_lagrange
 
-__all__ = ["extract"]
+__all__ = ["extract", "method_of", "symbolic_matrices"]
 
 
 @singledispatch
@@ -43,3 +43,28 @@ extract.register(LagrangesMethod, equations_of_lagrange)
 extract.register(Definition, equations_of_definition)
 extract.register(System, equations_of_system)
 extract.register(JointsMethod, equations_of_joints)
+
+
+def method_of(eom_method: Any) -> Any:
+    """Return the object that a System shows as its `eom_method`."""
+    return eom_method.method if isinstance(eom_method, Definition) else eom_method
+
+
+def symbolic_matrices(equations: Equations, eom_method: Any) -> tuple[Any, Any]:
+    """Return the mass matrix and forcing as SymPy's expressions.
+
+    Raises
+    ------
+    NotImplementedError
+        The equations were formed on a graph, and the method has none of its own.
+    """
+    if equations.formed is not None and not len(equations.mass_matrix):
+        try:
+            equations = extract(method_of(eom_method), "method")
+        except ValueError:
+            raise NotImplementedError(
+                "`linear_sys_solver='sympy'` needs a mass matrix in SymPy, but the equations of "
+                "motion were formed from the bodies. Call `kanes_equations()` of a KanesMethod "
+                "and hand that to System."
+            ) from None
+    return equations.mass_matrix, equations.forcing

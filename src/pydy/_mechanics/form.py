@@ -39,6 +39,8 @@ class Formed:
         The kinetic energy.
     honoured : tuple of points
         Those with a velocity of the user's that is not the rate of their place.
+    in_one_frame : bool
+        Whether no vector had to be expressed in another frame: the choice of axes is none.
     """
 
     graph: Graph
@@ -50,6 +52,7 @@ class Formed:
     accelerations: list[int] | None
     kinetic: int
     honoured: tuple[Any, ...] = ()
+    in_one_frame: bool = False
 
     def inputs(self) -> set[tuple[str, int]]:
         """Return the inputs that q', M and F depend on."""
@@ -149,6 +152,7 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
             accelerations,
             _kinetic(kinematics, inertias),
             tuple(sorted(kinematics.honoured, key=str)),
+            kinematics.in_one_frame,
         )
     ]
     if not body.velocity and not moved:

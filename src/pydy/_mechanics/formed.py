@@ -22,7 +22,7 @@ def kinematics_of(body: Multibody) -> Equations:
         coordinates=body.coordinates,
         speeds=body.speeds,
         coordinate_rates=body.coordinate_rates,
-        speed_rates=tuple(u.diff(body.time) for u in body.speeds),
+        speed_rates=body.speed_rates,
         coordinate_derivatives=body.coordinate_derivatives,
         mass_matrix=(),
         forcing=(),

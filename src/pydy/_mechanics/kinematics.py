@@ -60,8 +60,7 @@ class Kinematics:
         coordinates = [atoms[s] for s in body.coordinates]
         self.speeds = [atoms[s] for s in body.speeds]
         self.accelerations = [g.input("a", k) for k in range(len(self.speeds))]
-        rates = dict(zip(body.speeds, self.accelerations, strict=True))
-        atoms.update((s.diff(body.time), node) for s, node in rates.items())
+        atoms.update(zip(body.speed_rates, self.accelerations, strict=True))
         self.auxiliary = [g.input("aux", k) for k in range(len(body.auxiliary) if auxiliary else 0)]
         for k, s in enumerate(body.auxiliary):
             atoms[s] = self.auxiliary[k] if auxiliary else g.zero
@@ -118,7 +117,7 @@ class Kinematics:
         own = {g.input("t", 0): body.time}
         for group, symbols in (
             ("x", (*body.coordinates, *body.speeds)),
-            ("a", [s.diff(body.time) for s in body.speeds]),
+            ("a", body.speed_rates),
             ("p", read.constants),
             ("r", read.specifieds),
         ):
@@ -147,6 +146,11 @@ class Kinematics:
             matrix = self.tree.rotation(frame, self.tree.parent(frame))
             self._steps[frame] = [self.read.all(matrix.row(i)) for i in range(3)]
         return self._steps[frame]
+
+    @property
+    def in_one_frame(self) -> bool:
+        """Whether nothing had to be expressed in another frame so far."""
+        return not self._steps
 
     def _cosine(self, frame: Any) -> list[Vec]:
         """Return the matrix that gives components in a frame from those in the inertial one."""
@@ -277,16 +281,16 @@ class Kinematics:
     def _accelerating(self, vector: Any, home: Any) -> Vec:
         """Return an acceleration that the user wrote, at u' = 0."""
         read, zero = self.read, self.graph.zero
-        known = dict(zip(self.body.speeds, self.accelerations, strict=True))
+        known = dict(zip(self.body.speed_rates, self.accelerations, strict=True))
         for symbol in known:
-            read.define(symbol.diff(self.body.time), zero)
+            read.define(symbol, zero)
         self._at_rest = True
         parts = self.vector(vector, home)
         self._at_rest = False
         for symbol in self.body.coordinates:
             read.atoms.pop(symbol.diff(self.body.time, 2), None)
         for symbol, node in known.items():
-            read.define(symbol.diff(self.body.time), node)
+            read.define(symbol, node)
         return parts
 
     # -- points -----------------------------------------------------------------------------------

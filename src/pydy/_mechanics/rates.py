@@ -39,11 +39,11 @@ def solve_rates(
     ValueError
         The equations do not give q'; the message names the coordinates.
     """
-    known = set(coordinate_rates)
-    unknowns = [[s for s in find_symbols([e]) if s in known] for e in equations]
+    order = {rate: k for k, rate in enumerate(coordinate_rates)}
+    unknowns = [[s for s in find_symbols([e]) if s in order] for e in equations]
     found: dict[Any, Any] = {}
     for group in _connected(unknowns):
-        own = [r for r in coordinate_rates if any(r in unknowns[k] for k in group)]
+        own = sorted({s for k in group for s in unknowns[k]}, key=order.__getitem__)
         rows = [equations[k] for k in group]
         if len(own) != len(group):
             raise ValueError(
@@ -75,6 +75,10 @@ def _connected(unknowns: list[list[Any]]) -> list[list[int]]:
 
 
 def _solved(rows: list[Any], own: list[Any], argument: str) -> list[Any]:
+    if len(own) == 1:  # mostly q' less an expression, where SymPy's derivatives would take long
+        for trial in (own[0] - rows[0], own[0] + rows[0]):
+            if own[0] not in find_symbols([trial]):
+                return [trial]
     matrix = sm.Matrix([[row.diff(rate) for rate in own] for row in rows])
     if any(rate in find_symbols(matrix) for rate in own):
         raise ValueError(f"`{argument}` must be linear in {describe(own)}, got {describe(rows)}.")

@@ -14,6 +14,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 
+from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 
@@ -74,6 +75,11 @@ class Multibody:
     auxiliary: tuple[Any, ...] = ()
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
+
+    @cached_property
+    def speed_rates(self) -> tuple[Any, ...]:
+        """The derivatives of the speeds."""
+        return tuple(u.diff(self.time) for u in self.speeds)
 
 
 def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
