@@ -120,6 +120,13 @@ class KernelCall:
             r[columns] = samples.at(t)
         return r
 
+    def slopes_at(self, t: float) -> np.ndarray:
+        """Return the derivatives of the specifieds by time: of samples, and zero of numbers."""
+        slopes = np.zeros(len(self.r))
+        for columns, samples in self.sampled:
+            slopes[columns] = samples.slopes_at(t)
+        return slopes
+
     def evaluate(self, kernel: Kernel, x: np.ndarray, t: float) -> np.ndarray:
         """Evaluate another Kernel of the same system at a state and time.
 

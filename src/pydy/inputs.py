@@ -140,6 +140,16 @@ class SampledInput:
             for a, b, c, d in zip(cubes, squares, slopes, starts, strict=True)
         ]
 
+    def slopes_at(self, t: float) -> np.ndarray:
+        """Return the derivatives by time at one time, shape (k,); those after it at a sample."""
+        if not self.breaks[0] <= t < self.breaks[-1]:
+            return np.zeros(self.size)
+        i = bisect_right(self._knots, t) - 1
+        s = t - self._knots[i]
+        a, b, c, _ = self.coefficients[i]
+        slopes: np.ndarray = (3.0 * a * s + 2.0 * b) * s + c
+        return slopes
+
     def rows(self, t: np.ndarray) -> np.ndarray:
         """Return the values at n times, shape (n, k)."""
         t = np.clip(t, self.breaks[0], self.breaks[-1])

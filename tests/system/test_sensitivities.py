@@ -9,8 +9,10 @@ from scipy.integrate import odeint
 from scipy.linalg import expm
 
 from pydy import System
+from pydy.errors import IntegrationError
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.solvers import Event
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
@@ -271,3 +273,141 @@ def test_integrate_says_where_sensitivities_are_found():
     system.ode_solver = "dop853"
     with pytest.raises(TypeError, match=r"`sensitivities` cannot .* Call system\.simulate"):
         system.integrate(sensitivities=["m0"])
+
+
+# -- events ---------------------------------------------------------------------------------------
+
+
+def ball(reset=None, **numbers):
+    """A ball above a floor of height d, thrown upwards, with restitution e."""
+    q, u = me.dynamicsymbols("q, u")
+    m, g = sm.symbols("m, g")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", q * frame.y)
+    point.set_vel(frame, u * frame.y)
+    kane = me.KanesMethod(
+        frame,
+        q_ind=[q],
+        u_ind=[u],
+        kd_eqs=[q.diff() - u],
+        bodies=[me.Particle("ball", point, m)],
+        forcelist=[(point, -m * g * frame.y)],
+    )
+    d, e = sm.symbols("d, e")
+    system = System(kane, outputs={sm.Symbol("used"): e * d}, ode_solver="dop853")
+    system.constants = {"g": 9.81, "e": 0.8, "d": 0.1, **numbers}
+    system.initial_conditions, system.times = {"q": 1.0, "u": 0.5}, np.linspace(0.0, 2.0, 9)
+    bounce = Event(
+        q - d, direction=-1, reset={u: -e * u} if reset is None else reset, name="bounce"
+    )
+    return system, bounce
+
+
+BALL = {"g": 9.81, "e": 0.8, "d": 0.1, "q": 1.0, "u": 0.5}
+
+
+def exact_ball(g, e, d, q, u, t):
+    """Return height and velocity at t, and the times of the bounces before."""
+    times = [mpmath.mpf(0)]
+    while True:
+        fall = (u + mpmath.sqrt(u * u + 2 * g * (q - d))) / g
+        if times[-1] + fall > t:
+            left = t - times[-1]
+            return [q + u * left - g * left**2 / 2, u - g * left], times[1:]
+        times.append(times[-1] + fall)
+        q, u = d, -e * (u - g * fall)
+
+
+def exact_derivatives(function):
+    with mpmath.workdps(40):
+        numbers = [mpmath.mpf(str(value)) for value in BALL.values()]
+        orders = np.eye(len(numbers), dtype=int).tolist()
+        return np.array([float(mpmath.diff(function, numbers, tuple(o))) for o in orders])
+
+
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9"])
+def test_a_bouncing_ball_has_exact_sensitivities(solver):
+    system, bounce = ball()
+    system.ode_solver = solver
+    trajectory = system.simulate(sensitivities=list(BALL), events=[bounce], **TIGHT)
+    found = trajectory.sensitivity.values
+    expected = np.array(
+        [
+            [exact_derivatives(lambda *v, t=t, i=i: exact_ball(*v, t)[0][i]) for i in range(2)]
+            for t in system.times.tolist()
+        ]
+    )
+    assert relative(found, expected) < 1e-9
+    assert len(trajectory.events) == 3
+    for k, event in enumerate(trajectory.events):
+        exact = exact_derivatives(lambda *v, k=k: exact_ball(*v, 2.0)[1][k])
+        assert relative(event.time_sensitivity, exact) < 1e-9
+
+
+def test_sensitivities_are_interpolated_on_each_side_of_an_event():
+    system, bounce = ball()
+    trajectory = system.simulate(sensitivities=["e", "g"], events=[bounce], **TIGHT)
+    moment = trajectory.events[0].time
+    between = trajectory.at([moment - 1e-3, moment + 1e-3])
+    for row, t in zip(between.sensitivity.values, between.times.tolist(), strict=True):
+        exact = exact_derivatives(lambda *v, t=t: exact_ball(*v, t)[0][1])
+        assert np.abs(row[1] - exact[[1, 0]]).max() < 1e-9
+
+
+def test_an_event_without_reset_has_the_sensitivity_of_its_time():
+    system, _ = ball()
+    q, u = system.states
+    system.times = np.linspace(0.0, 0.4, 3)
+    top, high = Event(u, name="top"), Event(q - 1.01, terminal=True, direction=-1, name="high")
+    events = system.simulate(sensitivities=["u", "g"], events=[top, high], **TIGHT).events
+    assert [event.name for event in events] == ["top", "high"]
+    assert relative(events[0].time_sensitivity, np.array([1.0 / 9.81, -0.5 / 9.81**2])) < 1e-9
+    # At the second, q = u0 t − g t² / 2 has a fixed value.
+    t = events[1].time
+    exact = -np.array([t, -(t**2) / 2.0]) / (0.5 - 9.81 * t)
+    assert relative(events[1].time_sensitivity, exact) < 1e-9
+    assert np.array_equal(events[1].sensitivity_before, events[1].sensitivity_after)
+
+
+def test_events_that_depend_on_time_and_on_inputs_have_sensitivities():
+    q, u = me.dynamicsymbols("q, u")
+    level, start, t = me.dynamicsymbols("h"), sm.Symbol("start"), me.dynamicsymbols._t
+    system, bounce = ball(reset={u: -0.5 * u + start * t * level})
+    system.outputs = {sm.Symbol("used"): start * level}
+    bounce = Event(q - level, direction=-1, reset=bounce.reset)
+
+    def simulate(lift=0.0, **numbers):
+        system.specifieds = {level: SampledInput([0.0, 1.0, 2.0], [0.1, 0.3 + lift, 0.2])}
+        system.constants = {"start": 0.4, "g": 9.81, **numbers}
+        return system.simulate(sensitivities=["start", level, "g"], events=[bounce], **TIGHT)
+
+    found = simulate().sensitivity
+    by_start = difference(lambda h: simulate(start=0.4 + h).states, 1e-5)
+    by_sample = difference(lambda h: simulate(lift=h).states, 1e-5)
+    by_gravity = difference(lambda h: simulate(g=9.81 + h).states, 1e-5)
+    assert relative(found.values[:, :, 0], by_start) < 1e-7
+    assert relative(found.values[:, :, 2], by_sample) < 1e-7
+    assert relative(found.values[:, :, 4], by_gravity) < 1e-7
+
+
+def test_an_event_that_grazes_is_named():
+    system, _ = ball()
+    system.initial_conditions = {"q": 0.1, "u": 1.0}
+    q = system.coordinates[0]
+    apex = 0.1 + 1.0 / (2.0 * 9.81)
+    touch = Event(q - apex + 1e-6, terminal=True, name="touch")
+    system.times, loose = [0.0, 0.15], {"rtol": 1e-4, "atol": 1e-4, "max_step": 1e-3}
+    with pytest.raises(IntegrationError, match=r"`touch`, which the motion only grazes: by 1e-06"):
+        system.simulate(sensitivities=["g"], events=[touch], **loose)
+    assert system.simulate(events=[touch], **loose).events
+
+
+def test_events_with_sensitivities_are_saved(tmp_path):
+    pytest.importorskip("xarray")
+    system, bounce = ball()
+    trajectory = system.simulate(sensitivities=["e", "g"], events=[bounce])
+    trajectory.save(tmp_path / "ball.nc")
+    loaded = type(trajectory).load(tmp_path / "ball.nc").events[0]
+    assert np.array_equal(loaded.time_sensitivity, trajectory.events[0].time_sensitivity)
+    assert loaded.sensitivity_after.shape == (2, 2)

@@ -113,6 +113,55 @@ class Columns:
             lowered.append((name, (len(nodes), self.count), cells))
         return self._lowered(graph, lowered, sizes, passes)
 
+    def jump_program(
+        self,
+        graph: Graph,
+        crossing: int,
+        after: Sequence[int],
+        rates: Sequence[int],
+        sizes: tuple[int, int, int],
+        passes: Passes,
+    ) -> Program:
+        """Return the Program of what moves columns through an event; see `solvers.sensitivities`.
+
+        The inputs r end with the derivatives of the specifieds by time.
+
+        Parameters
+        ----------
+        graph : Graph
+            Gets the new nodes.
+        crossing : node
+            What is zero at the event.
+        after : sequence of nodes
+            The states after it.
+        rates : sequence of nodes
+            The derivatives of the states before it.
+        sizes, passes
+            As for `rates_program`.
+        """
+        crossing, *rest = simplify(graph, [crossing, *after, *rates], passes)
+        after, rates = rest[: len(after)], rest[len(after) :]
+        along: dict[int, dict[int, int]] = {graph.input("t", 0): {0: graph.one}}
+        states = [graph.input("x", i) for i in range(self.states)]
+        along.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
+        s, last = sizes[1], sizes[1] + self.weights
+        along.update((graph.input("r", i), {0: graph.input("r", last + i)}) for i in range(s))
+        motion, columns = Rows(graph, along), self.rows(graph)
+        gradient = Rows(graph, {x: {i: graph.one} for i, x in enumerate(states)})
+        first = motion(crossing).get(0, graph.zero)
+        k, zero = range(self.count), graph.zero
+        parts = {
+            "rate": [first],
+            "curvature": [motion(first).get(0, zero)],
+            "gradient": [gradient(crossing).get(i, zero) for i in range(self.states)],
+            "moved": [columns(crossing).get(j, zero) for j in k],
+            "after_rates": [motion(node).get(0, zero) for node in after],
+            "after": [columns(node).get(j, zero) for node in after for j in k],
+        }
+        cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))
+        blocks = [(name, (len(part),), [next(cells) for _ in part]) for name, part in parts.items()]
+        return lower(graph, (self.size, last + s, sizes[2]), blocks, passes=passes)
+
     def _cells(self, graph: Graph, nodes: Sequence[int], passes: Passes) -> list[int]:
         rows = self.rows(graph)
         cells = [rows(node).get(j, graph.zero) for node in nodes for j in range(self.count)]

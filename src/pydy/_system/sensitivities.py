@@ -17,12 +17,14 @@ import sympy as sm
 from pydy._assembly.stored import stored_program
 from pydy._checks import Places, describe, listed
 from pydy._graph.columns import Columns
+from pydy._graph.program import Program
 from pydy._kernel import Kernel, KernelCall
 from pydy._system.definition import Definition
 from pydy._system.evaluation import evaluate
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import RightHandSide, raise_singular
 from pydy.inputs import SampledInput
+from pydy.solvers.events import Event
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.solver import Solver
 
@@ -220,9 +222,26 @@ class Sensitive:
         f.native = lambda args: call  # type: ignore[attr-defined]
         return f
 
-    def compiled(self, scales: np.ndarray | None) -> CompiledSensitivities:
+    def compiled(self, scales: np.ndarray | None, events: Sequence[Event]) -> CompiledSensitivities:
         """Return what native solvers need to know beside the equations."""
-        return CompiledSensitivities(self.columns.states, self.columns.count, scales)
+        n, k = self.columns.states, self.columns.count
+        return CompiledSensitivities(n, k, scales, lambda event: self._jump(events[event]))
+
+    def _jump(self, event: Event) -> Kernel:
+        """Return the Kernel of what an event does to sensitivities."""
+        states = self.definition.states
+        after = [event.reset.get(s, s) for s in states] if event.reset else []
+
+        def make() -> Program:
+            own = self.implementation.assembly.fork()
+            crossing, *moved = own.read([event.expression, *after], f"the event `{event.name}`")
+            return self.columns.jump_program(
+                own.graph, crossing, moved, own.rates, own.sizes, own.passes
+            )
+
+        return self.implementation.compiled_by(
+            ("jump", event.expression, *after, self.columns), make
+        )
 
     def rows(self, times: np.ndarray) -> np.ndarray:
         """Return r with its further inputs at some times, shape (m, s + w) or (1, s + w)."""
@@ -378,7 +397,9 @@ class Wanted:
         columns = sensitive.columns
         if isinstance(solver, Solver):
             scales = self._scales(parameters, start[0], p) if self._controlled else None
-            options = {**options, "sensitivities": sensitive.compiled(scales)}
+            events = options.get("events")
+            compiled = sensitive.compiled(scales, () if events is None else events.sources)
+            options = {**options, "sensitivities": compiled}
         else:
             for name in options.keys() & {"rtol", "atol"}:
                 if np.size(options[name]) == columns.states > 1:  # others as of their states

@@ -181,6 +181,7 @@ def compile_events(
         values=implementation.compiled_expressions("the events", (len(nodes),), expressions),
         rates=implementation.compiled_by(("rates of the events", *expressions), rates),
         resets=tuple(resets),
+        sources=events,
     )
 
 

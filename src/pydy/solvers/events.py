@@ -127,6 +127,8 @@ class CompiledEvents:
         Their time derivatives along the motion.
     resets : tuple of Kernel or None
         The states after each event.
+    sources : tuple of Event
+        What they were compiled from.
     """
 
     names: tuple[str, ...]
@@ -136,3 +138,4 @@ class CompiledEvents:
     values: Kernel
     rates: Kernel
     resets: Sequence[Kernel | None]
+    sources: tuple[Event, ...] = ()

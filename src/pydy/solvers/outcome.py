@@ -12,6 +12,7 @@ __all__ = [
     "CONSTRAINTS_NOT_MET",
     "EVENTS_ACCUMULATE",
     "EVENT_CONSTANT",
+    "EVENT_GRAZES",
     "FINISHED",
     "INTERRUPTED",
     "NOT_COMPUTED",
@@ -34,7 +35,7 @@ NOT_COMPUTED = -1
 FINISHED, TOO_MANY_STEPS, STEP_UNDERFLOW, SINGULAR, NOT_FINITE, TERMINATED = range(6)
 CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = range(6, 10)
 INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
-SINGULAR_CONFIGURATION = 14
+SINGULAR_CONFIGURATION, EVENT_GRAZES = 14, 15
 
 
 class Outcome(NamedTuple):
@@ -128,5 +129,11 @@ OUTCOMES = {
         "vanishes ({rows}): it {what},",
         "Several motions may continue from there, and the constraints do not tell which. Another "
         "step size or tolerance may pass it; other constraints may have no such configuration.",
+    ),
+    EVENT_GRAZES: Outcome(
+        "event_grazes",
+        "met the event `{event}`, which the motion only grazes: by {depth:.2g} beyond zero,",
+        "The time of such an event has no derivative by the parameters, and neither has what "
+        "follows. Leave the event out, start elsewhere, or simulate without `sensitivities`.",
     ),
 }

@@ -1,12 +1,47 @@
-"""Sensitivities that a solver integrates beside the state, as it sees them."""
+"""Sensitivities that a solver integrates beside the state, as it sees them.
+
+At an event with g(x, t, θ) = 0 and the state R(x, t, θ) after it the columns S = ∂x/∂θ jump: the
+event's time moves by dt/dθ = −(g_x S + g_θ) / ġ, and after it
+
+    S⁺ = R_x S + R_θ + (Ṙ − f⁺) dt/dθ,
+
+where ġ = g_x f + g_t and Ṙ = R_x f + R_t with the derivatives f of the states before it, f⁺ those
+after it (P. I. Barton and C. K. Lee, "Modeling, simulation, sensitivity analysis, and optimization
+of hybrid systems", ACM Transactions on Modeling and Computer Simulation 12 (2002) 256–289).
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["CompiledSensitivities"]
+from pydy._kernel import Kernel, KernelCall
+
+__all__ = ["CompiledSensitivities", "Jump"]
+
+
+class Jump(NamedTuple):
+    """What an event does to sensitivities.
+
+    Attributes
+    ----------
+    time : ndarray, shape (k,)
+        Derivatives of the event's time.
+    after : ndarray, shape (n, k)
+        Derivatives of the states after it, at a fixed time.
+    depth : float
+        How far the motion goes beyond zero, at most: ġ² / 2|g̈|.
+    error : float
+        What the tolerances of the integration make of the expression that is zero.
+    """
+
+    time: np.ndarray
+    after: np.ndarray
+    depth: float
+    error: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,11 +58,14 @@ class CompiledSensitivities:
         The sizes of the parameters, where the step control looks at the sensitivities too: the
         error allowed in ∂x/∂θ is then that of x over the size of θ. Otherwise it looks at the
         states alone, and the steps are those of an integration without sensitivities.
+    events : callable
+        Returns the Kernel of `pydy._graph.columns.Columns.jump_program` for an event.
     """
 
     states: int
     columns: int
-    scales: np.ndarray | None = None
+    scales: np.ndarray | None
+    events: Callable[[int], Kernel]
 
     def tolerances(self, rtol: np.ndarray, atol: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the tolerances (n (1 + k),) of states and sensitivities from those of states.
@@ -44,3 +82,49 @@ class CompiledSensitivities:
             np.concatenate([share * rtol, np.ones(n * k)]),
             np.concatenate([share * atol, np.full(n * k, np.inf)]),
         )
+
+    def table(self, whole: np.ndarray) -> np.ndarray:
+        """Return S, shape (n, k), of states and sensitivities (n (1 + k),)."""
+        return whole[self.states :].reshape(self.states, self.columns)
+
+    def jump(
+        self,
+        call: KernelCall,
+        event: int,
+        t: float,
+        whole: np.ndarray,
+        after: np.ndarray,
+        tolerances: tuple[np.ndarray, np.ndarray],
+    ) -> Jump:
+        """Return what an event does.
+
+        Parameters
+        ----------
+        call : KernelCall
+            The derivatives of states and sensitivities.
+        event : int
+        t : float
+        whole : ndarray, shape (n (1 + k),)
+            States and sensitivities before it.
+        after : ndarray, shape (n,)
+            States after it.
+        tolerances : (rtol, atol)
+            Of the states.
+        """
+        n, kernel = self.states, self.events(event)
+        program, r = kernel.program, call.inputs_at(whole, t)
+        r = np.concatenate([r, call.slopes_at(t)[: program.num_specifieds - len(r)]])
+        out = kernel.evaluate(np.array([t]), whole[None], r[None], call.p)[0][0]
+        part = {block.name: out[block.start : block.stop] for block in program.blocks}
+        rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
+        with np.errstate(all="ignore"):
+            moment = -part["moved"] / rate
+            depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
+        rtol, atol = tolerances
+        error = float(np.abs(part["gradient"]) @ (atol + rtol * np.abs(whole[:n])))
+        if not part["after"].size:  # nothing is reset
+            return Jump(moment, self.table(whole), depth, error)
+        moved = part["after"].reshape(n, self.columns)
+        rates = call.evaluate(call.kernel, np.concatenate([after, moved.ravel()]), t)[:n]
+        jump = moved + np.outer(part["after_rates"] - rates, moment)
+        return Jump(moment, jump, depth, error)

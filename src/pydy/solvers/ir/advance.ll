@@ -1,4 +1,4 @@
-; sources e932008b0d26ac8af9b471b8df50d46851d1fd65d3c3a6691d2f493eef00928b
+; sources afffa57abe10302fea56d086805cef8d24c18c8adb99c6a98b33ca7c8d467ccb
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

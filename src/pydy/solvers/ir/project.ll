@@ -1,4 +1,4 @@
-; sources d96b200012e32c8934f54b2cc1aaf8b45581308f2edb084533b4ba229dda107a
+; sources a92f97a6bbf25888040c0c6994b770a25ca7fb192ffe2c866bc67be38010b58a
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

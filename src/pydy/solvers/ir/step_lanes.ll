@@ -1,4 +1,4 @@
-; sources 60ddc29af4b97255959095e62275aa29f23ec34884194b856d855dd3ff8cd465
+; sources ddf8f5abfd81b1f8f2fefdf1ce55cafe8abb04ec90a4a3138086001f41fff4b9
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0

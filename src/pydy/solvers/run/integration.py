@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable
+from dataclasses import replace
 from time import perf_counter
 from typing import Any
 from weakref import WeakSet
@@ -25,6 +26,7 @@ from pydy.solvers.events import CompiledEvents, EventRecord
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
+    EVENT_GRAZES,
     EVENTS_ACCUMULATE,
     FINISHED,
     INTERRUPTED,
@@ -313,7 +315,7 @@ class Integration:
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         for k in np.flatnonzero(values == 0.0):
             if wanted.directions[k] in (0, self.watch.sides[k]):
-                self.records.append(EventRecord(t, wanted.names[k], int(k), x, x))
+                self.records.append(self._record(t, int(k), x, x))
 
     def _look_at_end(self) -> None:
         """See to events that are exactly zero at the last time, or would be a rounding later."""
@@ -343,12 +345,15 @@ class Integration:
         fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
         before = self.memory.x[: self.n].copy()
         for k in fired:
-            reset = wanted.resets[k]
+            reset, n = wanted.resets[k], self.states
             after = before if reset is None else call.evaluate(reset, before, t)
-            self.records.append(EventRecord(t, wanted.names[k], k, before, after))
+            if not np.isfinite(after).all():
+                self._stop(RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
+            record = self._record(t, k, before, after, acting=True)
+            self.records.append(record)
             before = after
-        if not np.isfinite(before).all():
-            self._stop(RESET_NOT_FINITE, event=wanted.names[fired[-1]], state=before)
+            if record.sensitivity_after is not None:
+                before = np.concatenate([after[:n], record.sensitivity_after.ravel()])
         self.memory.x[: self.n] = before
         if any(wanted.terminal[k] for k in fired):
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
@@ -376,8 +381,32 @@ class Integration:
             event = int(self.watch.log_events[k])
             x = self.watch.log_states[k].copy()
             t = float(self.watch.log_times[k])
-            self.records.append(EventRecord(t, wanted.names[event], event, x, x))
+            self.records.append(self._record(t, event, x, x))
         count[at.LOGGED] = 0
+
+    def _record(
+        self, t: float, event: int, before: np.ndarray, after: np.ndarray, acting: bool = False
+    ) -> EventRecord:
+        """Return the record of an event, from the states with their sensitivities."""
+        wanted, beside, n = self.options.events, self.options.sensitivities, self.states
+        assert wanted is not None
+        record = EventRecord(t, wanted.names[event], event, before[:n].copy(), after[:n].copy())
+        if beside is None:
+            return record
+        assert self.call is not None
+        rtol, atol = (np.broadcast_to(a, n) for a in (self.options.rtol, self.options.atol))
+        jump = beside.jump(self.call, event, t, before, after[:n], (rtol, atol))
+        if not jump.depth > jump.error:
+            if acting:
+                self._stop(EVENT_GRAZES, event=wanted.names[event], depth=jump.depth)
+            jump = jump._replace(time=np.full(beside.columns, np.nan))
+        table = beside.table(before).copy()
+        return replace(
+            record,
+            time_sensitivity=jump.time,
+            sensitivity_before=table,
+            sensitivity_after=jump.after if acting else table,
+        )
 
     # -- results ----------------------------------------------------------------------------------
 
