@@ -8,10 +8,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 # Parts of public packages that are not public themselves.
-INTERNAL = {
-    f"pydy.codegen.{name}"
-    for name in ("arguments", "docstring", "external_solve", "right_hand_side", "stored")
-} | {
+INTERNAL = {f"pydy.codegen.{name}" for name in ("arguments", "docstring", "right_hand_side")} | {
     f"pydy.ensemble.{name}"
     for name in ("engine", "identity", "labels", "model", "samples", "store", "work")
 }

@@ -11,12 +11,13 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from harness.frozen import Model
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Layout
+from pydy._assembly.model import CompiledModel
 from pydy._assembly.system import assemble_system
 from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.codegen.ode_function_generators import make_system_function
-from pydy.codegen.right_hand_side import Layout, RightHandSide
+from pydy.codegen.right_hand_side import make_backend, rates_function
 
 
 def equations_of(model: Model) -> Equations:
@@ -44,21 +45,21 @@ def assembly_of(
     return assemble_system(equations, (), (), model.specifieds, model.constants, passes=passes)
 
 
-def right_hand_side_of(model: Model) -> RightHandSide:
-    """Return a model's implementation, as System makes it."""
+def compiled_model_of(model: Model) -> CompiledModel:
+    """Return a model's code, as System makes it."""
     layout = Layout(
         (*model.coordinates, *model.speeds), tuple(model.specifieds), tuple(model.constants)
     )
-    return make_system_function(assembly_of(model), layout, {}, None)[1]
+    return CompiledModel(layout, assembly_of(model), make_backend("llvm", {}))
 
 
 def solver_function(
     model: Model, inputs: np.ndarray
 ) -> tuple[Callable[..., Any], tuple[np.ndarray, np.ndarray]]:
     """Return f and args that System hands to its `ode_solver`; the best code is ready."""
-    implementation = right_hand_side_of(model)
+    compiled = compiled_model_of(model)
     symbols = tuple(model.specifieds)
     plan = SpecifiedsPlan(dict(zip(symbols, inputs, strict=True)), symbols)
-    function = implementation.rates_function(plan)
-    assert implementation.compiled("rates").addresses
+    function = rates_function(compiled, plan)
+    assert compiled.compiled("rates").addresses
     return function, (plan.values, np.array(model.values))

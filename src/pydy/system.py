@@ -16,6 +16,10 @@ import numpy as np
 import sympy as sm
 from scipy.integrate import odeint
 
+from pydy._assembly.definition import Definition
+from pydy._assembly.external import resolve_solver, solve_symbolically
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import check_expressions, driven
 from pydy._assembly.system import check_accelerations
 from pydy._checks import describe, flag, real_array, vector
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
@@ -25,19 +29,17 @@ from pydy._mechanics.extract import extract, method_of, symbolic_matrices
 from pydy._names import nearest
 from pydy._system.analysis import Numbers, find_equilibrium, linearize, variables
 from pydy._system.causes import cause_of, explain
-from pydy._system.definition import Definition, define, given_in
+from pydy._system.definition import define, given_in, unfollowed
 from pydy._system.dependents import check_dependents, solve_dependents
 from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.ensemble_inputs import make_ensemble, split_specifieds
 from pydy._system.evaluation import (
     Snapshot,
-    evaluate,
     row_names,
     samples,
     specified_rows,
     warn_not_finite,
 )
-from pydy._system.expressions import check_expressions, driven, unfollowed
 from pydy._system.forces import Multipliers, Reaction, find_multipliers, find_reaction
 from pydy._system.inputs import (
     SymbolSet,
@@ -57,9 +59,8 @@ from pydy._system.start import check_start
 from pydy._system.summary import as_html, as_text, facts
 from pydy.analysis import Equilibrium, LinearModel
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.codegen.external_solve import resolve_solver, solve_symbolically
-from pydy.codegen.ode_function_generators import make_function, make_system_function
-from pydy.codegen.right_hand_side import RightHandSide
+from pydy.codegen.ode_function_generators import make_function
+from pydy.codegen.right_hand_side import RightHandSide, make_backend, rates_function
 from pydy.solvers.options import check_option_names
 from pydy.solvers.solver import Solver
 from pydy.trajectory import Trajectory
@@ -74,6 +75,7 @@ if TYPE_CHECKING:
 
 __all__ = ["System"]
 
+_ARGUMENTS = ("constants_arg_type", "specifieds_arg_type", "time_first")
 _REFUSED = {
     "right_hand_side", "coordinates", "speeds", "constants", "mass_matrix",
     "coordinate_derivatives", "outputs",
@@ -163,9 +165,8 @@ class System:
         self._forces: Any = None
         self._options: dict[str, Any] = {}
         self._function: Any = None
-        self._made_for: Any = None
-        self._implementation: RightHandSide | None = None
-        self._exact: RightHandSide | None = None
+        self._function_of: Any = None
+        self._generated: Any = None
         self._constants: dict[Any, Any] = {}
         self._specifieds: dict[Any, Any] = {}
         self._dependent: tuple[Any, ...] | None = None  # initial conditions solved for last
@@ -637,7 +638,7 @@ class System:
 
         See ``help(system.evaluate_ode_function)`` for the order of its arguments' entries.
         """
-        return None if self._function is None else self._current().function_of_user
+        return None if self._generated is None else self._made_function()
 
     def generate_ode_function(self, **kwargs: Any) -> Any:
         """Generate the function that evaluates the derivatives, and keep it.
@@ -682,9 +683,15 @@ class System:
                 "equations. Options are linear_sys_solver, constants_arg_type, "
                 "specifieds_arg_type, time_first, generator and those of the generator."
             )
-        self._generate(kwargs)
+        before = self._generated
+        try:
+            self._generate(kwargs)
+            function = self._made_function()
+        except BaseException:
+            self._generated = before
+            raise
         self._options = kwargs
-        return self._function
+        return function
 
     def _generate(self, options: dict[str, Any]) -> None:
         definition = self._definition
@@ -701,43 +708,33 @@ class System:
                 positive_definite=True,
             )
             solver = None
-        in_c = isinstance(options.get("generator"), str) and options["generator"] == "cython"
-        if in_c and "force_c_contiguous" not in options:
-            options["force_c_contiguous"] = self._ode_solver is not odeint
         passes = Passes() if flag(options.get("cse", True), "`cse`") else Passes.none()
+        arguments = {k: options.pop(k) for k in _ARGUMENTS if k in options}
+        generator = options.pop("generator", "llvm")
+        backend = make_backend(generator, options)
         assembly = definition.assemble(equations, external=solver is not None, passes=passes)
-        function, implementation = make_system_function(
-            assembly, definition.layout, options, solver
-        )
-        self._exact = implementation if solver is None else None
-        self._function, self._implementation = function, implementation
-        self._made_for = definition
+        model = CompiledModel(definition.layout, assembly, backend, solver)
+        self._generated = (definition, model, arguments)
 
-    def _current(self) -> RightHandSide:
-        """Return the implementation for the outputs as they are now."""
+    def _made_function(self) -> Any:
+        """Return the generated function, made once for a model and a way to take arrays."""
+        model, arguments = self._current(), self._generated[2]
+        any_layout = self._ode_solver is not odeint
+        implementation = RightHandSide(model, any_layout=any_layout, **arguments)
+        key = (model, implementation.refuse_strided)
+        if self._function is None or self._function_of != key:
+            self._function, self._function_of = make_function(implementation), key
+        return self._function
+
+    def _current(self) -> CompiledModel:
+        """Return the model of the outputs as they are now."""
         definition = self._definition
-        if self._made_for is not definition and self._made_for != definition:
-            self._generate(self._options)
-        assert self._implementation is not None
-        if (
-            self._implementation.refuse_strided
-            and self._ode_solver is not odeint
-            and "force_c_contiguous" not in self._options
+        if self._generated is None or (
+            self._generated[0] is not definition and self._generated[0] != definition
         ):
-            # The solver was set after the generation: it may pass columns of larger arrays.
-            taking = self._implementation.taking_strided()
-            self._exact = taking if self._exact is self._implementation else self._exact
-            self._implementation, self._function = taking, make_function(taking)
-        return self._implementation
-
-    def _differentiable(self) -> RightHandSide:
-        """Return an implementation whose linear solve is part of the compiled code."""
-        current = self._current()
-        if self._exact is None:
-            definition = self._definition
-            assembly = definition.assemble(definition.equations, external=False, passes=Passes())
-            self._exact = make_system_function(assembly, definition.layout, {}, None)[1]
-        return self._exact if self._exact is not None else current
+            self._generate(self._options)
+        model: CompiledModel = self._generated[1]
+        return model
 
     # -- arrays -----------------------------------------------------------------------------------
 
@@ -807,12 +804,12 @@ class System:
         return plan
 
     def _evaluate(self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: Any = None) -> np.ndarray:
-        def kernel(implementation: RightHandSide) -> Kernel:
+        def kernel(implementation: CompiledModel) -> Kernel:
             if wrt:
                 return implementation.compiled_jacobian(block, wrt)
             return implementation.compiled(block)
 
-        implementation = self._differentiable() if wrt else self._current()
+        implementation = self._current()
         perturbed = wrt == "r" or (isinstance(wrt, tuple) and any(g == "r" for g, _ in wrt))
         names = row_names(self._definition, block)
         return self._sweep(implementation, kernel, names, x, t, r, p, perturbed=perturbed)
@@ -822,15 +819,15 @@ class System:
     ) -> np.ndarray:
         made = prepare_product(self._definition, kind, of, wrt, v, x)
         out = self._sweep(
-            self._differentiable(), made.kernel, made.names, x, t, r, p,
+            self._current(), made.kernel, made.names, x, t, r, p,
             perturbed=made.perturbed, vectors=made.vectors,
         )  # fmt: skip
         return out[..., 0] if made.squeeze else out
 
     def _sweep(
         self,
-        implementation: RightHandSide,
-        kernel: Callable[[RightHandSide], Kernel],
+        implementation: CompiledModel,
+        kernel: Callable[[CompiledModel], Kernel],
         names: Sequence[str],
         x: Any,
         t: Any,
@@ -862,7 +859,7 @@ class System:
                 [np.broadcast_to(rows, shapes[0]), np.broadcast_to(vectors, shapes[1])]
             )
         try:
-            out = evaluate(made, layout, instants, states, rows, constants)
+            out = implementation.evaluate(made, instants, states, rows, constants)
         except SingularMatrixError as error:
             k = int((states == error.state).all(axis=1).argmax()) % len(rows)
             row, assembly = rows[k], implementation.assembly
@@ -1357,7 +1354,7 @@ class System:
         t = float(self._times[0]) if len(self._times) else 0.0
         return Numbers(
             self._definition,
-            self._differentiable(),
+            self._current(),
             self._plan(self._specifieds),
             self._x0(),
             self._p(),
@@ -1401,7 +1398,7 @@ class System:
         plan = self._plan(self._specifieds)
         plan.check_times(np.array([t]), "times")
         x = solve_dependents(
-            driven(self._differentiable(), definition, plan),
+            driven(self._current(), definition, plan),
             definition,
             self._x0(),
             t,
@@ -1485,11 +1482,11 @@ class System:
         times = check_times(self._times)  # the array may have been edited in place
         definition, plan = self._definition, self._plan(self._specifieds)
         plan.check_times(times, "times")
-        implementation = self._current() if wanted is None else self._differentiable()
+        implementation = self._current()
         x0, p = self._x0(), self._p()
 
-        def exact() -> RightHandSide:
-            return driven(self._differentiable(), definition, plan)
+        def exact() -> CompiledModel:
+            return driven(self._current(), definition, plan)
 
         constrained = definition.equations.velocity or definition.equations.holonomic
         if constrained and solver_kwargs.get("constraints") is None:
@@ -1504,7 +1501,7 @@ class System:
             check_option_names("odeint", ODEINT_OPTIONS, solver_kwargs)
         integrated = driven(implementation, definition, plan)
         if wanted is None:
-            f = integrated.rates_function(plan)
+            f = rates_function(integrated, plan)
         else:
             f, x0, solver_kwargs = wanted.problem(
                 definition, integrated, plan, (x0, float(times[0])), p, self._dependents(),
@@ -1754,7 +1751,7 @@ class System:
         plan.check_times(instants, "times")
         ensemble = make_ensemble(
             self._definition,
-            self._differentiable(),
+            self._current(),
             plan,
             (self._x0(), self._p()),
             (
@@ -1838,7 +1835,7 @@ class System:
             self._named,
             self._definition.states,
             options,
-            lambda: self._differentiable().assembly,
+            lambda: self._current().assembly,
         )
 
     def plot(self, names: list[Any] | None = None, **options: Any) -> Any:

@@ -17,6 +17,7 @@ import numpy as np
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 from pydy._assembly import assembly
 from pydy._backends.llvm import background, compiling, native
+from pydy._graph import products
 from pydy.system import System
 
 background._QUIET_SECONDS = 0.0
@@ -30,6 +31,7 @@ def counted(module, name, kind):
     setattr(module, name, wrapper)
 
 counted(assembly, "simplify", "simplified")
+counted(products, "simplify", "simplified")
 counted(compiling, "_emitter", "compiled")
 system = System(n_link_pendulum_on_cart(6, cart_force=False))
 x = np.linspace(-1.0, 1.0, 14)

@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 
 import zoo
 from cases import close, system_of, wide
-from pydy._system.expressions import driven
+from pydy._assembly.specifieds import driven
 from pydy.system import System
 
 UNCONSTRAINED = [

@@ -33,7 +33,7 @@ _BLOCKS = (
 )  # fmt: skip
 
 
-@dataclass
+@dataclass(repr=False)
 class Assembly:
     """A system as nodes of one graph.
 
@@ -59,8 +59,9 @@ class Assembly:
     speeds : list of nodes
     mechanism : Mechanism or None
         The bodies behind the equations.
-    external : bool
-        Whether the accelerations are inputs at the end of r.
+    open : mapping of str to list of nodes
+        The blocks that depend on accelerations, with these as inputs of the group 'a': for a
+        linear solver of the user's. Empty where there is none.
     given : mapping of input nodes to nodes
         What `substituted` put in place of inputs.
     """
@@ -79,7 +80,7 @@ class Assembly:
     atoms: Mapping[Any, int] = field(default_factory=dict)
     speeds: list[int] = field(default_factory=list)
     mechanism: Mechanism | None = None
-    external: bool = False
+    open: Mapping[str, list[int]] = field(default_factory=dict)
     given: Mapping[int, int] = field(default_factory=dict)
     _simplified: dict[str, tuple[Graph, list[int]]] = field(
         default_factory=dict, init=False, repr=False, compare=False
@@ -87,6 +88,18 @@ class Assembly:
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_simplified": {}}
+
+    def __repr__(self) -> str:
+        n, s, c = self.sizes
+        return (
+            f"Assembly: {n} states, {s} specifieds, {c} constants; a graph of {len(self.graph)} "
+            f"nodes\n  blocks: {self.summary()}"
+        )
+
+    def summary(self) -> str:
+        """Return the blocks that are not empty, with their lengths."""
+        lengths = {name: len(getattr(self, name)) for name in _BLOCKS}
+        return ", ".join(f"{name} ({length})" for name, length in lengths.items() if length)
 
     @property
     def constraints(self) -> list[int]:
@@ -170,10 +183,20 @@ class Assembly:
         ValueError
             A symbol that is not among those of the assembly.
         """
-        n, s, c = self.sizes
-        sizes = (n, s - len(self.speeds), c) if self.external else self.sizes
         own = self.fork()
-        return own.lowered([(name, shape, own.read(expressions, name))], own.graph, sizes)
+        return own.lowered([(name, shape, own.read(expressions, name))], own.graph)
+
+    def open_program(self, *names: str) -> Program:
+        """Return the Program of blocks that takes the accelerations, at the end of its r."""
+        own = self.fork()
+        n, s, c = self.sizes
+        count = len(self.forcing)
+        places = {own.graph.input("a", k): own.graph.input("r", s + k) for k in range(count)}
+        blocks = []
+        for name in names:
+            nodes = substitute(own.graph, self.open.get(name) or getattr(own, name), places)
+            blocks.append((name, (len(nodes),), nodes))
+        return own.lowered(blocks, own.graph, (n, s + count, c))
 
     def bounded_program(self, name: str) -> Program:
         """Return the Program of a block and of bounds on its rounding errors, as 'rounding'."""
@@ -211,13 +234,13 @@ class Assembly:
 
     def substituted(self, mapping: Mapping[int, int]) -> Assembly:
         """Return the Assembly with other nodes in place of some inputs, in every block."""
-        blocks = {name: getattr(self, name) for name in _BLOCKS}
+        closed = {name: getattr(self, name) for name in _BLOCKS}
+        parts = [*closed.values(), *self.open.values()]
         with collector_paused():
-            nodes = iter(
-                substitute(self.graph, [n for part in blocks.values() for n in part], mapping)
-            )
-        new: dict[str, Any] = {name: [next(nodes) for _ in part] for name, part in blocks.items()}
-        return replace(self, given=dict(mapping), **new)
+            nodes = iter(substitute(self.graph, [n for part in parts for n in part], mapping))
+        new: dict[str, Any] = {name: [next(nodes) for _ in part] for name, part in closed.items()}
+        opened = {name: [next(nodes) for _ in part] for name, part in self.open.items()}
+        return replace(self, given=dict(mapping), open=opened, **new)
 
     def lowered(
         self,
@@ -251,7 +274,7 @@ class Assembly:
 
     def fingerprint(self) -> bytes:
         """Return a digest of all that Programs are made from."""
-        blocks = [getattr(self, name) for name in ("sizes", *_BLOCKS)]
+        blocks = [*(getattr(self, name) for name in ("sizes", *_BLOCKS)), *self.open.values()]
         content = (self.graph.ops, self.graph.args, blocks, self.passes.running())
         # Version 2 of the format writes every object in full: equal content gives equal bytes.
         return hashlib.sha256(marshal.dumps(content, 2)).digest()

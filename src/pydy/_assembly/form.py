@@ -47,22 +47,31 @@ def assemble_form(
     sizes = (len(states), len(specifieds), len(constants))
     n = len(forcing)
     if mass_matrix is None:
-        rates = forcing
+        rates = opened = forcing
     else:
         read.what = "`mass_matrix`"
         matrix = read.all(mass_matrix)
-        if external:
-            solved = [graph.input("r", len(specifieds) + k) for k in range(n)]
-            sizes = (sizes[0], sizes[1] + n, sizes[2])
-        else:
-            rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-            solved = graph.solve(rows, [forcing], "lu")[0]
-        rates = [*first, *solved]
-    for symbol, node in zip(states, rates, strict=True):
-        read.define(symbol.diff(time), node)
+        rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
+        rates = [*first, *graph.solve(rows, [forcing], "lu")[0]]
+        opened = [*first, *(graph.input("a", k) for k in range(n))]
     read.what = "`outputs`"
-    values = read.all(outputs)
+
+    def depending(derivatives: list[int]) -> dict[str, list[int]]:
+        own = SymPyReader(graph, dict(read.atoms), read.what)
+        for symbol, node in zip(states, derivatives, strict=True):
+            own.define(symbol.diff(time), node)
+        values = own.all(outputs)
+        return {"rates": derivatives, "ordinary": values, "outputs": values}
+
+    blocks = depending(rates)
     return Assembly(
-        graph, sizes, rates, values, values, mass_matrix=matrix, forcing=forcing,
+        graph,
+        sizes,
+        blocks["rates"],
+        blocks["ordinary"],
+        blocks["outputs"],
+        mass_matrix=matrix,
+        forcing=forcing,
         passes=passes or Passes(),
-    )  # fmt: skip
+        open=depending(opened) if external else {},
+    )

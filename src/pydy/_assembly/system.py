@@ -43,8 +43,8 @@ def assemble_system(
     specifieds, constants : sequence of symbols
         In the order of the arrays r and p.
     external : bool
-        Whether the accelerations are solved for by a user's solver: they then are inputs, at the
-        end of r.
+        Whether a user's solver may solve for the accelerations: blocks that depend on them are
+        then there in two ways, see `Assembly.open`.
     passes : Passes, optional
         All by default.
 
@@ -86,26 +86,33 @@ def assemble_system(
     nonholonomic = read.all(equations.nonholonomic)
     n = len(u)
     sizes = (len(q) + n + len(auxiliaries), len(specifieds), len(constants))
-    if external:
-        solved = [graph.input("r", len(specifieds) + k) for k in range(n)]
-    elif formed is not None and formed.accelerations is not None:
+    if formed is not None and formed.accelerations is not None:
         solved = formed.accelerations
     else:
         kind = "ldl" if equations.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
         solved = solve_accelerations(graph, rows, forcing, kind, passes)
     read.what = "the outputs"
-    values = evaluate_groups(graph, read, groups, dict(zip(accelerations, solved, strict=True)))
     integrated = auxiliary_groups(equations, groups)
-    outputs = [node for part in values for node in part]
-    aux = [n for part, flag in zip(values, integrated, strict=True) if flag for n in part]
-    ordinary = [n for part, flag in zip(values, integrated, strict=True) if not flag for n in part]
+
+    def depending(u_dot: Sequence[int]) -> dict[str, list[int]]:
+        """Return the blocks that depend on the accelerations, which are given."""
+        known = dict(zip(accelerations, u_dot, strict=True))
+        values = evaluate_groups(graph, read, groups, known)
+        parts = [*zip(values, integrated, strict=True)]
+        return {
+            "rates": [*kinematics, *u_dot, *(n for part, own in parts if own for n in part)],
+            "ordinary": [n for part, own in parts if not own for n in part],
+            "outputs": [n for part in values for n in part],
+        }
+
+    blocks = depending(solved)
     return Assembly(
         graph,
-        (sizes[0], sizes[1] + n, sizes[2]) if external else sizes,
-        [*kinematics, *solved, *aux],
-        ordinary,
-        outputs,
+        sizes,
+        blocks["rates"],
+        blocks["ordinary"],
+        blocks["outputs"],
         holonomic,
         velocity,
         nonholonomic,
@@ -116,7 +123,7 @@ def assemble_system(
         known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
         [atoms[s] for s in u],
         equations.mechanism,
-        external,
+        depending(accelerations) if external else {},
     )
 
 

@@ -6,6 +6,9 @@ A back end is a class with one method::
         def __init__(self, **options): ...
         def compile(self, program: Program) -> Kernel: ...
 
+An attribute ``force_c_contiguous``, if it has one, says whether a generated function copies states
+that are not contiguous (True, as without it) or refuses them (False); None leaves it to the caller.
+
 Its options are the keyword arguments that `generate_ode_function` does not know. Register it with
 `pydy._backends.registry.register`, or pass the class itself as ``generator=``.
 """

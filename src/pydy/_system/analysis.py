@@ -8,18 +8,18 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, listed, number, real_array
 from pydy._errors import warn_user
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._system.definition import Definition
-from pydy._system.evaluation import evaluate, row_names
-from pydy._system.expressions import driven
+from pydy._system.evaluation import row_names
 from pydy._system.start import TRIED, violations
 from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.codegen.right_hand_side import RightHandSide
 
 __all__ = ["Numbers", "find_equilibrium", "linearize", "variables"]
 
@@ -35,7 +35,7 @@ class Numbers:
     Attributes
     ----------
     definition : Definition
-    implementation : RightHandSide
+    model : CompiledModel
         With its linear solve compiled in.
     plan : SpecifiedsPlan
     x, p : ndarray
@@ -44,7 +44,7 @@ class Numbers:
     """
 
     definition: Definition
-    implementation: RightHandSide
+    model: CompiledModel
     plan: SpecifiedsPlan
     x: np.ndarray
     p: np.ndarray
@@ -166,7 +166,7 @@ def find_equilibrium(
             argument="given",
         )
     )
-    made = driven(numbers.implementation, definition, plan, perturbed=bool(own or plan.functions))
+    made = driven(numbers.model, definition, plan, perturbed=bool(own or plan.functions))
     blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
     instant = np.array([numbers.t])
     r = plan.rows(x[None], instant).copy()
@@ -288,11 +288,11 @@ def linearize(
     equations, places = definition.equations, definition.places
     names = unique_names(definition.states)
     plan = numbers.plan
-    made = driven(numbers.implementation, definition, plan, perturbed=True)
+    made = driven(numbers.model, definition, plan, perturbed=True)
     rows = plan.rows(x, t)
 
     def value(kernel: Kernel, width: int | None = None) -> np.ndarray:
-        out = evaluate(kernel, made.layout, t, x, rows, numbers.p)
+        out = made.evaluate(kernel, t, x, rows, numbers.p)
         return out if width is None else out.reshape(len(x), -1, width)
 
     n, s = len(definition.states), len(definition.specifieds)
@@ -359,7 +359,7 @@ def _which(k: int, x: np.ndarray) -> str:
 
 
 def _warn_of_violations(
-    numbers: Numbers, made: RightHandSide, t: np.ndarray, x: np.ndarray, rows: np.ndarray
+    numbers: Numbers, made: CompiledModel, t: np.ndarray, x: np.ndarray, rows: np.ndarray
 ) -> None:
     """Warn of the first state that is off the constraints, of those that are tried."""
     for k in np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int)):
@@ -377,7 +377,7 @@ def _warn_of_violations(
 
 def _sizes(
     numbers: Numbers,
-    made: RightHandSide,
+    made: CompiledModel,
     blocks: Sequence[str],
     beside: tuple[np.ndarray, np.ndarray, np.ndarray],
     gradient: np.ndarray,
@@ -389,9 +389,7 @@ def _sizes(
     """
     n = gradient.shape[2]
     t, x, r = beside
-    found = [
-        evaluate(made.compiled_jacobian(b, "x"), made.layout, t, x, r, numbers.p) for b in blocks
-    ]
+    found = [made.evaluate(made.compiled_jacobian(b, "x"), t, x, r, numbers.p) for b in blocks]
     moved = np.concatenate([part.reshape(len(x), -1, n) for part in found], axis=1)
     both = np.stack([gradient, np.where(np.isfinite(moved), moved, 0.0)])
     sizes: np.ndarray = np.linalg.norm(both, axis=-1, keepdims=True).max(axis=0)
@@ -402,7 +400,7 @@ def _outputs(
     numbers: Numbers,
     outputs: Iterable[Any] | None,
     value: Any,
-    made: RightHandSide,
+    made: CompiledModel,
     slopes: Callable[[str], np.ndarray],
     T: np.ndarray,
     columns: list[int],

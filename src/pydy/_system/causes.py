@@ -13,12 +13,12 @@ import numpy as np
 from scipy.linalg import qr
 
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
-from pydy._system.definition import Definition
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 
 __all__ = ["cause_of", "explain"]

@@ -1,4 +1,4 @@
-"""What a System consists of, symbolically: equations, outputs, and symbols that need numbers."""
+"""What a user's outputs, forces and specifieds define: symbols are sorted out and checked."""
 
 from __future__ import annotations
 
@@ -9,21 +9,16 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition, lower_derivatives
 from pydy._assembly.outputs import Group, auxiliary_groups
-from pydy._assembly.system import assemble_system
 from pydy._checks import Places, listed
 from pydy._errors import UnsupportedFunctionError
-from pydy._forks import cached_property
-from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
-from pydy._names import name_of
 from pydy._system.inputs import check_forces, output_groups, sort_out
-from pydy.codegen.arguments import symbolic_entries
-from pydy.codegen.right_hand_side import Layout
+from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 
-__all__ = ["Definition", "Given", "define", "given_in"]
+__all__ = ["Given", "define", "given_in", "unfollowed"]
 
 
 _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
@@ -73,84 +68,6 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
                 (n, e) for n, e in entries if isinstance(e, sm.Expr) and find_symbols([e])
             )
     return Given(expressions, tuple(keys), ordered)
-
-
-@dataclass(frozen=True)
-class Definition:
-    """The symbolic side of a System. Equal ones need the same code.
-
-    Attributes
-    ----------
-    equations : Equations
-    groups : tuple of Group
-        All outputs: the user's, the constraint residuals, the noncontributing forces.
-    auxiliaries : tuple of Symbol
-        The states that integrate outputs which depend on the derivatives of the speeds.
-    constants : tuple of Symbol
-        Sorted.
-    specifieds : tuple of functions of time and their derivatives
-        Sorted, or as the user ordered them.
-    """
-
-    equations: Equations
-    groups: tuple[Group, ...]
-    auxiliaries: tuple[Any, ...]
-    constants: tuple[Any, ...]
-    specifieds: tuple[Any, ...]
-
-    @property
-    def states(self) -> tuple[Any, ...]:
-        """Coordinates, speeds, auxiliaries."""
-        return (*self.equations.coordinates, *self.equations.speeds, *self.auxiliaries)
-
-    @property
-    def outputs_symbols(self) -> tuple[Any, ...]:
-        """The names of all outputs, in order."""
-        return tuple(name for group in self.groups for name in group.names)
-
-    @cached_property
-    def layout(self) -> Layout:
-        """The orders of the arrays x, r and p."""
-        return Layout(self.states, self.specifieds, self.constants)
-
-    @cached_property
-    def lower_derivatives(self) -> dict[Any, tuple[Any, ...]]:
-        """For each specified that is a derivative, what it is a derivative of, lowest first."""
-        return {s: _lower(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
-
-    @cached_property
-    def of_one_name(self) -> list[tuple[Any, ...]]:
-        """Groups of symbols that differ in their assumptions alone, time included."""
-        groups: dict[Any, list[Any]] = {}
-        known = (*self.states, *self.constants, *self.specifieds, *self.outputs_symbols)
-        for symbol in dict.fromkeys((self.equations.time, *known)):
-            if not isinstance(symbol, sm.Dummy):
-                order = getattr(symbol, "derivative_count", None)
-                function = symbol if order is None else symbol.expr
-                kind = function.is_Symbol, order
-                groups.setdefault((name_of(function), kind), []).append(symbol)
-        return [tuple(group) for group in groups.values() if len(group) > 1]
-
-    @cached_property
-    def places(self) -> dict[str, Places]:
-        """Where states, specifieds and constants lie in x, r and p."""
-        layout = self.layout
-        return {
-            what: Places(getattr(layout, what), f"{what} of the system")
-            for what in ("states", "specifieds", "constants")
-        }
-
-    def assemble(self, equations: Equations, *, external: bool, passes: Passes) -> Assembly:
-        """Return the graph of everything; `equations` may be these, solved beforehand."""
-        return assemble_system(
-            equations,
-            self.groups,
-            self.auxiliaries,
-            self.specifieds,
-            self.constants,
-            external=external,
-            passes=passes,
-        )
 
 
 def define(
@@ -213,15 +130,9 @@ def define(
     )
 
 
-def _lower(derivative: Any) -> tuple[Any, ...]:
-    """Return a function of time and its derivatives below a given one."""
-    function, variable = derivative.expr, derivative.variables[0]
-    return tuple(function.diff(variable, k) for k in range(derivative.derivative_count))
-
-
 def _ordered(found: list[Any], given: Given, outputs: set[Any]) -> tuple[Any, ...]:
     """Return the specifieds in the order of r, with motions that occur by derivatives only."""
-    lower = {s for d in found if isinstance(d, sm.Derivative) for s in _lower(d)}
+    lower = {s for d in found if isinstance(d, sm.Derivative) for s in lower_derivatives(d)}
     others = sort_symbols(lower - {*found} - outputs)
     places = Places([*found, *others], "specifieds of the system")
     keys = [places.get(key, "specifieds") for key in given.keys]
@@ -251,3 +162,25 @@ def _symbols_of(
                 "from the specifieds: write the output's expression instead."
             )
     return constants, specifieds
+
+
+def unfollowed(definition: Definition, plan: SpecifiedsPlan) -> list[tuple[Any, Any]]:
+    """Return derivatives that are zero for want of a value although their function moves.
+
+    Returns
+    -------
+    list of (derivative, function)
+        `function`, or a derivative of it, is given as a function or as samples, of which no
+        derivative is taken; numbers and expressions have derivatives that follow.
+    """
+    if plan.constant or not definition.lower_derivatives:
+        return []
+    places = [part[0] for part in plan.sampled] + [part[0] for part in plan.functions]
+    moving = {plan.symbols[k] for columns in places for k in columns.tolist()}
+    result = []
+    for symbol, lower in definition.lower_derivatives.items():
+        if symbol not in plan.given:
+            nearest = next((s for s in reversed(lower) if s in plan.given), None)
+            if nearest in moving:
+                result.append((symbol, nearest))
+    return result

@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from scipy import optimize
 
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, listed
 from pydy._errors import PyDyUserWarning, SingularMatrixError
-from pydy._system.definition import Definition
-from pydy._system.evaluation import evaluate
 from pydy.codegen.arguments import describe
-from pydy.codegen.right_hand_side import RightHandSide
 from pydy.solvers.run.constraints import satisfied
 
 __all__ = ["check_dependents", "solve_dependents"]
@@ -55,7 +54,7 @@ def check_dependents(definition: Definition, dep_vars: Any) -> tuple[list[int], 
 
 
 def solve_dependents(
-    implementation: RightHandSide,
+    model: CompiledModel,
     definition: Definition,
     x: np.ndarray,
     t: float,
@@ -69,7 +68,7 @@ def solve_dependents(
 
     Parameters
     ----------
-    implementation : RightHandSide
+    model : CompiledModel
     definition : Definition
     x : ndarray, shape (n,)
         Holds the independent values and the guesses.
@@ -90,11 +89,11 @@ def solve_dependents(
 
     def value(kernel: Any, state: np.ndarray) -> np.ndarray:
         r = specified(state, t)[None]
-        row: np.ndarray = evaluate(kernel, implementation.layout, instant, state[None], r, p)[0]
+        row: np.ndarray = model.evaluate(kernel, instant, state[None], r, p)[0]
         return row
 
     if coordinates:
-        bounded, size = implementation.compiled_bounded("holonomic"), len(coordinates)
+        bounded, size = model.compiled_bounded("holonomic"), len(coordinates)
 
         def placed(z: np.ndarray) -> np.ndarray:
             state = x.copy()
@@ -102,7 +101,7 @@ def solve_dependents(
             return state
 
         if use_jac:
-            gradient = implementation.compiled_jacobian("holonomic", "x")
+            gradient = model.compiled_jacobian("holonomic", "x")
             shape = (len(coordinates), len(x))
             root_kwargs = {
                 "jac": lambda z: value(gradient, placed(z)).reshape(shape)[:, coordinates],
@@ -124,9 +123,9 @@ def solve_dependents(
                 stacklevel=3,
             )
     if speeds:
-        kernel = implementation.compiled_jacobian("velocity", "x")
+        kernel = model.compiled_jacobian("velocity", "x")
         matrix = value(kernel, x).reshape(len(speeds), len(x))[:, speeds]
-        residual = implementation.compiled("velocity")
+        residual = model.compiled("velocity")
         start = x.copy()
         start[speeds] = 0.0
         right = -value(residual, start)

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import sympy as sm
 
+from pydy._assembly.model import CompiledModel
 from pydy._checks import shown
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
@@ -15,7 +16,6 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.potential import find_potential
 from pydy._mechanics.symbols import find_symbols
 from pydy.codegen.arguments import checked_expression, describe
-from pydy.codegen.right_hand_side import RightHandSide
 
 __all__ = ["Energy", "EnergyModel", "check_potential"]
 
@@ -71,13 +71,13 @@ class EnergyModel:
             )
         return found.expression
 
-    def kernel(self, implementation: RightHandSide) -> Kernel:
+    def kernel(self, model: CompiledModel) -> Kernel:
         """Return the Kernel of kinetic, potential and total energy."""
         kinetic, potential = self.kinetic, self.potential
         mechanism = self.equations.mechanism
         if mechanism is not None and mechanism.known_energy is not None:
             kinetic = mechanism.known_energy
-        return implementation.compiled_expressions(
+        return model.compiled_expressions(
             "the energy", (3,), (kinetic, potential, sm.Add(kinetic, potential))
         )
 

@@ -7,15 +7,15 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, number, real_array, text, whole
 from pydy._names import latex_of, name_of, unique_names
-from pydy._system.definition import Definition
-from pydy._system.expressions import driven
 from pydy._system.solving import HANDLED, prepare
 from pydy._system.start import check_samples
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
-from pydy.codegen.right_hand_side import RightHandSide
 from pydy.ensemble.engine import Ensemble
 from pydy.ensemble.model import Model
 from pydy.ensemble.samples import Coordinate, Samples, block_sizes
@@ -164,7 +164,7 @@ def _aligned(columns: list[tuple[Any, Any]], dims: Mapping[str, int]) -> tuple[n
 
 def make_ensemble(
     definition: Definition,
-    exact: RightHandSide,
+    exact: CompiledModel,
     plan: SpecifiedsPlan,
     base: tuple[np.ndarray, np.ndarray],
     given: tuple[Mapping[Any, Any], Mapping[Any, Any], Mapping[Any, Any]],
@@ -184,7 +184,7 @@ def make_ensemble(
     Parameters
     ----------
     definition : Definition
-    exact : RightHandSide
+    exact : CompiledModel
         With its linear solve compiled in.
     plan : SpecifiedsPlan
         The specifieds that are the same for all samples.
@@ -226,16 +226,16 @@ def make_ensemble(
         start, shape = float(times[0]), tuple(axes.dims.values())
         columns = (aligned[0], aligned[1], aligned[2])
         check_samples(definition, driving, start, plan, columns, shape)
-    implementation, rest = exact, dict(options)
+    integrated, rest = exact, dict(options)
     if HANDLED & rest.keys():
-        implementation, rest = prepare(solver, definition, exact, driving, rest)
+        integrated, rest = prepare(solver, definition, exact, driving, rest)
     own = {k: v for k, v in rest.items() if k not in ("events", "constraints")}
     read = read_options(solver.name, solver.adaptive, own)
     read = Options(
         **{**vars(read), **{k: v for k, v in rest.items() if k not in own}, "full_output": True}
     )
     _check_tolerances(read, len(definition.states))
-    assembly = driven(implementation, definition, plan).assembly
+    assembly = driven(integrated, definition, plan).assembly
     model = Model(
         rates=assembly.program("rates"),
         outputs=assembly.program("outputs") if definition.outputs_symbols else None,

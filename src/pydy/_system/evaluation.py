@@ -8,17 +8,16 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.definition import Definition, Layout
+from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
 from pydy._errors import warn_user
 from pydy._kernel import Kernel
-from pydy._system.definition import Definition
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan, real_array
-from pydy.codegen.right_hand_side import Layout, RightHandSide, raise_singular
 
 __all__ = [
     "Snapshot",
-    "evaluate",
     "row_names",
     "samples",
     "specified_rows",
@@ -88,28 +87,6 @@ def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
     raise ValueError(f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}.")
 
 
-def evaluate(
-    kernel: Kernel,
-    layout: Layout,
-    t: np.ndarray,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-) -> np.ndarray:
-    """Return the flat outputs of a Kernel at m samples, shape (m, o).
-
-    Raises
-    ------
-    SingularMatrixError
-        With the time and state of the first sample whose linear solve is singular.
-    """
-    out, failed = kernel.evaluate(t, x, r, p)
-    if failed.any():
-        k = int(np.flatnonzero(failed)[0])
-        raise_singular(layout, float(t[k]), x[k])
-    return out
-
-
 def row_names(definition: Definition, block: str) -> list[str]:
     """Return what to call the values of a block in messages."""
     equations = definition.equations
@@ -119,6 +96,8 @@ def row_names(definition: Definition, block: str) -> list[str]:
         return [getattr(s, "name", str(s)) for s in definition.outputs_symbols]
     if block == "energy":
         return ["the kinetic energy", "the potential energy", "the total energy"]
+    if block.startswith("kinetic"):
+        return ["the kinetic energy"] if block == "kinetic_energy" else []
     kinds = ("holonomic", "nonholonomic") if block == "constraints" else (block,)
     return [
         f"the residual of {kind} constraint {k}"
@@ -170,7 +149,7 @@ class Snapshot:
 
     Attributes
     ----------
-    implementation : RightHandSide
+    model : CompiledModel
         With the plan's expressions compiled into it.
     plan : SpecifiedsPlan
     p : ndarray
@@ -178,7 +157,7 @@ class Snapshot:
     definition : Definition
     """
 
-    implementation: RightHandSide
+    model: CompiledModel
     plan: SpecifiedsPlan
     p: np.ndarray
     energies: EnergyModel
@@ -186,23 +165,21 @@ class Snapshot:
 
     def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the specifieds, shape (m, s)."""
-        symbols = self.implementation.layout.specifieds
-        kernel = self.implementation.compiled_expressions(
-            "the specifieds", (len(symbols),), symbols
-        )
+        symbols = self.model.layout.specifieds
+        kernel = self.model.compiled_expressions("the specifieds", (len(symbols),), symbols)
         return self._sweep(kernel, times, states)
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
-        return self._sweep(self.implementation.compiled("rates"), times, states)
+        return self._sweep(self.model.compiled("rates"), times, states)
 
     def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the outputs, shape (m, o)."""
-        return self._sweep(self.implementation.compiled("outputs"), times, states)
+        return self._sweep(self.model.compiled("outputs"), times, states)
 
     def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return kinetic, potential and total energy, shape (m, 3)."""
-        return self._sweep(self.energies.kernel(self.implementation), times, states)
+        return self._sweep(self.energies.kernel(self.model), times, states)
 
     def scene(
         self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
@@ -223,9 +200,10 @@ class Snapshot:
             None,
             states,
             options,
-            lambda: self.implementation.assembly,
+            lambda: self.model.assembly,
         )
 
     def _sweep(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        layout, states = self.implementation.layout, np.ascontiguousarray(states)
-        return evaluate(kernel, layout, times, states, self.plan.rows(states, times), self.p)
+        states = np.ascontiguousarray(states)
+        rows = self.plan.rows(states, times)
+        return self.model.evaluate(kernel, times, states, rows, self.p)

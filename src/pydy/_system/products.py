@@ -10,6 +10,8 @@ import numpy as np
 import sympy as sm
 
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, listed, real_array, shown
 from pydy._graph.node import Graph
 from pydy._graph.products import derivative_program
@@ -17,9 +19,7 @@ from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
 from pydy._mechanics.symbols import find_symbols
 from pydy._system.analysis import variables
-from pydy._system.definition import Definition
 from pydy._system.evaluation import row_names
-from pydy.codegen.right_hand_side import RightHandSide
 
 __all__ = ["BLOCKS", "Derivative", "Target", "prepare_product", "target_of"]
 
@@ -102,7 +102,7 @@ class Derivative:
     Attributes
     ----------
     kernel : callable
-        Returns the Kernel for an implementation.
+        Returns the Kernel for a model.
     vectors : ndarray or None
         Inputs at the end of r, shape (1, k) for all samples or (m, k).
     names : list of str
@@ -113,7 +113,7 @@ class Derivative:
         Whether specifieds are differentiated by.
     """
 
-    kernel: Callable[[RightHandSide], Kernel]
+    kernel: Callable[[CompiledModel], Kernel]
     vectors: np.ndarray | None
     names: list[str]
     squeeze: bool
@@ -152,7 +152,7 @@ def prepare_product(
         length = len(target.names) if kind == "vector-jacobian" else len(by)
         vectors, count, squeeze = _vectors(v, length, states)
 
-    def build(made: RightHandSide) -> Kernel:
+    def build(made: CompiledModel) -> Kernel:
         assembly = made.assembly
         key = ("product", kind, target.block, target.chosen, by, count)
 

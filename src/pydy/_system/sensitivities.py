@@ -14,15 +14,14 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
 from pydy._assembly.stored import stored_program
 from pydy._checks import Places, describe, listed
 from pydy._graph.columns import Columns
 from pydy._graph.program import Program
 from pydy._kernel import Kernel, KernelCall
-from pydy._system.definition import Definition
-from pydy._system.evaluation import evaluate
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.codegen.right_hand_side import RightHandSide, raise_singular
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event
 from pydy.solvers.sensitivities import CompiledSensitivities
@@ -130,7 +129,7 @@ class Sensitive:
     Attributes
     ----------
     definition : Definition
-    implementation : RightHandSide
+    model : CompiledModel
         With its linear solve and all expressions compiled in, as it is integrated.
     plan : SpecifiedsPlan
     parameters : tuple of Parameter
@@ -138,7 +137,7 @@ class Sensitive:
     """
 
     definition: Definition
-    implementation: RightHandSide
+    model: CompiledModel
     plan: SpecifiedsPlan
     parameters: tuple[Parameter, ...]
     p: np.ndarray
@@ -166,7 +165,7 @@ class Sensitive:
 
     def kernel(self, block: str = "rates") -> Kernel:
         """Return the Kernel of the rates and their sensitivities, or of a block's derivatives."""
-        columns, assembly = self.columns, self.implementation.assembly
+        columns, assembly = self.columns, self.model.assembly
 
         def make() -> Any:
             graph = assembly.graph.copy()
@@ -176,21 +175,21 @@ class Sensitive:
             return columns.program(graph, [(block, nodes)], assembly.sizes, assembly.passes)
 
         key = ("sensitivities", block, columns)
-        return self.implementation.compiled_by(
+        return self.model.compiled_by(
             key, lambda: stored_program(assembly, f"sensitivities of {block} {columns}", make)
         )
 
     def call(self) -> KernelCall:
         """Return the equations with sensitivities and their numbers, for native solvers."""
-        implementation = self.implementation
+        model = self.model
         return KernelCall(
             self.kernel(),
             self.p,
             np.concatenate([self.plan.values, np.zeros(self.columns.weights)]),
             (*self.plan.sampled, *self._weights()),
             None,
-            lambda: tuple(map(str, implementation.layout.states)),
-            lambda: implementation.compiled_jacobian("rates", "x"),
+            lambda: tuple(map(str, model.layout.states)),
+            lambda: model.compiled_jacobian("rates", "x"),
         )
 
     def _weights(self) -> list[tuple[np.ndarray, SampledInput]]:
@@ -206,7 +205,7 @@ class Sensitive:
     def function(self) -> Callable[..., np.ndarray]:
         """Return ``f(x, t, …)`` for solvers, of states with their sensitivities."""
         call, n = self.call(), self.columns.states
-        kernel, layout, p = call.kernel, self.implementation.layout, call.p
+        kernel, model, p = call.kernel, self.model, call.p
 
         def f(x: Any, t: Any, *args: Any) -> np.ndarray:
             out = np.empty(self.columns.size)
@@ -214,9 +213,9 @@ class Sensitive:
             r = call.inputs_at(state, float(t))
             status = kernel.call(state, float(t), r, p, out)
             if status > 0:
-                raise_singular(layout, float(t), state[:n])
+                raise model.singular(float(t), state[:n])
             if status < 0:
-                out[:] = evaluate(kernel, layout, np.array([float(t)]), state[None], r[None], p)[0]
+                out[:] = model.evaluate(kernel, np.array([float(t)]), state[None], r[None], p)[0]
             return out
 
         f.native = lambda args: call  # type: ignore[attr-defined]
@@ -267,8 +266,7 @@ class Sensitive:
         self, kernel: Kernel, times: np.ndarray, states: np.ndarray, values: np.ndarray
     ) -> np.ndarray:
         whole = self.columns.together(states, values)
-        layout = self.implementation.layout
-        return evaluate(kernel, layout, times, whole, self.rows(times), self.p)
+        return self.model.evaluate(kernel, times, whole, self.rows(times), self.p)
 
     # -- the start --------------------------------------------------------------------------------
 
@@ -313,12 +311,11 @@ class Sensitive:
         self, values: np.ndarray, x0: np.ndarray, t: float, dependent: list[int], blocks: list[str]
     ) -> None:
         """Let the dependent initial conditions follow the others."""
-        layout, n = self.implementation.layout, self.columns.states
+        n = self.columns.states
         instant = np.array([t])
         args = (instant, x0[None], self.plan.rows(x0[None], instant), self.p)
         rows = [
-            evaluate(self.implementation.compiled_jacobian(block, "x"), layout, *args)
-            for block in blocks
+            self.model.evaluate(self.model.compiled_jacobian(block, "x"), *args) for block in blocks
         ]
         gradient = np.concatenate([row.reshape(-1, n) for row in rows])
         moved = np.concatenate(
@@ -366,7 +363,7 @@ class Wanted:
     def problem(
         self,
         definition: Definition,
-        integrated: RightHandSide,
+        integrated: CompiledModel,
         plan: SpecifiedsPlan,
         start: tuple[np.ndarray, float],
         p: np.ndarray,
@@ -379,7 +376,7 @@ class Wanted:
         Parameters
         ----------
         definition : Definition
-        integrated : RightHandSide
+        integrated : CompiledModel
             Of the states alone.
         plan : SpecifiedsPlan
         start : (ndarray, float)

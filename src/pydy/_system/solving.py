@@ -8,14 +8,14 @@ from typing import Any, Literal
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.baumgarte import stabilised
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, choice, number
 from pydy._graph.derivative import jacobian
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
-from pydy._system.definition import Definition
 from pydy.codegen.arguments import describe
-from pydy.codegen.right_hand_side import RightHandSide
 from pydy.solvers.events import CompiledEvents, Event
 from pydy.solvers.options import StepOptions
 from pydy.solvers.run.constraints import CompiledConstraints
@@ -38,26 +38,26 @@ class EnsembleOptions(StepOptions, total=False):
 def prepare(
     solver: Any,
     definition: Definition,
-    implementation: RightHandSide,
-    exact: RightHandSide,
+    model: CompiledModel,
+    exact: CompiledModel,
     options: dict[str, Any],
-) -> tuple[RightHandSide, dict[str, Any]]:
+) -> tuple[CompiledModel, dict[str, Any]]:
     """Turn events and constraints into what a solver takes.
 
     Parameters
     ----------
     solver : callable
     definition : Definition
-    implementation : RightHandSide
+    model : CompiledModel
         What would be integrated.
-    exact : RightHandSide
+    exact : CompiledModel
         The same with its linear solve and all expressions compiled in.
     options : dict
         Of `System.integrate`.
 
     Returns
     -------
-    implementation : RightHandSide
+    model : CompiledModel
         What is to be integrated.
     options : dict
         For the solver.
@@ -85,7 +85,7 @@ def prepare(
         if gain <= 0.0:
             raise ValueError(f"`gain` must be positive, got {gain}.")
         key = ("baumgarte", gain)
-        implementation = implementation.changed(key, lambda assembly: stabilised(assembly, gain))
+        model = model.changed(key, lambda assembly: stabilised(assembly, gain))
     if not native and (constraints == "project" or events is not None):
         what = "constraints='project'" if constraints == "project" else "events"
         raise ValueError(
@@ -98,7 +98,7 @@ def prepare(
         checked = check_events(events, definition.places["states"])
         if checked:
             options["events"] = compile_events(exact, definition, checked)
-    return implementation, options
+    return model, options
 
 
 def check_events(events: Any, states: Places) -> tuple[Event, ...]:
@@ -145,12 +145,12 @@ def check_events(events: Any, states: Places) -> tuple[Event, ...]:
 
 
 def compile_events(
-    implementation: RightHandSide, definition: Definition, events: tuple[Event, ...]
+    model: CompiledModel, definition: Definition, events: tuple[Event, ...]
 ) -> CompiledEvents:
     """Compile events, their rates and their resets."""
     expressions = tuple(event.expression for event in events)
     states = definition.states
-    assembly = implementation.assembly.fork()
+    assembly = model.assembly.fork()
     graph = assembly.graph
     nodes = assembly.read(expressions, "the events")
 
@@ -172,29 +172,25 @@ def compile_events(
             continue
         after = tuple(event.reset.get(s, s) for s in states)
         name = f"`reset` of the event `{event.name}`"
-        resets.append(implementation.compiled_expressions(name, (len(states),), after))
+        resets.append(model.compiled_expressions(name, (len(states),), after))
     return CompiledEvents(
         names=tuple(event.name for event in events),
         directions=tuple(event.direction for event in events),
         terminal=tuple(bool(event.terminal) for event in events),
         constant=tuple(not moves(node) for node in nodes),
-        values=implementation.compiled_expressions("the events", (len(nodes),), expressions),
-        rates=implementation.compiled_by(("rates of the events", *expressions), rates),
+        values=model.compiled_expressions("the events", (len(nodes),), expressions),
+        rates=model.compiled_by(("rates of the events", *expressions), rates),
         resets=tuple(resets),
         sources=events,
     )
 
 
-def compile_constraints(
-    implementation: RightHandSide, definition: Definition
-) -> CompiledConstraints:
+def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:
     """Compile what the projection needs."""
     equations = definition.equations
     mechanism = equations.mechanism
     weighted = mechanism is not None and bool(mechanism.bodies)
-    kernel = implementation.compiled_by(
-        ("projection",), lambda: _projection(implementation.assembly.fork())
-    )
+    kernel = model.compiled_by(("projection",), lambda: _projection(model.assembly.fork()))
     return CompiledConstraints(
         kernel=kernel,
         holonomic=len(equations.holonomic),

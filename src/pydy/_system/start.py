@@ -6,10 +6,10 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
 from pydy._errors import warn_user
-from pydy._system.definition import Definition
 from pydy._system.solving import constraint_names
-from pydy.codegen.right_hand_side import RightHandSide
 
 __all__ = ["TRIED", "check_samples", "check_start", "violations"]
 
@@ -19,8 +19,8 @@ _DIGITS = 1e-5  # six digits of each state, rounded
 
 def check_start(
     definition: Definition,
-    implementation: RightHandSide,
-    exact: Callable[[], RightHandSide],
+    model: CompiledModel,
+    exact: Callable[[], CompiledModel],
     t: float,
     x: np.ndarray,
     r: np.ndarray,
@@ -34,7 +34,7 @@ def check_start(
     whose : str
         Says in the warning which initial conditions are meant.
     """
-    told = violations(definition, implementation, exact, t, x, r, p)
+    told = violations(definition, model, exact, t, x, r, p)
     if told:
         warn_user(
             f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
@@ -46,8 +46,8 @@ def check_start(
 
 def violations(
     definition: Definition,
-    implementation: RightHandSide,
-    exact: Callable[[], RightHandSide],
+    model: CompiledModel,
+    exact: Callable[[], CompiledModel],
     t: float,
     x: np.ndarray,
     r: np.ndarray,
@@ -62,7 +62,7 @@ def violations(
     Parameters
     ----------
     definition : Definition
-    implementation : RightHandSide
+    model : CompiledModel
     exact : callable
         Gives one whose Jacobians can be compiled.
     t, x, r, p
@@ -76,7 +76,7 @@ def violations(
     counts = {"holonomic": len(equations.holonomic), "velocity": len(equations.velocity)}
     at = (np.array([t]), x[None], r[None], p)
     found = {
-        name: implementation.compiled(name).evaluate(*at)[0][0] if count else np.empty(0)
+        name: model.compiled(name).evaluate(*at)[0][0] if count else np.empty(0)
         for name, count in counts.items()
     }
     residuals = np.concatenate(list(found.values()))
@@ -106,7 +106,7 @@ def violations(
 
 def check_samples(
     definition: Definition,
-    exact: RightHandSide,
+    exact: CompiledModel,
     t: float,
     specified: Callable[[np.ndarray, float], np.ndarray],
     columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
@@ -117,7 +117,7 @@ def check_samples(
     Parameters
     ----------
     definition : Definition
-    exact : RightHandSide
+    exact : CompiledModel
     t : float
     specified : callable
         Gives r at a state and time, where no sample has its own.

@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.definition import Definition
 from pydy._html import html_table
 from pydy._names import name_of, unique_names
-from pydy._system.definition import Definition
 
 __all__ = ["as_html", "as_text", "facts"]
 

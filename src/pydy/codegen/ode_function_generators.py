@@ -13,15 +13,16 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Layout
+from pydy._assembly.external import resolve_solver, solve_symbolically
 from pydy._assembly.form import assemble_form
+from pydy._assembly.model import CompiledModel
 from pydy._backends.registry import resolve
 from pydy._checks import describe, flag, listed, resolved, shown
 from pydy._graph.switches import Passes
 from pydy._mechanics.symbols import find_symbols
 from pydy.codegen.arguments import checked_expression
-from pydy.codegen.external_solve import resolve_solver, solve_symbolically
-from pydy.codegen.right_hand_side import Layout, RightHandSide
+from pydy.codegen.right_hand_side import RightHandSide, make_backend
 
 __all__ = ["generate_ode_function"]
 
@@ -165,12 +166,12 @@ def generate_ode_function(
     )
     return make_function(
         RightHandSide(
-            assembly,
-            Layout((*q, *u), tuple(r), tuple(p)),
-            backend,
-            generator,
-            generator_options,
-            solver=solver if callable(solver) else None,
+            CompiledModel(
+                Layout((*q, *u), tuple(r), tuple(p)),
+                assembly,
+                make_backend(generator, generator_options),
+                solver if callable(solver) else None,
+            ),
             constants_arg_type=constants_arg_type,
             specifieds_arg_type=specifieds_arg_type,
             time_first=time_first,
@@ -329,7 +330,8 @@ class _Name(str):
 
 
 def _restore(implementation: RightHandSide) -> str:
-    name = str.__str__(make_function(implementation).__qualname__)
+    rhs = make_function(implementation)  # nothing else holds it as yet
+    name = str.__str__(rhs.__qualname__)
     generated.restore(name.split(".")[1])
     return name
 
@@ -344,23 +346,5 @@ def make_function(implementation: RightHandSide) -> FunctionType:
     rhs.__qualname__ = qualified
     rhs.__module__ = __name__
     rhs.__doc__ = implementation.docstring()
-    implementation.function_of_user = rhs
     generated.keep(name, rhs)
     return rhs
-
-
-def make_system_function(
-    assembly: Assembly, layout: Layout, options: dict[str, Any], solver: Any
-) -> tuple[FunctionType, RightHandSide]:
-    """Make the function of an assembled system; `options` are those of generate_ode_function."""
-    options = dict(options)
-    arguments = {
-        k: options.pop(k)
-        for k in ("constants_arg_type", "specifieds_arg_type", "time_first")
-        if k in options
-    }
-    generator = options.pop("generator", "llvm")
-    implementation = RightHandSide(
-        assembly, layout, resolve(generator), generator, options, solver=solver, **arguments
-    )
-    return make_function(implementation), implementation

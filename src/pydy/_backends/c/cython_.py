@@ -62,12 +62,14 @@ class CythonBackend:
         tmp_dir: str | os.PathLike[str] | None = None,
         verbose: bool = False,
         cse: bool = True,
+        force_c_contiguous: bool | None = None,
     ) -> None:
         if not isinstance(prefix, str) or not re.fullmatch(r"[A-Za-z_][A-Za-z0-9_]*", prefix):
             raise ValueError(
                 f"`prefix` is {prefix!r}, but it begins the name of a module: it must consist of "
                 "ASCII letters, digits and underscores, and not begin with a digit."
             )
+        self.force_c_contiguous = force_c_contiguous  # the code is the same
         self.options: dict[str, Any] = {
             "prefix": prefix,
             "tmp_dir": None if tmp_dir is None else os.path.abspath(tmp_dir),

@@ -12,12 +12,12 @@ from pydy._checks import real_array, shown
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["resolve_solver", "solve_symbolically", "with_external_solver"]
+__all__ = ["LinearSolver", "resolve_solver", "solve_symbolically", "with_external_solver"]
 
-Solver = Callable[[np.ndarray, np.ndarray], np.ndarray]
+LinearSolver = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
-def resolve_solver(solver: Any) -> Solver | str | None:
+def resolve_solver(solver: Any) -> LinearSolver | str | None:
     """Return what `linear_sys_solver` means: None (built in), a function, or 'sympy[:METHOD]'.
 
     Raises
@@ -28,7 +28,7 @@ def resolve_solver(solver: Any) -> Solver | str | None:
     if solver is None or (isinstance(solver, str) and solver == "builtin"):
         return None
     if callable(solver):
-        function: Solver = solver
+        function: LinearSolver = solver
         return function
     if not isinstance(solver, str):
         raise _refused(solver)
@@ -61,7 +61,9 @@ def solve_symbolically(matrix: Any, column: Sequence[Any], solver: str) -> list[
         ) from error
 
 
-def with_external_solver(program: Program, system: Kernel, solver: Solver, rest: Kernel) -> Kernel:
+def with_external_solver(
+    program: Program, system: Kernel, solver: LinearSolver, rest: Kernel
+) -> Kernel:
     """Chain the matrices, a solver and what follows from its solution into one Kernel.
 
     Parameters

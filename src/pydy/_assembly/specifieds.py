@@ -9,21 +9,39 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 import sympy as sm
 
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._checks import describe
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._mechanics.symbols import find_symbols
-from pydy._system.definition import Definition
-from pydy.codegen.arguments import SpecifiedsPlan, describe
-from pydy.codegen.right_hand_side import RightHandSide
 
-__all__ = ["check_expressions", "driven", "unfollowed"]
+__all__ = ["check_expressions", "driven"]
+
+
+class Plan(Protocol):
+    """How specifieds are given, as far as it matters here.
+
+    Attributes
+    ----------
+    symbols : tuple of symbols
+        All specifieds.
+    given : frozenset of symbols
+        Those that have a value of any kind.
+    expressions : mapping
+        From symbols to SymPy expressions.
+    """
+
+    symbols: tuple[Any, ...]
+    given: frozenset[Any]
+    expressions: dict[Any, Any]
 
 
 @dataclass(frozen=True)
@@ -44,27 +62,27 @@ class _Formula:
 
 
 def driven(
-    implementation: RightHandSide,
+    model: CompiledModel,
     definition: Definition,
-    plan: SpecifiedsPlan,
+    plan: Plan,
     *,
     perturbed: bool = False,
-) -> RightHandSide:
-    """Return the right-hand side with the expressions of `plan` compiled into it.
+) -> CompiledModel:
+    """Return the model with the expressions of `plan` compiled into it.
 
     Parameters
     ----------
-    implementation : RightHandSide
+    model : CompiledModel
         Takes all specifieds as inputs.
     definition : Definition
-    plan : SpecifiedsPlan
+    plan : Plan
     perturbed : bool
         Whether the places of the expressions in r, which are zero, are added to them: derivatives
         with respect to r are then those by a small change of each specified's value.
     """
     formulas = _formulas(definition, plan)
     if not formulas:
-        return implementation
+        return model
 
     def change(assembly: Assembly) -> Assembly:
         kinematics = assembly.rates[: len(definition.equations.coordinates)]
@@ -72,39 +90,17 @@ def driven(
             _resolve(assembly.graph, definition, formulas, kinematics, perturbed)
         )
 
-    return implementation.changed((formulas, perturbed), change)
+    return model.changed((formulas, perturbed), change)
 
 
-def check_expressions(definition: Definition, plan: SpecifiedsPlan) -> None:
+def check_expressions(definition: Definition, plan: Plan) -> None:
     """Raise what `driven` would, without the equations."""
     formulas = _formulas(definition, plan)
     if formulas:
         _resolve(Graph(), definition, formulas, None, False)
 
 
-def unfollowed(definition: Definition, plan: SpecifiedsPlan) -> list[tuple[Any, Any]]:
-    """Return derivatives that are zero for want of a value although their function moves.
-
-    Returns
-    -------
-    list of (derivative, function)
-        `function`, or a derivative of it, is given as a function or as samples, of which no
-        derivative is taken; numbers and expressions have derivatives that follow.
-    """
-    if plan.constant or not definition.lower_derivatives:
-        return []
-    places = [part[0] for part in plan.sampled] + [part[0] for part in plan.functions]
-    moving = {plan.symbols[k] for columns in places for k in columns.tolist()}
-    result = []
-    for symbol, lower in definition.lower_derivatives.items():
-        if symbol not in plan.given:
-            nearest = next((s for s in reversed(lower) if s in plan.given), None)
-            if nearest in moving:
-                result.append((symbol, nearest))
-    return result
-
-
-def _formulas(definition: Definition, plan: SpecifiedsPlan) -> tuple[_Formula, ...]:
+def _formulas(definition: Definition, plan: Plan) -> tuple[_Formula, ...]:
     """Return the expressions, and the derivatives that follow from them."""
     if not plan.expressions:
         return ()

@@ -1,0 +1,118 @@
+"""What a model consists of, symbolically: equations, outputs, and symbols that need numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sm
+
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.outputs import Group
+from pydy._assembly.system import assemble_system
+from pydy._checks import Places
+from pydy._forks import cached_property
+from pydy._graph.switches import Passes
+from pydy._mechanics.equations import Equations
+from pydy._names import name_of
+
+__all__ = ["Definition", "Layout", "lower_derivatives"]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """The orders of the arrays x, r and p, and of the outputs.
+
+    Attributes
+    ----------
+    states, specifieds, constants, outputs : tuple of symbols
+    """
+
+    states: tuple[Any, ...]
+    specifieds: tuple[Any, ...]
+    constants: tuple[Any, ...]
+    outputs: tuple[Any, ...] = ()
+
+
+@dataclass(frozen=True)
+class Definition:
+    """The symbolic side of a System. Equal ones need the same code.
+
+    Attributes
+    ----------
+    equations : Equations
+    groups : tuple of Group
+        All outputs: the user's, the constraint residuals, the noncontributing forces.
+    auxiliaries : tuple of Symbol
+        The states that integrate outputs which depend on the derivatives of the speeds.
+    constants : tuple of Symbol
+        Sorted.
+    specifieds : tuple of functions of time and their derivatives
+        Sorted, or as the user ordered them.
+    """
+
+    equations: Equations
+    groups: tuple[Group, ...]
+    auxiliaries: tuple[Any, ...]
+    constants: tuple[Any, ...]
+    specifieds: tuple[Any, ...]
+
+    @property
+    def states(self) -> tuple[Any, ...]:
+        """Coordinates, speeds, auxiliaries."""
+        return (*self.equations.coordinates, *self.equations.speeds, *self.auxiliaries)
+
+    @property
+    def outputs_symbols(self) -> tuple[Any, ...]:
+        """The names of all outputs, in order."""
+        return tuple(name for group in self.groups for name in group.names)
+
+    @cached_property
+    def layout(self) -> Layout:
+        """The orders of the arrays x, r and p, and of the outputs."""
+        return Layout(self.states, self.specifieds, self.constants, self.outputs_symbols)
+
+    @cached_property
+    def lower_derivatives(self) -> dict[Any, tuple[Any, ...]]:
+        """For each specified that is a derivative, what it is a derivative of, lowest first."""
+        return {s: lower_derivatives(s) for s in self.specifieds if isinstance(s, sm.Derivative)}
+
+    @cached_property
+    def of_one_name(self) -> list[tuple[Any, ...]]:
+        """Groups of symbols that differ in their assumptions alone, time included."""
+        groups: dict[Any, list[Any]] = {}
+        known = (*self.states, *self.constants, *self.specifieds, *self.outputs_symbols)
+        for symbol in dict.fromkeys((self.equations.time, *known)):
+            if not isinstance(symbol, sm.Dummy):
+                order = getattr(symbol, "derivative_count", None)
+                function = symbol if order is None else symbol.expr
+                kind = function.is_Symbol, order
+                groups.setdefault((name_of(function), kind), []).append(symbol)
+        return [tuple(group) for group in groups.values() if len(group) > 1]
+
+    @cached_property
+    def places(self) -> dict[str, Places]:
+        """Where states, specifieds and constants lie in x, r and p."""
+        layout = self.layout
+        return {
+            what: Places(getattr(layout, what), f"{what} of the system")
+            for what in ("states", "specifieds", "constants")
+        }
+
+    def assemble(self, equations: Equations, *, external: bool, passes: Passes) -> Assembly:
+        """Return the graph of everything; `equations` may be these, solved beforehand."""
+        return assemble_system(
+            equations,
+            self.groups,
+            self.auxiliaries,
+            self.specifieds,
+            self.constants,
+            external=external,
+            passes=passes,
+        )
+
+
+def lower_derivatives(derivative: Any) -> tuple[Any, ...]:
+    """Return a function of time and its derivatives below a given one."""
+    function, variable = derivative.expr, derivative.variables[0]
+    return tuple(function.diff(variable, k) for k in range(derivative.derivative_count))

@@ -1,0 +1,207 @@
+"""What a definition compiles to, as one object: its arrays' layout, its blocks, its Kernels."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Layout
+from pydy._assembly.external import LinearSolver, with_external_solver
+from pydy._assembly.stored import stored_program
+from pydy._errors import SingularMatrixError
+from pydy._graph.program import Program
+from pydy._kernel import Kernel
+
+__all__ = ["CompiledModel"]
+
+_VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class CompiledModel:
+    """Equations, outputs and constraints of one definition, and the machine code made of them.
+
+    It never changes. A Kernel or Jacobian is compiled when it is first called for, once.
+
+    Attributes
+    ----------
+    layout : Layout
+        The orders of the arrays x, r and p, and of the outputs.
+    assembly : Assembly
+        The blocks that Kernels are made from.
+    backend : object
+        Has ``compile(program) -> Kernel``.
+    solver : callable or None
+        ``solve(A, b)`` of the user's, for the accelerations in values of blocks; derivatives and
+        further expressions are compiled with the built-in one.
+    """
+
+    layout: Layout
+    assembly: Assembly
+    backend: Any
+    solver: LinearSolver | None = None
+    _kernels: dict[tuple[Any, ...], Kernel] = field(default_factory=dict)
+    _variants: dict[Any, CompiledModel] = field(default_factory=dict)
+
+    def __getstate__(self) -> dict[str, Any]:
+        kept = self.function_blocks
+        kernels = {k: v for k, v in self._kernels.items() if k == kept}
+        return {**self.__dict__, "_kernels": kernels, "_variants": {}}
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> CompiledModel:
+        return self
+
+    def __repr__(self) -> str:
+        layout, compiled = self.layout, []
+        for key, kernel in self._kernels.items():
+            counts = kernel.program.operation_count
+            compiled.append(
+                f"{_title(key)} ({counts['setup']} operations at set-up, {counts['run']} a call)"
+            )
+        lines = [
+            ("states", _listed(layout.states)),
+            ("specifieds", _listed(layout.specifieds)),
+            ("constants", _listed(layout.constants)),
+            ("outputs", _listed(layout.outputs)),
+            ("blocks", self.assembly.summary()),
+            ("back end", type(self.backend).__name__),
+            ("compiled", "; ".join(compiled) or "nothing so far"),
+        ]
+        return "\n".join(["CompiledModel", *(f"  {name:<10}  {text}" for name, text in lines)])
+
+    @property
+    def function_blocks(self) -> tuple[str, ...]:
+        """The blocks that a generated function returns."""
+        return ("rates", "ordinary") if self.assembly.ordinary else ("rates",)
+
+    # -- Kernels, each compiled when it is first called for --------------------------------------
+
+    def compiled(self, *blocks: str) -> Kernel:
+        """Return the Kernel of some blocks of the assembly.
+
+        ``compiled('kinetic_hessian')`` is the mass matrix of all speeds, before any constraint
+        reduces it; it is assembled only when asked for, as is ``'kinetic_energy'``.
+        """
+        if self.solver is None or not self.assembly.open.keys() & set(blocks):
+            return self.compiled_by(blocks, lambda: self._program(*blocks))
+        kernel = self._kernels.get(blocks)
+        if kernel is None:
+            assembly, what = self.assembly, f"{', '.join(blocks)} given accelerations"
+            rest = stored_program(assembly, what, lambda: assembly.open_program(*blocks))
+            kernel = with_external_solver(
+                rest,
+                self.compiled("mass_matrix", "forcing"),
+                self.solver,
+                self.backend.compile(rest),
+            )
+            self._kernels[blocks] = kernel
+        return kernel
+
+    def _program(self, *blocks: str) -> Program:
+        assembly = self.assembly
+        if any(name.startswith("kinetic") for name in blocks):
+            return assembly.program(*blocks)  # made from the bodies, which have no fingerprint
+        return stored_program(assembly, ", ".join(blocks), lambda: assembly.program(*blocks))
+
+    def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
+        """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
+        assembly = self.assembly
+        return self.compiled_by(
+            (block, "by", by),
+            lambda: stored_program(
+                assembly, f"{block} by {by}", lambda: assembly.jacobian_program(block, by)
+            ),
+        )
+
+    def compiled_bounded(self, block: str) -> Kernel:
+        """Return the Kernel of a block and its rounding bounds; see `Assembly.bounded_program`."""
+        assembly = self.assembly
+        return self.compiled_by(
+            (block, "bounded"),
+            lambda: stored_program(
+                assembly, f"{block}, bounded", lambda: assembly.bounded_program(block)
+            ),
+        )
+
+    def compiled_expressions(
+        self, name: str, shape: tuple[int, ...], expressions: tuple[Any, ...]
+    ) -> Kernel:
+        """Return the Kernel of further expressions; see `Assembly.expression_program`."""
+        return self.compiled_by(
+            (name, shape, *expressions),
+            lambda: self.assembly.expression_program(name, shape, expressions),
+        )
+
+    def compiled_by(self, key: tuple[Any, ...], build: Callable[[], Program]) -> Kernel:
+        """Return the Kernel of a Program that `build` makes, at most once for each key."""
+        kernel = self._kernels.get(key)
+        if kernel is None:
+            kernel = self._kernels[key] = self.backend.compile(build())
+        return kernel
+
+    # -- other equations -------------------------------------------------------------------------
+
+    def changed(self, key: Any, change: Callable[[Assembly], Assembly]) -> CompiledModel:
+        """Return the same with other equations, made at most once for each key.
+
+        Parameters
+        ----------
+        key : hashable
+            The latest eight are kept.
+        change : callable
+            Makes the other equations from these; sizes and layout stay.
+        """
+        other = self._variants.pop(key, None)
+        if other is None:
+            other = replace(self, assembly=change(self.assembly), _kernels={}, _variants={})
+        self._variants[key] = other
+        while len(self._variants) > _VARIANTS:
+            del self._variants[next(iter(self._variants))]
+        return other
+
+    # -- values ----------------------------------------------------------------------------------
+
+    def evaluate(
+        self, kernel: Kernel, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    ) -> np.ndarray:
+        """Return the flat outputs of a Kernel at m samples, shape (m, o).
+
+        Raises
+        ------
+        SingularMatrixError
+            With the time and state of the first sample whose linear solve is singular.
+        """
+        out, failed = kernel.evaluate(t, x, r, p)
+        if failed.any():
+            k = int(np.flatnonzero(failed)[0])
+            raise self.singular(float(t[k]), x[k])
+        return out
+
+    def singular(self, t: float, x: np.ndarray) -> SingularMatrixError:
+        """Return the error of a singular mass matrix; x may have more columns after the states."""
+        state = ", ".join(f"{s} = {v:.6g}" for s, v in zip(self.layout.states, x, strict=False))
+        return SingularMatrixError(
+            f"The mass matrix is singular at t = {t!r} with the state {state}. Check that no mass "
+            "or inertia is zero, that no constraint is redundant there, and that the "
+            "configuration is not a singular one.",
+            float(t),
+            np.array(x, dtype=float),
+        )
+
+
+def _listed(symbols: tuple[Any, ...]) -> str:
+    return ", ".join(map(str, symbols)) or "none"
+
+
+def _title(key: tuple[Any, ...]) -> str:
+    """Return what to call a Kernel by its key."""
+    if "by" in key[1:2]:
+        wrt = key[2] if isinstance(key[2], str) else ", ".join(f"{g}[{k}]" for g, k in key[2])
+        return f"{key[0]} by {wrt}"
+    if key[1:] == ("bounded",):
+        return f"{key[0]} and its rounding bounds"
+    return ", ".join(key) if all(isinstance(part, str) for part in key) else str(key[0])
