@@ -232,15 +232,13 @@ class Sensitive:
         after = [event.reset.get(s, s) for s in states] if event.reset else []
 
         def make() -> Program:
-            own = self.implementation.assembly.fork()
+            own = self.model.assembly.fork()
             crossing, *moved = own.read([event.expression, *after], f"the event `{event.name}`")
             return self.columns.jump_program(
                 own.graph, crossing, moved, own.rates, own.sizes, own.passes
             )
 
-        return self.implementation.compiled_by(
-            ("jump", event.expression, *after, self.columns), make
-        )
+        return self.model.compiled_by(("jump", event.expression, *after, self.columns), make)
 
     def rows(self, times: np.ndarray) -> np.ndarray:
         """Return r with its further inputs at some times, shape (m, s + w) or (1, s + w)."""
