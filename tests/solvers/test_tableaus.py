@@ -6,8 +6,7 @@ from math import prod
 import numpy as np
 import pytest
 
-from pydy.solvers.run.methods import tableau_of
-from pydy.solvers.tableaus import radau
+from pydy.solvers.tableaus import radau, tableau_of
 
 METHODS = ["dop853", "tsit5", "vern9", "rk4"]
 DENSE_ORDER = {"dop853": 7, "tsit5": 4, "vern9": 8, "rk4": 3}

@@ -15,14 +15,16 @@ Its options are the keyword arguments that `generate_ode_function` does not know
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Protocol
 
 import numpy as np
 
+from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["Backend", "strict"]
+__all__ = ["Backend", "kernel_of", "strict"]
 
 
 class Backend(Protocol):
@@ -45,3 +47,38 @@ def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
         and a.flags.c_contiguous
         for a, size in zip((x, r, p), sizes, strict=True)
     )
+
+
+def kernel_of(
+    program: Program,
+    evaluate: Callable[..., tuple[np.ndarray, np.ndarray]],
+    generator: Any,
+    options: dict[str, Any],
+) -> Kernel:
+    """Return the Kernel of a back end that is written in Python.
+
+    Parameters
+    ----------
+    program : Program
+    evaluate : callable
+        ``evaluate(t, x, r, p) -> (out, failed)`` over m samples: t (m,), x (m, n), r (m, s), p
+        (k,); out (m, o), and which samples' linear solve was singular.
+    generator : str or class
+        The back end by name, or itself: it compiles the Program again where a Kernel is unpickled.
+    options : dict
+        Its options.
+    """
+
+    def sweep(
+        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        return evaluate(t, x, np.broadcast_to(r, (len(t), r.shape[1])), p)
+
+    def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
+        if not strict(program, x, r, p):
+            return -1
+        values, failed = evaluate(np.array([t], float), x[None, :], r[None, :], p)
+        out[:] = values[0]
+        return int(failed[0])
+
+    return Kernel(program, sweep, call, compile_program, (generator, options))

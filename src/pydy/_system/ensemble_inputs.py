@@ -269,7 +269,7 @@ def make_ensemble(
 
 def _native(ode_solver: Any) -> Solver:
     solver = SOLVERS.get(ode_solver) if isinstance(ode_solver, str) else ode_solver
-    if not isinstance(solver, Solver):
+    if not isinstance(solver, Solver) or solver.name not in SOLVERS:
         raise ValueError(
             f"`ode_solver` must be a native solver, one of {', '.join(map(repr, SOLVERS))}, got "
             f"{ode_solver!r}. For another one, integrate in a loop."

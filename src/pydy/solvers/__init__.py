@@ -17,6 +17,7 @@ from __future__ import annotations
 from pydy.solvers.events import Event
 from pydy.solvers.options import SolverOptions, StepOptions
 from pydy.solvers.solver import Prepared, Solver, dop853, radau, rk4, tsit5, vern9
+from pydy.solvers.tableaus.tableau import Tableau
 
 __all__ = [
     "Event",
@@ -24,6 +25,7 @@ __all__ = [
     "Solver",
     "SolverOptions",
     "StepOptions",
+    "Tableau",
     "dop853",
     "radau",
     "rk4",

@@ -13,6 +13,8 @@ from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
+from pydy.solvers.tableaus import add_tableau, tableau_of
+from pydy.solvers.tableaus.tableau import Tableau
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -56,8 +58,45 @@ class Solver:
     def __repr__(self) -> str:
         return f"pydy.solvers.{self.name}"
 
-    def __reduce__(self) -> str:
-        return self.name  # there is one object for each method
+    def __reduce__(self) -> str | tuple[Any, ...]:
+        if SOLVERS.get(self.name) is self:
+            return self.name  # there is one object for each method
+        return Solver.from_tableau, (tableau_of(self.name),)
+
+    @classmethod
+    def from_tableau(cls, tableau: Tableau) -> Solver:
+        """Return a solver that steps by an explicit Runge–Kutta method of your own.
+
+        The compiled loops are those of the other explicit methods: nothing is compiled for it.
+
+        Parameters
+        ----------
+        tableau : Tableau
+
+        Raises
+        ------
+        ValueError
+            The tableau is not consistent, or another method has its name.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.solvers import Solver, Tableau
+        >>> heun = Solver.from_tableau(Tableau(
+        ...     name="heun", order=2, error_order=1, nodes=(0.0, 1.0, 1.0),
+        ...     stages=({}, {0: 1.0}), weights={0: 0.5, 1: 0.5}, errors=({0: -0.5, 1: 0.5},),
+        ... ))
+        >>> x = heun(lambda x, t: [-x[0]], [1.0], [0.0, 1.0], rtol=1e-6, atol=1e-6)
+        >>> bool(abs(x[-1, 0] - np.exp(-1.0)) < 1e-5)
+        True
+        """
+        if tableau.name in SOLVERS:
+            raise ValueError(
+                f"`tableau` has the name {tableau.name!r}, which is that of a solver of the "
+                "package; give it another one."
+            )
+        add_tableau(tableau)
+        return cls(tableau.name, tableau.error_order is not None)
 
     @overload
     def __call__(

@@ -3,26 +3,18 @@
 from __future__ import annotations
 
 from functools import cache
-from importlib import import_module
 
 import numpy as np
 
 from pydy.solvers.run.layout import DEPTH, Method
-from pydy.solvers.tableaus.tableau import Tableau
+from pydy.solvers.tableaus import tableau_of
 
-__all__ = ["IMPLICIT", "method_arrays", "tableau_of"]
+__all__ = ["IMPLICIT", "method_arrays"]
 
 IMPLICIT = "radau"
 _DEPTH = 3  # its collocation polynomial is a cubic
 
 _SAFETY, _SHRINK, _GROW = 0.9, 0.2, 6.0
-
-
-@cache
-def tableau_of(name: str) -> Tableau:
-    """Return the tableau of a method."""
-    tableau: Tableau = getattr(import_module(f"pydy.solvers.tableaus.{name}"), name.upper())
-    return tableau
 
 
 @cache

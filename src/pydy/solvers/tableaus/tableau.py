@@ -10,6 +10,8 @@ __all__ = ["Row", "Tableau", "from_monomials"]
 
 Row = dict[int, float]
 
+_CONSISTENT = 1e-12  # coefficients come in 16 digits
+
 
 @dataclass(frozen=True)
 class Tableau:
@@ -24,21 +26,22 @@ class Tableau:
     name : str
     order : int
     error_order : int or None
-        Of the embedded solution; None for a method of fixed step size.
+        Of the embedded solution; None for a method of fixed step size, which has no `errors`.
     nodes : tuple of float
         The time of each stage, end and interpolant's stages included, as a fraction of the step.
     stages : tuple of rows
     weights : row
         The step is the sum of these times the stages, times h.
     errors : tuple of rows
-        One estimate of the error; or two, whose combination of Hairer, Nørsett and Wanner (II.10)
-        is taken.
+        One estimate of the error, the difference of two solutions' weights; or two, whose
+        combination of Hairer, Nørsett and Wanner (II.10) is taken.
     dense_stages : tuple of rows
     damping : float
         Exponent of the last error in the choice of the step size; 0 for the plain rule.
     interpolant : tuple of rows
         F3, F4 … of ``x + θ (F0 + (1 − θ)(F1 + θ (F2 + (1 − θ)(F3 + …))))``: the form in which
-        nothing cancels at the ends of the step. States and derivatives there give F0 to F2.
+        nothing cancels at the ends of the step. States and derivatives there give F0 to F2; with
+        no rows it is the cubic Hermite polynomial.
     """
 
     name: str
@@ -47,10 +50,43 @@ class Tableau:
     nodes: tuple[float, ...]
     stages: tuple[Row, ...]
     weights: Row
-    errors: tuple[Row, ...]
-    dense_stages: tuple[Row, ...]
-    interpolant: tuple[Row, ...]
+    errors: tuple[Row, ...] = ()
+    dense_stages: tuple[Row, ...] = ()
+    interpolant: tuple[Row, ...] = ()
     damping: float = 0.0
+
+    def check(self) -> None:
+        """Raise a ValueError that says what is not consistent, if anything is."""
+        count, dense = len(self.stages), len(self.dense_stages)
+        if len(self.nodes) != count + 1 + dense:
+            raise ValueError(
+                f"`nodes` must have {count + 1 + dense} entries, one for each stage, one for the "
+                f"end of the step and one for each of `dense_stages`, got {len(self.nodes)}."
+            )
+        if (self.error_order is None) != (not self.errors):
+            raise ValueError(
+                "`errors` and `error_order` belong together: give both, or neither for a method "
+                f"of fixed step size; got error_order = {self.error_order} and {len(self.errors)} "
+                "rows of errors."
+            )
+        if not 0 <= len(self.errors) <= 2:
+            raise ValueError(f"`errors` must have one row or two, got {len(self.errors)}.")
+        for k, (node, row) in enumerate(zip(self.nodes, self.stages, strict=False)):
+            if any(not 0 <= j < k for j in row):
+                raise ValueError(f"`stages` must refer to earlier stages, but row {k} is {row}.")
+            if abs(sum(row.values()) - node) > _CONSISTENT:
+                raise ValueError(
+                    f"`stages` must sum to `nodes`, but row {k} sums to {sum(row.values())} and "
+                    f"the node is {node}."
+                )
+        if abs(sum(self.weights.values()) - 1.0) > _CONSISTENT:
+            raise ValueError(f"`weights` must sum to 1, got {sum(self.weights.values())}.")
+        for row in self.errors:
+            if abs(sum(row.values())) > _CONSISTENT:
+                raise ValueError(
+                    "`errors` are differences of two solutions and must sum to 0, but a row sums "
+                    f"to {sum(row.values())}."
+                )
 
 
 def from_monomials(stages: Mapping[int, str]) -> tuple[Row, ...]:
