@@ -21,7 +21,7 @@ from pydy._assembly.external import resolve_solver, solve_symbolically
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import check_expressions, driven
 from pydy._assembly.system import check_accelerations
-from pydy._checks import describe, flag, real_array, vector
+from pydy._checks import describe, flag, path_of, real_array, text, vector
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._graph.switches import Passes
 from pydy._kernel import Kernel
@@ -71,6 +71,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from pydy._system.solving import EnsembleOptions
+    from pydy.export import Exported, Model
     from pydy.viz.scene import Scene
 
 __all__ = ["System"]
@@ -1780,6 +1781,73 @@ class System:
         plan = self._plan(self._specifieds)
         implementation = driven(self._current(), self._definition, plan)
         return Snapshot(implementation, plan, self._p(), self._energies, self._definition)
+
+    # -- export -----------------------------------------------------------------------------------
+
+    def export(
+        self,
+        path: Any,
+        *,
+        name: str | None = None,
+        events: Any = None,
+        inputs: Iterable[Any] = (),
+        **options: Any,
+    ) -> Exported:
+        """Write the system as code for another program: C, an FMU, JavaScript or Python.
+
+        Parameters
+        ----------
+        path : path
+            The suffix decides: ``.c`` (C99, with a header beside it), ``.fmu`` (a functional
+            mock-up unit for Model Exchange and Co-Simulation), ``.js`` (an ECMAScript module) or
+            ``.py`` (functions that need NumPy or JAX only).
+        name : str, optional
+            Of the model; by default the file's.
+        events : Event or sequence of Event, optional
+            Exported with their resets; in an FMU as event indicators.
+        inputs : iterable of specifieds, optional
+            Those that become inputs although `specifieds` gives them by a function or by samples.
+        **options
+            ``fmi`` ('3.0' or '2.0') and ``binary`` (False leaves the compiled library out) for
+            ``.fmu``; ``target`` ('numpy' or 'jax') for ``.py``.
+
+        Returns
+        -------
+        Exported
+            ``path``, ``files``, and ``names``: what stands for names that are no identifiers.
+
+        Raises
+        ------
+        ValueError
+            Another suffix, or a specified that only Python can compute.
+        GeneratorError
+            No C compiler was found for the binary of an FMU, or it failed.
+
+        Examples
+        --------
+        >>> import os, tempfile
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1)
+        >>> folder = tempfile.mkdtemp()
+        >>> exported = system.export(os.path.join(folder, 'pendulum.c'))
+        >>> [file.name for file in exported.files]
+        ['pendulum.c', 'pendulum.h']
+        """
+        from pydy.export.writing import check_options, write
+
+        target = path_of(path, "`path`")
+        check_options(target, options)
+        model = self._exportable(name=text(name or target.stem, "`name`"), events=events,
+                                 inputs=inputs)  # fmt: skip
+        return write(model, target, **options)
+
+    def _exportable(self, **options: Any) -> Model:
+        """Return the Programs, names and numbers of what is exported."""
+        from pydy._system.exporting import export_model
+
+        plan = self._plan(self._specifieds)
+        numbers = self._x0(), self._p(), self._times
+        return export_model(self._definition, self._current(), plan, numbers, **options)
 
     # -- animation --------------------------------------------------------------------------------
 

@@ -23,7 +23,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._mechanics.symbols import find_symbols
 
-__all__ = ["check_expressions", "driven"]
+__all__ = ["check_expressions", "driven", "followed"]
 
 
 class Plan(Protocol):
@@ -91,6 +91,11 @@ def driven(
         )
 
     return model.changed((formulas, perturbed), change)
+
+
+def followed(definition: Definition, plan: Plan) -> set[Any]:
+    """Return the specifieds that expressions give, and derivatives that follow from them."""
+    return {formula.symbol for formula in _formulas(definition, plan)}
 
 
 def check_expressions(definition: Definition, plan: Plan) -> None:

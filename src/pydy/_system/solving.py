@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import Any, Literal
 
@@ -21,7 +21,15 @@ from pydy.solvers.options import StepOptions
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.solver import Solver
 
-__all__ = ["HANDLED", "EnsembleOptions", "constraint_names", "prepare"]
+__all__ = [
+    "HANDLED",
+    "EnsembleOptions",
+    "check_events",
+    "constraint_names",
+    "event_rates_program",
+    "prepare",
+    "projection_program",
+]
 
 HANDLED = {"constraints", "events", "gain"}
 """Options of `System.integrate` that need the equations."""
@@ -154,13 +162,6 @@ def compile_events(
     graph = assembly.graph
     nodes = assembly.read(expressions, "the events")
 
-    def rates() -> Program:
-        along = [graph.input("x", k) for k in range(len(states))]
-        slopes = [*assembly.rates, graph.one]
-        rows = jacobian(graph, nodes, [*along, graph.input("t", 0)])
-        totals = [graph.sum([(graph.mul(d, slopes[k]), 1.0) for k, d in r.items()]) for r in rows]
-        return assembly.lowered([("rates", (len(totals),), totals)], graph)
-
     def moves(node: int) -> bool:
         inputs = [graph.args[n] for n in graph.reachable([node]) if graph.ops[n] == "input"]
         return any(group != "p" for group, _ in inputs)
@@ -179,10 +180,25 @@ def compile_events(
         terminal=tuple(bool(event.terminal) for event in events),
         constant=tuple(not moves(node) for node in nodes),
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
-        rates=model.compiled_by(("rates of the events", *expressions), rates),
+        rates=model.compiled_by(
+            ("rates of the events", *expressions),
+            lambda: event_rates_program(model.assembly, expressions),
+        ),
         resets=tuple(resets),
         sources=events,
     )
+
+
+def event_rates_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
+    """Return the Program of the events' time derivatives along the motion."""
+    own = assembly.fork()
+    graph = own.graph
+    nodes = own.read(expressions, "the events")
+    along = [graph.input("x", k) for k in range(own.sizes[0])]
+    slopes = [*own.rates, graph.one]
+    rows = jacobian(graph, nodes, [*along, graph.input("t", 0)])
+    totals = [graph.sum([(graph.mul(d, slopes[k]), 1.0) for k, d in r.items()]) for r in rows]
+    return own.lowered([("rates", (len(totals),), totals)], graph)
 
 
 def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:
@@ -190,7 +206,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     equations = definition.equations
     mechanism = equations.mechanism
     weighted = mechanism is not None and bool(mechanism.bodies)
-    kernel = model.compiled_by(("projection",), lambda: _projection(model.assembly.fork()))
+    kernel = model.compiled_by(("projection",), lambda: projection_program(model.assembly))
     return CompiledConstraints(
         kernel=kernel,
         holonomic=len(equations.holonomic),
@@ -211,8 +227,9 @@ def constraint_names(equations: Equations) -> tuple[str, ...]:
     )
 
 
-def _projection(assembly: Assembly) -> Program:
+def projection_program(assembly: Assembly) -> Program:
     """Return the Program of `CompiledConstraints`."""
+    assembly = assembly.fork()
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1]
     coordinates = [graph.input("x", k) for k in range(first)]

@@ -7,18 +7,18 @@ fallback behind a guard.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from pydy._graph.operations import OPERATIONS, TRUTHS, operands
 from pydy._graph.program import Program
 from pydy._graph.tuning import SINGULAR
 
-__all__ = ["c_prototypes", "c_source"]
+__all__ = ["c_functions", "c_prototypes", "c_source"]
 
 # A matrix is singular when a pivot is not above n·eps of its row's and column's scale; its
 # solution is then NaN, by a NaN in the last pivot. A NaN in the matrix is not a failure: every
 # comparison below is false for it, and it comes out as NaN.
-_HELPERS = """\
+_HEAD = """\
 #include <math.h>
 #include <stdint.h>
 
@@ -27,12 +27,22 @@ _HELPERS = """\
 #else
 #define RESTRICT restrict
 #endif
+"""
 
+# By the name of the function; only those that a Program calls are written.
+_HELPERS = {
+    "minimum": """\
 /* Unlike fmin and fmax, these give NaN when either argument is NaN. */
 static inline double minimum(double a, double b) { return a < b || a != a ? a : b; }
+""",
+    "maximum": """\
+/* Unlike fmin and fmax, these give NaN when either argument is NaN. */
 static inline double maximum(double a, double b) { return a > b || a != a ? a : b; }
+""",
+    "sign": """\
 static inline double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : a; }
-
+""",
+    "lu_factor": """\
 /* Factorise the n by n matrix a in place by LU with partial pivoting; `scales` is 2 n numbers of
    work space, the reciprocal sizes of the rows and then of the columns. Returns whether a is
    singular. */
@@ -91,7 +101,8 @@ static inline int32_t lu_factor(int n, double *a, int *pivots, double *scales)
         a[n * n - 1] = NAN; /* so that every solution is NaN */
     return singular;
 }
-
+""",
+    "lu_solve": """\
 /* Solve in place of the right-hand side b, with the factors from lu_factor. */
 static inline void lu_solve(int n, const double *a, const int *pivots, double *b)
 {
@@ -109,7 +120,8 @@ static inline void lu_solve(int n, const double *a, const int *pivots, double *b
         b[i] /= a[i * n + i];
     }
 }
-"""
+""",
+}
 
 
 def c_source(program: Program, *, prefix: str = "", static: bool = False) -> str:
@@ -134,17 +146,20 @@ def c_source(program: Program, *, prefix: str = "", static: bool = False) -> str
         Whether they are visible in this file alone, which another one includes.
     """
     head = f"/* Written by pydy for the program {program.digest}. */\n\n"
-    first, second = (f"{'static ' if static else ''}{s}" for s in _signatures(prefix, "RESTRICT "))
-    lines = [
-        head + _HELPERS.replace("SINGULAR", repr(SINGULAR)),
-        first,
-        *_prepare(program),
-        "",
-        second,
-        *_kernel(program),
-        "",
-    ]
-    return "\n".join(lines)
+    return head + c_functions({prefix: program}, static=static)
+
+
+def c_functions(programs: Mapping[str, Program], *, static: bool = False) -> str:
+    """Return the functions of several Programs, by their prefixes, as `c_source` describes them."""
+    kind = "static " if static else ""
+    lines = []
+    for prefix, program in programs.items():
+        first, second = (kind + s for s in _signatures(prefix, "RESTRICT "))
+        lines += [first, *_prepare(program), "", second, *_kernel(program), ""]
+    code = "\n".join(lines)
+    called = [text for name, text in _HELPERS.items() if f"{name}(" in code]
+    helpers = [text.replace("SINGULAR", repr(SINGULAR)) for text in called]
+    return "\n".join([_HEAD, *helpers, code])
 
 
 def c_prototypes(prefix: str = "") -> str:
@@ -163,7 +178,7 @@ def _signatures(prefix: str, restrict: str = "") -> tuple[str, str]:
 
 def _prepare(program: Program) -> Iterable[str]:
     yield "{"
-    yield _used("pc")
+    yield _used(["p", "c"])
     stage = _Stage(program)
     for node, setup in enumerate(program.setup):
         if setup:
@@ -176,7 +191,7 @@ def _prepare(program: Program) -> Iterable[str]:
 
 def _kernel(program: Program) -> Iterable[str]:
     yield "{"
-    yield _used("txrc")
+    yield _used(["t", "x", "r", "c", "out"])
     yield "    int32_t status = 0;"
     stage = _Stage(program)
     stage.carried(program.carried)
@@ -190,7 +205,7 @@ def _kernel(program: Program) -> Iterable[str]:
     yield "}"
 
 
-def _used(parameters: str) -> str:
+def _used(parameters: Iterable[str]) -> str:
     """Keep compilers from warning of parameters that this Program does not read."""
     return "    " + " ".join(f"(void){name};" for name in parameters)
 

@@ -1,0 +1,181 @@
+"""From a System's equations and numbers to a `pydy.export.Model`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven, followed
+from pydy._assembly.stored import stored_program
+from pydy._checks import Places, choice, listed
+from pydy._graph.program import Program
+from pydy._names import name_of, unique_names
+from pydy._system.solving import check_events, event_rates_program, projection_program
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.export.model import EventData, Model, Variable, identifiers, with_inputs
+
+__all__ = ["export_model"]
+
+
+def export_model(
+    definition: Definition,
+    model: CompiledModel,
+    plan: SpecifiedsPlan,
+    numbers: tuple[np.ndarray, np.ndarray, np.ndarray],
+    *,
+    name: str = "model",
+    events: Any = None,
+    constraints: Any = None,
+    inputs: Iterable[Any] = (),
+) -> Model:
+    """Return what is exported of a System.
+
+    Parameters
+    ----------
+    definition : Definition
+    model : CompiledModel
+    plan : SpecifiedsPlan
+        The specifieds now.
+    numbers : (x0, p, times)
+    name : str
+    events : Event or sequence of Event, optional
+    constraints : {None, 'project'}
+    inputs : iterable of specifieds
+        Those that become inputs although a function or samples give them.
+
+    Raises
+    ------
+    ValueError
+        A specified that only Python can compute, or a projection where there are no constraints.
+    """
+    x0, p, times = numbers
+    start = float(times[0]) if len(times) else 0.0
+    stop = float(times[-1]) if len(times) > 1 else start + 1.0
+    places = _input_places(definition, plan, inputs)
+    assembly = driven(model, definition, plan).assembly
+    n, m, s = len(definition.states), len(assembly.outputs), len(places)
+
+    def stored(what: str, make: Any) -> Any:
+        return lambda: with_inputs(stored_program(assembly, what, lambda: make(assembly)), places)
+
+    def jacobian(assembly: Assembly) -> Program:
+        by = [*(("x", k) for k in range(n)), *(("r", k) for k in places)]
+        both = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
+        return both.jacobian_program("rates", by)
+
+    builders = {
+        "rates": stored("rates", lambda a: a.program("rates")),
+        "outputs": stored("outputs", lambda a: a.program("outputs")),
+        "jacobian": stored(f"exported jacobian {places}", jacobian),
+    }
+    held: dict[str, int] = {}
+    if choice(constraints, (None, "project"), "`constraints`") is not None:
+        held = _constraint_sizes(definition)
+        builders["projection"] = stored("projection", projection_program)
+    checked = check_events(events, definition.places["states"]) if events is not None else ()
+    if checked:
+        expressions = tuple(event.expression for event in checked)
+        resets = [e.reset.get(s, s) for e in checked for s in definition.states]
+        shape = (len(checked), n)
+
+        def formulas(name: str, shape: tuple[int, ...], entries: Sequence[Any]) -> Any:
+            return lambda: with_inputs(assembly.expression_program(name, shape, entries), places)
+
+        builders["events"] = formulas("the events", (len(checked),), expressions)
+        builders["resets"] = formulas("the resets of the events", shape, resets)
+        builders["event_rates"] = lambda: with_inputs(
+            event_rates_program(assembly, expressions), places
+        )
+    r = plan(x0, start) if s else np.zeros(0)
+    symbols = [
+        *definition.states,
+        *(definition.specifieds[k] for k in places),
+        *definition.constants,
+        *definition.outputs_symbols,
+    ]
+    values = [*x0.tolist(), *(float(r[k]) for k in places), *p.tolist(), *[0.0] * m]
+    names = _names(symbols)
+    variables = tuple(map(Variable, names, identifiers(names), values))
+    at_inputs, at_constants, at_outputs = n, n + s, n + s + len(definition.constants)
+    (identifier,) = identifiers([name])
+    return Model(
+        name=identifier,
+        title=name,
+        states=variables[:at_inputs],
+        inputs=variables[at_inputs:at_constants],
+        constants=variables[at_constants:at_outputs],
+        outputs=variables[at_outputs:],
+        builders=builders,
+        events=EventData(
+            tuple(event.name for event in checked),
+            tuple(int(event.direction) for event in checked),
+            tuple(bool(event.terminal) for event in checked),
+            tuple(bool(event.terminal or event.reset) for event in checked),
+        ),
+        start=start,
+        stop=stop,
+        constraints=held,
+    )
+
+
+def _input_places(
+    definition: Definition, plan: SpecifiedsPlan, inputs: Iterable[Any]
+) -> tuple[int, ...]:
+    """Return which specifieds are inputs of what is exported."""
+    known: Places = definition.places["specifieds"]
+    wanted = set()
+    for key in listed("inputs", inputs, "specifieds of the system", hashable=True):
+        place = known.get(key, "inputs")
+        if place is None:
+            raise ValueError(
+                f"`inputs` has `{key}`, which is none of the specifieds of the system: "
+                f"{', '.join(map(str, definition.specifieds)) or 'there are none'}."
+            )
+        wanted.add(place)
+    given = followed(definition, plan)
+    for columns, what in (
+        *((part[0], "a Python function") for part in plan.functions),
+        *((part[0], "samples") for part in plan.sampled),
+    ):
+        for k in columns.tolist():
+            if k not in wanted:
+                symbol = plan.symbols[k]
+                raise ValueError(
+                    f"`specifieds` gives `{symbol}` by {what}, which cannot be exported. Give it "
+                    "as a SymPy expression, which becomes part of the equations, or as a number; "
+                    f"or pass inputs=['{name_of(symbol)}'], so that it becomes an input."
+                )
+    return tuple(k for k, symbol in enumerate(definition.specifieds) if symbol not in given)
+
+
+def _constraint_sizes(definition: Definition) -> dict[str, int]:
+    equations = definition.equations
+    if not (equations.holonomic or equations.velocity):
+        raise ValueError("`constraints='project'` holds constraints, but the system has none.")
+    mechanism = equations.mechanism
+    return {
+        "holonomic": len(equations.holonomic),
+        "velocity": len(equations.velocity),
+        "coordinates": len(equations.coordinates),
+        "speeds": len(equations.speeds),
+        "weighted": int(mechanism is not None and bool(mechanism.bodies)),
+    }
+
+
+def _names(symbols: Sequence[Any]) -> list[str]:
+    """Return a name for each symbol, none twice; derivatives are called as in FMI: ``der(F)``."""
+    spelled = []
+    for name, symbol in zip(unique_names(symbols), symbols, strict=True):
+        if isinstance(symbol, sm.Derivative):
+            order = int(symbol.derivative_count)
+            name = f"der({name_of(symbol.expr)}{f',{order}' if order > 1 else ''})"
+        spelled.append(re.sub(r"\s+", " ", name))
+    return spelled

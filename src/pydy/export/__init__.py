@@ -1,0 +1,11 @@
+"""Models as files for other programs: C, functional mock-up units, JavaScript, Python.
+
+`System.export` is what users call; `write` takes a `Model`, which holds Programs and names.
+"""
+
+from __future__ import annotations
+
+from pydy.export.model import EventData, Exported, Model, Variable
+from pydy.export.writing import write
+
+__all__ = ["EventData", "Exported", "Model", "Variable", "write"]

@@ -1,0 +1,157 @@
+"""A model as C99: one header, one source."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from pydy._backends.c.source import c_functions
+from pydy.export.model import Model, Variable
+
+__all__ = ["c_comment", "c_header", "c_literal", "c_model_source", "c_string", "functions_of"]
+
+_DESCRIPTIONS = {
+    "rates": "the derivatives of the states",
+    "outputs": "the outputs",
+    "jacobian": "the derivatives of rates and outputs by states and inputs, row by row",
+    "events": "the expressions whose zero crossings are events",
+    "event_rates": "the derivatives of these by time, along the motion",
+    "resets": "for each event the states after it, event by event",
+}
+
+
+def functions_of(model: Model) -> tuple[str, ...]:
+    """Return which functions a model has in C."""
+    return tuple(_DESCRIPTIONS) if model.events else ("rates", "outputs", "jacobian")
+
+
+def c_header(model: Model, head: Sequence[str]) -> str:
+    """Return the header: the constants' struct, sizes, names, numbers and functions."""
+    return "\n".join(_header(model, head))
+
+
+def _header(model: Model, head: Sequence[str]) -> Iterator[str]:
+    name, guard = model.name, model.name.upper()
+    yield c_comment(head)
+    yield f"#ifndef PYDY_{guard}_H\n#define PYDY_{guard}_H\n\n#include <stdint.h>\n"
+    yield '#ifdef __cplusplus\nextern "C" {\n#endif\n'
+    prepared = sum(len(model.program(f).carried) for f in functions_of(model))
+    sizes = {
+        "STATES": len(model.states),
+        "INPUTS": len(model.inputs),
+        "CONSTANTS": len(model.constants),
+        "OUTPUTS": len(model.outputs),
+        "EVENTS": len(model.events),
+        "PREPARED": max(prepared, 1),
+    }
+    yield "enum {"
+    yield ",\n".join(f"    {guard}_{what} = {size}" for what, size in sizes.items())
+    yield "};\n"
+    yield "typedef struct {"
+    for v in model.constants:
+        yield f"    double {v.identifier};{_remark(v)}"
+    if not model.constants:
+        yield "    char nothing; /* C knows no empty structs */"
+    yield f"}} {name}_constants;\n"
+    yield f"extern const {name}_constants {name}_defaults;"
+    yield f"extern const double {name}_initial[]; /* states at the start */"
+    yield f"extern const double {name}_inputs[]; /* inputs at the start */"
+    for what in ("state", "input", "constant", "output"):
+        yield f"extern const char *const {name}_{what}_names[];"
+    if model.events:
+        yield f"extern const char *const {name}_event_names[];"
+    yield ""
+    yield "/* Compute what all calls with the same constants share: an array of so many numbers. */"
+    yield f"void {name}_prepare(const {name}_constants *constants, double *prepared);"
+    for what in functions_of(model):
+        yield f"\n/* Write {_DESCRIPTIONS[what]}. Returns 1 where the mass matrix is singular. */"
+        yield f"{_signature(name, what)};"
+    yield "\n#ifdef __cplusplus\n}\n#endif\n"
+    yield "#endif\n"
+
+
+def _signature(name: str, what: str) -> str:
+    return (
+        f"int32_t {name}_{what}(double t, const double *x, const double *r,\n"
+        f"    const double *prepared, double *out)"
+    )
+
+
+def c_model_source(model: Model, header: str) -> str:
+    """Return the source, which includes the header of that file name."""
+    return "\n".join(_source(model, header))
+
+
+def _source(model: Model, header: str) -> Iterator[str]:
+    name = model.name
+    programs = {f"{name}_{what}_": model.program(what) for what in functions_of(model)}
+    yield f'#include "{header}"\n'
+    yield c_functions(programs, static=True)
+    values = ", ".join(c_literal(v.value) for v in model.constants) or "0"
+    yield f"const {name}_constants {name}_defaults = {{{values}}};"
+    yield _numbers(f"{name}_initial", model.states)
+    yield _numbers(f"{name}_inputs", model.inputs)
+    for what, variables in (
+        ("state", model.states),
+        ("input", model.inputs),
+        ("constant", model.constants),
+        ("output", model.outputs),
+    ):
+        yield _strings(f"{name}_{what}_names", [v.name for v in variables])
+    if model.events:
+        yield _strings(f"{name}_event_names", model.events.names)
+    yield f"\nvoid {name}_prepare(const {name}_constants *constants, double *prepared)\n{{"
+    fields = ", ".join(f"constants->{v.identifier}" for v in model.constants) or "0.0"
+    yield f"    const double p[] = {{{fields}}};"
+    yield "    (void)constants;"
+    offset = 0
+    for what in functions_of(model):
+        yield f"    {name}_{what}_prepare(p, prepared + {offset});"
+        offset += len(model.program(what).carried)
+    yield "}"
+    offset = 0
+    for what in functions_of(model):
+        yield f"\n{_signature(name, what)}\n{{"
+        yield f"    return {name}_{what}_kernel(&t, x, r, prepared + {offset}, out);\n}}"
+        offset += len(model.program(what).carried)
+    yield ""
+
+
+def c_comment(lines: Sequence[str]) -> str:
+    """Return a comment that no text can end."""
+    text = "\n   ".join(_harmless(line) for line in lines)
+    return f"/* {text} */\n"
+
+
+def _harmless(text: str) -> str:
+    plain = "".join(c if c.isprintable() else " " for c in text).replace("\\", "/")
+    return plain.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+
+
+def _remark(variable: Variable) -> str:
+    if variable.name == variable.identifier:
+        return ""
+    return f" /* {_harmless(variable.name)} */"
+
+
+def c_literal(value: float) -> str:
+    """Return a finite number in C, exactly."""
+    return repr(float(value))
+
+
+def c_string(text: str) -> str:
+    """Return a string literal of C: UTF-8, octal where it is not plain ASCII."""
+    plain = "".join(
+        chr(b) if (chr(b).isalnum() and b < 128) or b in b" _()+-*.,:=[]" else f"\\{b:03o}"
+        for b in text.encode("utf-8")
+    )
+    return f'"{plain}"'
+
+
+def _numbers(name: str, variables: Sequence[Variable]) -> str:
+    values = ", ".join(c_literal(v.value) for v in variables) or "0.0"
+    return f"const double {name}[] = {{{values}}};"
+
+
+def _strings(name: str, texts: Sequence[str]) -> str:
+    values = ", ".join(map(c_string, texts)) or '""'
+    return f"const char *const {name}[] = {{{values}}};"

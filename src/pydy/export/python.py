@@ -1,0 +1,134 @@
+"""A model as Python functions that need NumPy, or JAX, and nothing of pydy."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from pydy._graph.operations import OPERATIONS, operands
+from pydy._graph.program import Program
+from pydy.export.model import Model, Variable
+from pydy.export.resources import resource
+
+__all__ = ["python_source"]
+
+_INFIX = {
+    "add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<=", "eq": "==", "ne": "!=",
+}  # fmt: skip
+_PURPOSES = {
+    "rates": "Return the derivatives of the states.",
+    "outputs": "Return the outputs.",
+    "jacobian": "Return the derivatives of rates and outputs (rows) by states and inputs.",
+    "events": "Return the expressions whose zero crossings are events.",
+    "resets": "Return the states after each event, a row for each.",
+}
+
+
+def python_source(model: Model, target: str, head: Sequence[str]) -> str:
+    """Return a module.
+
+    Parameters
+    ----------
+    model : Model
+    target : {'numpy', 'jax'}
+    head : sequence of str
+        Lines for the docstring at the top.
+    """
+    names = ["rates", "outputs", "jacobian"]
+    if target == "jax":
+        names.remove("jacobian")  # jax.jacfwd makes it
+    if model.events:
+        names += ["events", "resets"]
+    parts = {
+        "HEAD": "\n".join(_harmless(line) for line in head),
+        "STATES": _dictionary(model.states),
+        "INPUTS": _dictionary(model.inputs),
+        "CONSTANTS": _dictionary(model.constants),
+        "OUTPUTS": repr(tuple(v.identifier for v in model.outputs)),
+        "NAMES": repr(model.renamed),
+        "FUNCTIONS": "\n\n".join(_function(model.program(n), n, target) for n in names),
+    }
+    text = resource(f"{target}_module.py.txt")
+    return re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts[m[1]], text)
+
+
+def _harmless(text: str) -> str:
+    return "".join(c if c.isprintable() else " " for c in text).replace("\\", "/").replace('"', "'")
+
+
+def _dictionary(variables: Sequence[Variable]) -> str:
+    entries = "".join(f"    {v.identifier!r}: {float(v.value)!r},\n" for v in variables)
+    return f"{{\n{entries}}}" if entries else "{}"
+
+
+def _function(program: Program, name: str, target: str) -> str:
+    writer = _Writer(program, "np" if target == "numpy" else "jnp")
+    lines = [f"    {line}" for line in writer.lines()]
+    quiet = ['@np.errstate(all="ignore")'] if target == "numpy" else []
+    shape = program.blocks[0].shape
+    outputs = ", ".join(writer.names[k] for k in program.outputs)
+    size = "" if len(shape) == 1 else f", {shape}"
+    return "\n".join(
+        [
+            *quiet,
+            f"def {name}(t, x, r=None, p=None):",
+            f'    """{_PURPOSES[name]}"""',
+            "    t, x, r, p = _arguments(t, x, r, p)",
+            *lines,
+            f"    return _stacked([{outputs}], t, x, r{size})",
+            "",
+        ]
+    )
+
+
+class _Writer:
+    """Writes the operations of a Program, both stages in one."""
+
+    def __init__(self, program: Program, module: str) -> None:
+        self.program = program
+        self.module = module
+        self.names: dict[int, str] = {}
+
+    def lines(self) -> Iterator[str]:
+        for node, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
+            if op in ("const", "bool"):
+                self.names[node] = _literal(args[0], self.module)
+            elif op == "input":
+                group, index = args
+                self.names[node] = "t" if group == "t" else f"{group}[..., {index}]"
+            elif op == "item":
+                self.names[node] = f"{self.names[args[0]]}[..., {args[1]}]"
+            else:
+                text = self._text(op, args)
+                self.names[node] = f"v{node}"
+                yield f"v{node} = {text}"
+
+    def _text(self, op: str, args: tuple[Any, ...]) -> str:
+        if op == "factor":
+            return f"({args[1]}, [{self._several(args[2])}])"
+        if op == "solve":
+            return f"_solve(*{self.names[args[0]]}, [{self._several(args[1])}])"
+        if op == "guard":
+            n, entries, column, sound, fast = args
+            lists = ", ".join(f"[{self._several(part)}]" for part in (entries, column, fast))
+            return f"_guarded({n}, {self.names[sound]}, {lists})"
+        names = [self.names[k] for k in operands(op, args)]
+        if op in _INFIX:
+            return f"{names[0]} {_INFIX[op]} {names[1]}"
+        if op == "neg":
+            return f"-{names[0]}"
+        return f"{self.module}.{OPERATIONS[op].numpy.__name__}({', '.join(names)})"
+
+    def _several(self, nodes: Sequence[int]) -> str:
+        return ", ".join(self.names[k] for k in nodes)
+
+
+def _literal(value: float | bool, module: str) -> str:
+    if isinstance(value, bool):
+        return str(value)
+    if not math.isfinite(value):
+        name = f"{module}.nan" if math.isnan(value) else f"{module}.inf"
+        return f"(-{name})" if value < 0.0 else name
+    return f"({value!r})" if math.copysign(1.0, value) < 0.0 else repr(value)

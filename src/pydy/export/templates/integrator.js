@@ -1,0 +1,332 @@
+// An adaptive explicit Runge–Kutta method with dense output, events and projection: the loop of
+// pydy's native solvers, with the same first step, error norm, controller and interpolant.
+
+const EPS = 2 ** -52, SAFETY = 0.9, SHRINK = 0.2, GROW = 6, SHORTEST = 2 ** -44;
+
+/** y = x + h · (row · stages). */
+function combine(y, x, h, row, stages) {
+  const [places, weights] = row;
+  for (let i = 0; i < y.length; i++) {
+    let total = 0;
+    for (let k = 0; k < places.length; k++) total += weights[k] * stages[places[k]][i];
+    y[i] = (x === null ? 0 : x[i]) + h * total;
+  }
+}
+
+class Integration {
+  /**
+   * `system` has `n`, `rates(t, x, out)`, which returns whether it failed, `events` or null and
+   * `projection` or null. `onRow(k, t, x)` is called for each of the times.
+   */
+  constructor(system, method, times, x0, onRow, options = {}) {
+    const { n } = system;
+    Object.assign(this, { system, method, times, onRow, n });
+    const { rtol = 1.49012e-8, atol = 1.49012e-8, maxStep = Infinity, maxSteps = 1e7 } = options;
+    Object.assign(this, { rtol, atol, maxStep, maxSteps });
+    this.count = method.stages.length;
+    const vector = () => new Float64Array(n);
+    this.x = Float64Array.from(x0);
+    this.fresh = vector();
+    this.trial = vector();
+    this.stages = Array.from({ length: this.count + 1 + method.dense.length }, vector);
+    this.errors = method.errors.map(vector);
+    this.interpolant = Array.from({ length: 3 + method.interpolant.length }, vector);
+    this.t = times[0];
+    this.h = 0;
+    this.next = 0;
+    this.steps = this.rejected = this.evaluations = 0;
+    this.records = [];
+    /** "running", "finished", "stopped" by a terminal event, or why it failed. */
+    this.status = "running";
+    this.started = false;
+    if (system.projection && !system.projection(this.t, this.x)) this.status = "the constraints could not be met";
+    if (system.events) {
+      this.sides = new Int8Array(system.events.count);
+      this.values = new Float64Array(system.events.count);
+      this.probe = new Float64Array(system.events.count);
+      this.fired = new Uint8Array(system.events.count);
+      this.takeSides(true);
+    }
+  }
+
+  rates(t, x, out) {
+    this.evaluations += 1;
+    return this.system.rates(t, x, out);
+  }
+
+  norm(a, b) {
+    let total = 0;
+    for (let i = 0; i < this.n; i++) {
+      const e = (a[i] - (b === null ? 0 : b[i])) / (this.atol + this.rtol * Math.abs(this.x[i]));
+      total += e * e;
+    }
+    return Math.sqrt(total / this.n);
+  }
+
+  // E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, II.4.
+  firstSize() {
+    const { x, stages, trial, t } = this, d0 = this.norm(x, null), d1 = this.norm(stages[0], null);
+    let h0 = d0 < 1e-5 || d1 < 1e-5 ? 1e-6 : 0.01 * d0 / d1;
+    h0 = Math.min(h0, this.maxStep);
+    for (let i = 0; i < this.n; i++) trial[i] = x[i] + h0 * stages[0][i];
+    if (this.rates(t + h0, trial, stages[1])) return h0 * 1e-3;
+    const d2 = this.norm(stages[1], stages[0]) / h0, steepest = Math.max(d1, d2);
+    const h1 = steepest > 1e-15 ? (0.01 / steepest) ** this.method.exponent : Math.max(1e-6, h0 * 1e-3);
+    return Math.min(Math.max(Math.min(100 * h0, h1), SHORTEST * Math.abs(t)), this.maxStep);
+  }
+
+  errorOfStep() {
+    const { x, fresh, errors, method, n } = this;
+    method.errors.forEach((row, k) => combine(errors[k], null, this.size, row, this.stages));
+    let first = 0, second = 0;
+    for (let i = 0; i < n; i++) {
+      const weight = 1 / (this.atol + this.rtol * Math.max(Math.abs(x[i]), Math.abs(fresh[i])));
+      const e = errors[0][i] * weight, d = errors.length > 1 ? errors[1][i] * weight : 0;
+      first += e * e;
+      second += d * d;
+    }
+    if (errors.length > 1) return first === 0 ? 0 : first / Math.sqrt((first + 0.01 * second) * n);
+    return Math.sqrt(first / n);
+  }
+
+  /** Get the interpolant of the step just taken ready; return whether it failed. */
+  prepareInterpolant() {
+    const { x, fresh, stages, interpolant: f, method, trial, size: h } = this;
+    for (let k = 0; k < method.dense.length; k++) {
+      const stage = this.count + 1 + k;
+      combine(trial, x, h, method.dense[k], stages);
+      if (this.rates(this.t + method.nodes[stage] * h, trial, stages[stage])) return true;
+    }
+    for (let i = 0; i < this.n; i++) {
+      const increment = fresh[i] - x[i], first = h * stages[0][i] - increment;
+      f[0][i] = increment;
+      f[1][i] = first;
+      f[2][i] = increment - first - h * stages[this.count][i];
+    }
+    method.interpolant.forEach((row, k) => combine(f[3 + k], null, h, row, stages));
+    return false;
+  }
+
+  /** x + θ (F0 + (1 − θ)(F1 + θ (F2 + (1 − θ)(F3 + …)))). */
+  interpolate(theta, out) {
+    const { x, interpolant: f } = this;
+    for (let i = 0; i < this.n; i++) {
+      let value = 0;
+      for (let k = f.length - 1; k >= 0; k--) value = (value + f[k][i]) * (k % 2 ? 1 - theta : theta);
+      out[i] = x[i] + value;
+    }
+  }
+
+  /** Take up to `most` steps, or until `until()` is true; return whether there is more to do. */
+  advance(most = Infinity, until = null) {
+    while (this.status === "running" && most-- > 0) {
+      this.step();
+      if (until && until()) break;
+    }
+    return this.status === "running";
+  }
+
+  reached(x) {
+    while (this.next < this.times.length && this.times[this.next] <= this.t) this.onRow(this.next, this.times[this.next++], x);
+    if (this.next === this.times.length) this.status = "finished";
+  }
+
+  step() {
+    const { method, stages, fresh, trial, x, times, count, system } = this;
+    const last = times[times.length - 1];
+    if (!this.started) {
+      if (this.rates(this.t, x, stages[0])) return this.fail("the mass matrix is singular");
+      this.started = true;
+      this.lastError = 1e-4;
+      this.growth = GROW;
+      this.reached(x);
+      if (this.status !== "running") return;
+      if (this.h === 0) this.h = this.firstSize();
+      if (!(this.h > 0 && this.h < Infinity)) return this.fail("the rates are not finite");
+    }
+    if (this.steps + this.rejected >= this.maxSteps) return this.fail("too many steps");
+    const t = this.t;
+    let size = Math.min(this.h, this.maxStep), after = t + size;
+    if (after > last - 1e-3 * size) {
+      size = last - t;
+      after = last;
+    }
+    if (!(t + 0.0625 * size > t || after === last)) return this.fail("the steps became too small");
+    this.size = size;
+    let failed = false;
+    for (let stage = 1; stage < count && !failed; stage++) {
+      combine(trial, x, size, method.stages[stage], stages);
+      failed = this.rates(t + method.nodes[stage] * size, trial, stages[stage]);
+    }
+    if (!failed) {
+      combine(fresh, x, size, method.weights, stages);
+      if (method.endInEstimate) failed = this.rates(after, fresh, stages[count]);
+    }
+    let error = 0;
+    if (!failed) {
+      error = this.errorOfStep();
+      if (error < 1 && (system.projection || !method.endInEstimate)) {
+        if (system.projection && !system.projection(after, fresh)) return this.fail("the constraints could not be met");
+        failed = this.rates(after, fresh, stages[count]);
+      }
+    }
+    if (failed || !(error < 1)) {
+      this.rejected += 1;
+      if (failed || !Number.isFinite(error)) this.h = 0.25 * size;
+      else this.h = size * Math.max(SHRINK, SAFETY * error ** -method.exponent);
+      this.growth = 1;
+      return;
+    }
+    this.steps += 1;
+    if (times[this.next] === after && !system.events && !system.projection) {
+      this.t = after;
+      this.reached(fresh);
+    } else if (system.events || times[this.next] <= after) {
+      if (this.prepareInterpolant()) return this.fail("the mass matrix is singular");
+      const theta = system.events ? this.scan(t, size) : 1, end = theta === 1 ? after : t + theta * size;
+      while (this.next < times.length && times[this.next] <= end) {
+        this.interpolate((times[this.next] - t) / size, trial);
+        if (system.projection) system.projection(times[this.next], trial);
+        this.onRow(this.next, times[this.next], trial);
+        this.next += 1;
+      }
+      if (this.acting) {
+        if (theta < 1) {
+          this.interpolate(theta, trial);
+          fresh.set(trial);
+          if (system.projection) system.projection(end, fresh);
+        }
+        x.set(fresh);
+        this.t = end;
+        this.h = 0;
+        this.started = false;
+        this.act();
+        if (this.next === times.length && this.status === "running") this.status = "finished";
+        return;
+      }
+      if (this.next === times.length) this.status = "finished";
+    }
+    error = Math.max(error, 1e-10);
+    let factor = SAFETY * error ** -method.alpha;
+    if (method.beta !== 0) factor *= this.lastError ** method.beta;
+    this.h = size * Math.min(this.growth, Math.max(SHRINK, factor));
+    this.lastError = Math.max(error, 1e-4);
+    this.growth = GROW;
+    this.t = after;
+    x.set(fresh);
+    stages[0].set(stages[count]);
+  }
+
+  fail(why) { this.status = why; }
+
+  // -- events -----------------------------------------------------------------------------------------
+
+  /** Set the sign that each event has just after now; where one is zero or has fired, its rate tells. */
+  takeSides(start) {
+    const { events } = this.system, values = this.values, rates = new Float64Array(values.length);
+    events.values(this.t, this.x, values);
+    events.rates(this.t, this.x, rates);
+    for (let k = 0; k < values.length; k++) {
+      const value = (!start && this.fired[k]) || values[k] === 0 ? rates[k] : values[k];
+      this.sides[k] = Math.sign(value) || 0;
+      if (start && values[k] === 0 && [0, this.sides[k]].includes(events.directions[k]))
+        this.records.push({ time: this.t, index: k });
+    }
+  }
+
+  crossed(k, value) {
+    const side = this.sides[k], direction = this.system.events.directions[k];
+    return (side < 0 && value > 0 && direction >= 0) || (side > 0 && value < 0 && direction <= 0);
+  }
+
+  probed(t, h, theta, out) {
+    this.interpolate(theta, this.trial);
+    this.system.events.values(t + theta * h, this.trial, out);
+  }
+
+  locate(t, h, low, high, k) {
+    const side = this.sides[k], out = this.probe;
+    const resolution = EPS * Math.max(Math.abs(t), Math.abs(t + h)) / h;
+    this.probed(t, h, low, out);
+    if (out[k] * side <= 0) {
+      const start = low;
+      for (let middle = high; ;) {
+        middle = start + 0.5 * (middle - start);
+        if (middle - start < resolution) return start;
+        this.probed(t, h, middle, out);
+        if (out[k] * side > 0) {
+          low = middle;
+          break;
+        }
+        high = middle;
+      }
+    }
+    while (high - low > resolution) {
+      const middle = low + 0.5 * (high - low);
+      if (middle === low || middle === high) break;
+      this.probed(t, h, middle, out);
+      if (out[k] * side > 0) low = middle; else high = middle;
+    }
+    return high;
+  }
+
+  /** Look for events in the step just taken; return the θ up to which it counts. */
+  scan(t, h) {
+    const { events } = this.system, { values, probe, fired, sides } = this;
+    this.acting = false;
+    let left = 0;
+    for (let quarter = 1; quarter <= 4; quarter++) {
+      const right = quarter / 4;
+      this.probed(t, h, right, values);
+      for (;;) {
+        let first = 2;
+        for (let k = 0; k < values.length; k++) {
+          fired[k] = 0;
+          if (this.crossed(k, values[k])) {
+            const theta = this.locate(t, h, left, right, k);
+            fired[k] = theta <= left ? 1 : 0;
+            first = Math.min(first, theta);
+          }
+        }
+        if (first > 1) break;
+        this.probed(t, h, first, probe);
+        for (let k = 0; k < values.length; k++) {
+          const here = this.crossed(k, probe[k])
+            || (this.crossed(k, values[k]) && (probe[k] === 0 || fired[k] === 1));
+          fired[k] = here ? 1 : 0;
+          if (here && events.acting[k]) this.acting = true;
+        }
+        if (this.acting) return first;
+        for (let k = 0; k < values.length; k++) if (fired[k]) {
+          this.records.push({ time: t + first * h, index: k });
+          sides[k] = -sides[k];
+        }
+        left = first;
+      }
+      for (let k = 0; k < values.length; k++) if (values[k] !== 0) sides[k] = values[k] > 0 ? 1 : -1;
+      left = right;
+    }
+    return 1;
+  }
+
+  /** Reset the states, or stop. */
+  act() {
+    const { events } = this.system, { fired, x, t, records } = this;
+    let ends = false, crowded = false;
+    for (let k = 0; k < fired.length; k++) if (fired[k]) {
+      records.push({ time: t, index: k });
+      events.reset(k, t, x);
+      ends = ends || events.terminal[k];
+      const same = records.filter((one) => one.index === k).slice(-CROWD), span = this.times[this.times.length - 1] - this.times[0];
+      if (same.length >= 2 && t - same[same.length - 2].time <= 16 * EPS * Math.max(Math.abs(t), span)) crowded = true;
+      if (same.length === CROWD && t - same[0].time < 1e-9 * span) crowded = true;
+    }
+    if (!x.every(Number.isFinite)) return this.fail("a reset gave no finite state");
+    if (ends || crowded) this.status = "stopped";
+    else this.takeSides(false);
+    this.started = false;
+    return undefined;
+  }
+}
+
+const CROWD = 100; // events so close together are the end of a motion, as of a ball that comes to rest

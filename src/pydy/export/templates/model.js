@@ -1,0 +1,73 @@
+(() => {
+"use strict";
+/*PRELUDE*/
+/*CODE*/
+/*KEPT*/
+/*INTEGRATOR*/
+/*PROJECTION*/
+const method = /*METHOD*/;
+const info = /*INFO*/;
+const eventNames = /*EVENTS*/;
+const allResets = new Float64Array(eventNames.names.length * info.states.length);
+const defaults = (variables) => Float64Array.from(variables, (one) => one.value);
+
+/** Take an array, an object of values by identifier or name, or nothing for the defaults. */
+function ordered(given, variables, what) {
+  const values = defaults(variables);
+  if (given === undefined || given === null) return values;
+  if (typeof given.length === "number") {
+    if (given.length !== values.length) throw new RangeError(`${what}: expected ${values.length} numbers, got ${given.length}`);
+    return Float64Array.from(given);
+  }
+  for (const [key, value] of Object.entries(given)) {
+    const k = variables.findIndex((one) => one.id === key || one.name === key);
+    if (k < 0) throw new RangeError(`${what}: no ${key}; there are ${variables.map((one) => one.id).join(", ")}`);
+    values[k] = value;
+  }
+  return values;
+}
+
+/** Take the constants with which everything is computed from now on. */
+function bind(given) {
+  const p = ordered(given, info.constants, "constants");
+/*BOUND*/
+  return p;
+}
+bind();
+
+const self = {
+  ...info,
+  bind,
+  /** Write the derivatives of the states to `out`; return whether the mass matrix was singular. */
+  rates: (t, x, r, out) => rates(t, x, r, rates_c, out),
+  /** Write the outputs. */
+  evaluateOutputs: (t, x, r, out) => outputs(t, x, r, outputs_c, out),/*EXTRAS*/
+  eventNames: eventNames.names,
+  /** Return an integration that is stepped by hand; `onRow(k, t, x)` gets the states at `times`. */
+  integration(times, x0, r, onRow, options) {
+    const system = {
+      n: info.states.length,
+      rates: (t, x, out) => rates(t, x, r, rates_c, out),
+      events: /*SYSTEM_EVENTS*/,
+      projection: /*SYSTEM_PROJECTION*/,
+    };
+    return new Integration(system, method, times, x0, onRow, options);
+  },
+  /**
+   * Integrate from times[0]; initial conditions, inputs and constants are arrays or objects, and
+   * default to what they were in Python. Returns `times`, `states` (a row for each time, NaN after a
+   * terminal event), `status`, `events` and counts.
+   */
+  simulate({ times, initial, inputs, constants, ...options }) {
+    const n = info.states.length, states = Array.from(times, () => new Float64Array(n).fill(NaN));
+    bind(constants);
+    const x0 = ordered(initial, info.states, "initial"), r = ordered(inputs, info.inputs, "inputs");
+    const run = self.integration(times, x0, r, (k, t, x) => states[k].set(x), options);
+    run.advance();
+    const { status, steps, rejected, evaluations } = run;
+    const events = run.records.map((one) => ({ time: one.time, name: eventNames.names[one.index] }));
+    return { times, states, status, events, steps, rejected, evaluations };
+  },
+};
+return self;
+})()

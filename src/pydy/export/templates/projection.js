@@ -1,0 +1,140 @@
+// Constraints held: the state is moved back onto them by the least motion, in the norm of the mass
+// matrix. E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section IV.4.
+
+/** Replace a symmetric matrix by its Cholesky factor; by the identity where it has none. */
+function choleskyFactor(n, a) {
+  for (let j = 0; j < n; j++) {
+    let pivot = a[j * n + j];
+    for (let k = 0; k < j; k++) pivot -= a[j * n + k] ** 2;
+    if (!(pivot > 4 * n * EPS * a[j * n + j])) {
+      a.fill(0);
+      for (let i = 0; i < n; i++) a[i * n + i] = 1;
+      return;
+    }
+    a[j * n + j] = Math.sqrt(pivot);
+    for (let i = j + 1; i < n; i++) {
+      let value = a[i * n + j];
+      for (let k = 0; k < j; k++) value -= a[i * n + k] * a[j * n + k];
+      a[i * n + j] = value / a[j * n + j];
+    }
+  }
+}
+
+/** Replace each of m rows a by a L⁻ᵀ. */
+function divideRows(m, n, rows, factor) {
+  for (let row = 0; row < m; row++) for (let i = 0; i < n; i++) {
+    let value = rows[row * n + i];
+    for (let k = 0; k < i; k++) value -= factor[i * n + k] * rows[row * n + k];
+    rows[row * n + i] = value / factor[i * n + i];
+  }
+}
+
+/** Replace y by L⁻ᵀ y. */
+function divideTransposed(n, factor, y) {
+  for (let i = n - 1; i >= 0; i--) {
+    let value = y[i];
+    for (let k = i + 1; k < n; k++) value -= factor[k * n + i] * y[k];
+    y[i] = value / factor[i * n + i];
+  }
+}
+
+/** Return the least y with rows · y = right; `right` keeps what no y can reach. */
+function minimumNorm(m, n, rows, right) {
+  const y = new Float64Array(n), scale = new Float64Array(m).fill(1), left = new Set();
+  const square = (i) => {
+    let total = 0;
+    for (let k = 0; k < n; k++) total += rows[i * n + k] ** 2;
+    return total;
+  };
+  for (let i = 0; i < m; i++) {
+    left.add(i);
+    const norm = square(i);
+    if (norm > 0) {
+      scale[i] = 1 / Math.sqrt(norm);
+      right[i] *= scale[i];
+      for (let k = 0; k < n; k++) rows[i * n + k] *= scale[i];
+    }
+  }
+  for (let count = 0; count < m; count++) {
+    let pivot = -1, longest = 1e-20;
+    for (const i of left) if (square(i) > longest) {
+      pivot = i;
+      longest = square(i);
+    }
+    if (pivot < 0) break;
+    left.delete(pivot);
+    const length = Math.sqrt(longest), z = right[pivot] / length;
+    right[pivot] = 0;
+    for (let k = 0; k < n; k++) {
+      rows[pivot * n + k] /= length;
+      y[k] += z * rows[pivot * n + k];
+    }
+    for (const i of left) {
+      let along = 0;
+      for (let k = 0; k < n; k++) along += rows[i * n + k] * rows[pivot * n + k];
+      right[i] -= along * z;
+      for (let k = 0; k < n; k++) rows[i * n + k] -= along * rows[pivot * n + k];
+    }
+  }
+  for (let i = 0; i < m; i++) right[i] /= scale[i];
+  return y;
+}
+
+/**
+ * Return `project(t, x)`, which moves x onto the constraints and tells whether it could. The blocks
+ * that `evaluate(t, x, out)` writes: residuals of positions and velocities, gradient, kinematics,
+ * gradient by speeds, mass matrix, and what rounding may make of the first.
+ */
+function projector(sizes, evaluate) {
+  const { holonomic: h, velocity: v, coordinates: q, speeds: u, weighted } = sizes;
+  const starts = [0];
+  for (const size of [h, v, h * q, q * u, v * u, weighted ? u * u : 0, h]) starts.push(starts[starts.length - 1] + size);
+  const values = new Float64Array(starts[7]);
+  const part = (k) => Float64Array.from(values.subarray(starts[k], starts[k + 1]));
+  const identity = new Float64Array(u * u);
+  for (let i = 0; i < u; i++) identity[i * u + i] = 1;
+  const massFactor = () => {
+    if (!weighted) return identity;
+    const factor = part(5);
+    choleskyFactor(u, factor);
+    return factor;
+  };
+  return (t, x) => {
+    let before = Infinity;
+    for (let iteration = 0; iteration < 10; iteration++) {
+      evaluate(t, x, values);
+      let worst = 0;
+      for (let i = 0; i < h; i++) {
+        if (Number.isNaN(values[i])) return false;
+        if (values[i] !== 0) worst = Math.max(worst, Math.abs(values[i]) / (EPS * values[starts[6] + i]));
+      }
+      if (worst <= 1 || (worst >= 0.5 * before && worst <= ROUNDINGS)) break;
+      if (iteration === 9) return false;
+      before = worst;
+      const factor = massFactor(), gradient = part(2), kinematics = part(3), rows = new Float64Array(h * u);
+      for (let i = 0; i < h; i++) for (let k = 0; k < u; k++) {
+        let total = 0, size = 0;
+        for (let j = 0; j < q; j++) {
+          const term = gradient[i * q + j] * kinematics[j * u + k];
+          total += term;
+          size += Math.abs(term);
+        }
+        rows[i * u + k] = Math.abs(total) <= 4 * q * EPS * size ? 0 : total; // nothing but rounding
+      }
+      divideRows(h, u, rows, factor);
+      const right = part(0).map((value) => -value), step = minimumNorm(h, u, rows, right);
+      divideTransposed(u, factor, step);
+      for (let j = 0; j < q; j++) for (let k = 0; k < u; k++) x[j] += kinematics[j * u + k] * step[k];
+      if (right.some((rest) => rest !== 0)) minimumNorm(h, q, gradient, right).forEach((move, j) => { x[j] += move; });
+    }
+    if (v > 0) {
+      const factor = massFactor(), rows = part(4), right = part(1).map((value) => -value);
+      divideRows(v, u, rows, factor);
+      const step = minimumNorm(v, u, rows, right);
+      divideTransposed(u, factor, step);
+      for (let k = 0; k < u; k++) x[q + k] += step[k];
+    }
+    return true;
+  };
+}
+const ROUNDINGS = {{ROUNDINGS}}; // residuals of so many roundings are those of a state on the constraints

@@ -1,0 +1,114 @@
+"""Write a model to files; the suffix says of which kind."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from pydy._checks import choice, flag
+from pydy._names import nearest
+from pydy._version import __version__
+from pydy.export.c import c_header, c_model_source
+from pydy.export.fmu import write_fmu
+from pydy.export.javascript import javascript_module
+from pydy.export.model import Exported, Model
+from pydy.export.python import python_source
+
+__all__ = ["KINDS", "write"]
+
+# The options of each kind.
+KINDS: dict[str, tuple[str, ...]] = {
+    ".c": (),
+    ".fmu": ("fmi", "binary"),
+    ".js": (),
+    ".py": ("target",),
+}
+
+
+def write(model: Model, path: Path, **options: Any) -> Exported:
+    """Write a model to a file, and for C to the header beside it.
+
+    Parameters
+    ----------
+    model : Model
+    path : Path
+        With the suffix ``.c``, ``.fmu``, ``.js`` or ``.py``.
+    target : {'numpy', 'jax'}, optional
+        For ``.py``.
+    fmi : {'3.0', '2.0'}, optional
+        For ``.fmu``.
+    binary : bool, optional
+        For ``.fmu``: whether it holds the binary of this platform, which needs a C compiler, beside
+        the sources.
+
+    Returns
+    -------
+    Exported
+
+    Raises
+    ------
+    ValueError
+        Another suffix, or another value of an option.
+    TypeError
+        An option that the kind does not have.
+    """
+    check_options(path, options)
+    files = _WRITERS[path.suffix.lower()](model, path, **options)
+    return Exported(path, files, model.renamed)
+
+
+def check_options(path: Path, options: dict[str, Any]) -> None:
+    """Refuse what `write` would refuse, before the work."""
+    kind = path.suffix.lower()
+    if kind not in KINDS:
+        raise ValueError(
+            f"`path` must have one of the suffixes {', '.join(KINDS)}, which says what to write, "
+            f"got '{path.name}'."
+        )
+    for name in options:
+        if name not in KINDS[kind]:
+            known = [n for names in KINDS.values() for n in names]
+            others = [k for k, names in KINDS.items() if name in names]
+            remedy = f"It is one of {others[0]}." if others else nearest(name, known)
+            raise TypeError(f"export() to {kind} has no option `{name}`. {remedy}")
+    choice(options.get("target", "numpy"), ("numpy", "jax"), "`target`")
+    choice(options.get("fmi", "3.0"), ("3.0", "2.0"), "`fmi`")
+    flag(options.get("binary", True), "`binary`")
+
+
+def _head(model: Model) -> list[str]:
+    """Return lines for the top of a file."""
+    lines = [f"{model.title}: exported by pydy {__version__}."]
+    lines += [f"{name} is called {known}" for name, known in model.renamed.items()]
+    return lines
+
+
+def _write_c(model: Model, path: Path) -> tuple[Path, ...]:
+    header = path.with_suffix(".h")
+    header.write_text(c_header(model, _head(model)), encoding="utf-8")
+    path.write_text(c_model_source(model, header.name), encoding="utf-8")
+    return path, header
+
+
+def _write_js(model: Model, path: Path) -> tuple[Path, ...]:
+    path.write_text(javascript_module(model, _head(model)), encoding="utf-8")
+    return (path,)
+
+
+def _write_py(model: Model, path: Path, target: str = "numpy") -> tuple[Path, ...]:
+    path.write_text(python_source(model, target, _head(model)), encoding="utf-8")
+    return (path,)
+
+
+def _write_fmu(model: Model, path: Path, fmi: str = "3.0", binary: bool = True) -> tuple[Path, ...]:
+    write_fmu(model, path, fmi, binary)
+    return (path,)
+
+
+_WRITERS: dict[str, Callable[..., tuple[Path, ...]]] = {
+    ".c": _write_c,
+    ".fmu": _write_fmu,
+    ".js": _write_js,
+    ".py": _write_py,
+}

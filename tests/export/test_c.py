@@ -1,0 +1,124 @@
+"""The C of a model: compiled with every warning on, it computes what the System does."""
+
+import ctypes
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+from exported import ball, hostile, pendulum
+from pydy.export.c import c_string
+
+COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
+STRICT = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
+
+
+def test_there_is_a_compiler_to_test_with():
+    assert COMPILERS
+
+
+def built(compiler, path, folder):
+    """Compile a source, strictly, and load it."""
+    library = folder / f"{path.stem}-{compiler}.so"
+    command = [compiler, *STRICT, "-O1", "-fPIC", "-shared", "-o", library, path, "-lm"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return ctypes.CDLL(str(library))
+
+
+def pointer(array):
+    return array.ctypes.data_as(ctypes.c_void_p)
+
+
+def call(library, name, t, x, r, p, size):
+    prepared, out = np.zeros(10_000), np.zeros(size)
+    prefix, what = name
+    getattr(library, f"{prefix}_prepare")(pointer(p), pointer(prepared))
+    function = getattr(library, f"{prefix}_{what}")
+    status = function(ctypes.c_double(t), pointer(x), pointer(r), pointer(prepared), pointer(out))
+    return out, status
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_rates_outputs_and_jacobian_are_those_of_the_system(tmp_path, compiler):
+    system = pendulum()
+    exported = system.export(tmp_path / "pendulum.c")
+    assert [path.name for path in exported.files] == ["pendulum.c", "pendulum.h"]
+    library = built(compiler, exported.path, tmp_path)
+    x, r, p = np.linspace(0.2, 1.1, 6), np.array([0.7]), np.array([9.81, 0.7, 1.1, 0.9, 1.2, 0.8])
+    p = p[: len(system.constants_symbols)]
+    values = dict(zip(system.constants_symbols, p, strict=True))
+    inputs = {"F": r[0]}
+    rates, status = call(library, ("pendulum", "rates"), 0.3, x, r, p, 6)
+    assert status == 0
+    assert rates == pytest.approx(system.evaluate_ode(x, t=0.3, r=inputs, p=values), rel=1e-12)
+    outputs, _ = call(library, ("pendulum", "outputs"), 0.3, x, r, p, system.num_outputs)
+    expected = system.evaluate_outputs(x, t=0.3, r=inputs, p=values)
+    assert outputs == pytest.approx(expected, rel=1e-12)
+    rows = 6 + system.num_outputs
+    jacobian, _ = call(library, ("pendulum", "jacobian"), 0.3, x, r, p, rows * 7)
+    by_states = system.evaluate_jacobian(x, t=0.3, r=inputs, p=values)
+    assert jacobian.reshape(rows, 7)[:6, :6] == pytest.approx(by_states, rel=1e-11, abs=1e-11)
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_a_program_of_a_user_compiles_against_the_header(tmp_path, compiler):
+    pendulum().export(tmp_path / "pendulum.c")
+    (tmp_path / "main.c").write_text(
+        """
+#include <stdio.h>
+#include "pendulum.h"
+int main(void)
+{
+    double prepared[PENDULUM_PREPARED], rates[PENDULUM_STATES];
+    pendulum_constants constants = pendulum_defaults;
+    constants.l0 = 1.5;
+    pendulum_prepare(&constants, prepared);
+    if (pendulum_rates(0.0, pendulum_initial, pendulum_inputs, prepared, rates))
+        return 1;
+    for (int k = 0; k < PENDULUM_STATES; k++)
+        printf("%s %.17g\\n", pendulum_state_names[k], rates[k]);
+    return 0;
+}
+"""
+    )
+    program = tmp_path / "main"
+    sources = [tmp_path / "main.c", tmp_path / "pendulum.c"]
+    subprocess.run([compiler, *STRICT, "-o", program, *sources, "-lm"], check=True)
+    text = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    found = {name: float(value) for name, value in map(str.split, text.splitlines())}
+    system = pendulum()
+    system.constants = {**system.constants, "l0": 1.5}
+    expected = dict(zip(map(str, system.states), system.evaluate_ode(), strict=True))
+    assert found == pytest.approx({k.removesuffix("(t)"): v for k, v in expected.items()})
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_names_end_neither_comments_nor_strings(tmp_path, compiler):
+    system = hostile()
+    exported = system.export(tmp_path / "mass.c", name='*/ "</x> mass')
+    library = built(compiler, exported.path, tmp_path)
+    x, p = np.array([0.5, 0.1]), np.array([3.0, 2.0])
+    p = np.array([system.constants[s] for s in system.constants_symbols])
+    rates, _ = call(library, ("x_mass", "rates"), 0.0, x, np.zeros(1), p, 2)
+    assert rates == pytest.approx(system.evaluate_ode(x, t=0.0))
+    names = (ctypes.c_char_p * 2).in_dll(library, "x_mass_constant_names")
+    assert [name.decode() for name in names] == [str(s) if "\u2028" not in str(s) else
+        str(s).replace("\u2028", " ") for s in system.constants_symbols]  # fmt: skip
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_events_and_their_resets_are_there(tmp_path, compiler):
+    system, bounce = ball()
+    library = built(compiler, system.export(tmp_path / "ball.c", events=bounce).path, tmp_path)
+    x, p = np.array([0.0, -2.0]), np.array([9.81, 0.2])
+    assert call(library, ("ball", "events"), 0.0, x, np.zeros(1), p, 1)[0] == 0.0
+    assert call(library, ("ball", "event_rates"), 0.0, x, np.zeros(1), p, 1)[0] == -2.0
+    after = call(library, ("ball", "resets"), 0.0, x, np.zeros(1), p, 2)[0]
+    assert after == pytest.approx([0.0, 1.6])
+
+
+def test_a_string_keeps_every_character(tmp_path):
+    text = 'q"\\?/*θ'
+    assert eval(f"b{c_string(text)}").decode() == text

@@ -1,0 +1,180 @@
+"""FMUs by the rules of FMPy: valid, and moving as the System does."""
+
+import re
+import subprocess
+import zipfile
+
+import fmpy
+import numpy as np
+import pytest
+from fmpy import instantiate_fmu, read_model_description, simulate_fmu
+from fmpy.validation import validate_fmu
+
+from exported import TIMES, ball, hostile, pendulum
+from pydy.errors import GeneratorError
+
+VERSIONS = ("3.0", "2.0")
+KINDS = ("CoSimulation", "ModelExchange")
+
+
+@pytest.fixture(scope="module")
+def units(tmp_path_factory):
+    """The units of all tests, compiled once: by name and version."""
+    folder = tmp_path_factory.mktemp("units")
+    found = {}
+    ball_system, bounce = ball()
+    for fmi in VERSIONS:
+        for name, system, options in (
+            ("pendulum", pendulum(), {}),
+            ("ball", ball_system, {"events": bounce}),
+            ("mass", hostile(), {"name": '*/ "</x> mass & ]]>'}),
+        ):
+            path = folder / f"{name}{fmi[0]}.fmu"
+            system.export(path, fmi=fmi, **{"name": name, **options})
+            found[name, fmi] = str(path)
+    return found
+
+
+def simulated(unit, kind, names, **options):
+    """Return the columns of some variables at `TIMES`."""
+    step = TIMES[1] - TIMES[0]
+    options = {"relative_tolerance": 1e-13 if kind == "ModelExchange" else 1e-11, **options}
+    result = simulate_fmu(
+        unit, fmi_type=kind, start_time=0.0, stop_time=TIMES[-1], output_interval=step,
+        output=names, record_events=False, **options,
+    )  # fmt: skip
+    assert result["time"] == pytest.approx(TIMES)
+    return np.stack([result[name] for name in names], axis=1)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("name", ["pendulum", "ball", "mass"])
+def test_the_unit_is_valid(units, name, fmi):
+    assert validate_fmu(units[name, fmi]) == []
+    description = read_model_description(units[name, fmi])
+    assert description.modelExchange is not None
+    assert description.coSimulation is not None
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_trajectory_is_that_of_the_system(units, fmi, kind):
+    system = pendulum()
+    expected = system.simulate(rtol=1e-12, atol=1e-12)
+    names = ["q0", "q1", "q2", "u0", "u1", "u2"]
+    found = simulated(units["pendulum", fmi], kind, [*names, "T", "a"])
+    assert found[:, :6] == pytest.approx(expected.states, abs=1e-8)
+    assert found[:, 6:] == pytest.approx(expected.outputs, abs=1e-7)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_constants_states_and_inputs_can_be_set(units, fmi, kind):
+    system = pendulum()
+    system.constants = {**system.constants, "l0": 1.1}
+    system.initial_conditions = {**system.initial_conditions, "q1": -0.3}
+    system.specifieds = {"F": -2.0}
+    expected = system.integrate(rtol=1e-12, atol=1e-12)
+    found = simulated(
+        units["pendulum", fmi], kind, ["q0", "q1"], start_values={"l0": 1.1, "q1": -0.3, "F": -2.0}
+    )
+    assert found == pytest.approx(expected[:, :2], abs=1e-8)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+@pytest.mark.parametrize("kind", KINDS)
+def test_events_reset_states(units, fmi, kind):
+    system, bounce = ball()
+    expected = system.integrate(rtol=1e-12, atol=1e-12, events=bounce)
+    assert (np.diff(expected[:, 1]) > 0.5).sum() >= 3  # so many bounces
+    found = simulated(units["ball", fmi], kind, ["y", "v"])
+    # FMPy stops for events of Model Exchange at a step of its own solver, some 1e-6 s late.
+    assert found == pytest.approx(expected, abs=1e-8 if kind == "CoSimulation" else 1e-2)
+
+
+def test_a_terminal_event_ends_the_simulation(tmp_path):
+    system, bounce = ball()
+    stop = type(bounce)(bounce.expression, direction=-1, terminal=True)
+    path = system.export(tmp_path / "fall.fmu", events=stop).path
+    result = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=2.0, output=["y"],
+                          output_interval=0.05)  # fmt: skip
+    assert result["time"][-1] == pytest.approx(np.sqrt(2 / 9.81), abs=0.06)
+
+
+def sensitivities(unit, call):
+    """Return d(unknowns)/d(knowns) of a unit in its initial state, column by column."""
+    description = read_model_description(unit)
+    folder = fmpy.extract(unit)
+    instance = instantiate_fmu(folder, description, "ModelExchange")
+    variables = {v.name: v.valueReference for v in description.modelVariables}
+    unknowns = [variables[f"der({name})"] for name in ("q0", "u0", "u1", "u2")]
+    knowns = [variables[name] for name in ("q1", "u2", "F")]
+    if description.fmiVersion == "2.0":
+        instance.setupExperiment(startTime=0.0)
+    instance.enterInitializationMode()
+    instance.exitInitializationMode()
+    found = call(instance, unknowns, knowns)
+    instance.terminate()
+    instance.freeInstance()
+    return found
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_directional_derivatives_are_exact(units, fmi):
+    def columns(instance, unknowns, knowns):
+        return [instance.getDirectionalDerivative(unknowns, [known], [1.0]) for known in knowns]
+
+    found = np.array(sensitivities(units["pendulum", fmi], columns)).T
+    system = pendulum()
+    expected = np.hstack([system.evaluate_jacobian(), system.evaluate_jacobian(wrt=["F"])])
+    assert found == pytest.approx(expected[np.ix_([0, 3, 4, 5], [1, 5, 6])], rel=1e-12)
+
+
+def test_adjoint_derivatives_are_the_same_transposed(units):
+    def rows(instance, unknowns, knowns):
+        return [instance.getAdjointDerivative([u], knowns, [1.0], 3) for u in unknowns]
+
+    def columns(instance, unknowns, knowns):
+        return [instance.getDirectionalDerivative(unknowns, [known], [1.0]) for known in knowns]
+
+    unit = units["pendulum", "3.0"]
+    assert np.array(sensitivities(unit, rows)) == pytest.approx(
+        np.array(sensitivities(unit, columns)).T
+    )
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_its_sources_compile_without_a_warning(units, tmp_path, fmi):
+    with zipfile.ZipFile(units["ball", fmi]) as archive:
+        archive.extractall(tmp_path)
+    strict = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-pedantic", "-fPIC", "-shared"]
+    folder = tmp_path / "sources"
+    command = ["gcc", *strict, "-o", "unit.so", "all.c", "-lm"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
+def test_the_same_model_gives_the_same_file(tmp_path):
+    paths = [pendulum().export(tmp_path / name / "p.fmu", binary=False).path
+             for name in ("a", "b") if not (tmp_path / name).mkdir()]  # fmt: skip
+    assert paths[0].read_bytes() == paths[1].read_bytes()
+
+
+def test_without_a_binary_only_the_sources_are_there(tmp_path):
+    path = pendulum().export(tmp_path / "p.fmu", binary=False).path
+    with zipfile.ZipFile(path) as archive:
+        assert not [name for name in archive.namelist() if name.startswith("binaries")]
+        assert "sources/all.c" in archive.namelist()
+
+
+def test_a_compiler_that_fails_shows_its_words(tmp_path, monkeypatch):
+    monkeypatch.setenv("CC", "gcc -no-such-option")
+    with pytest.raises(GeneratorError, match="no-such-option"):
+        pendulum().export(tmp_path / "p.fmu")
+
+
+def test_without_a_compiler_the_error_tells_the_remedy(tmp_path, monkeypatch):
+    monkeypatch.delenv("CC", raising=False)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(GeneratorError, match=re.escape("pass binary=False for an FMU of")):
+        pendulum().export(tmp_path / "p.fmu")

@@ -1,0 +1,48 @@
+"""The text of exported JavaScript; `tests/browser` runs it."""
+
+import re
+
+from exported import ball, hostile, pendulum
+from pydy._graph.operations import OPERATIONS
+from pydy.export.javascript import literal
+from pydy.export.straight import LONGEST, PRELUDE, javascript_of
+
+
+def test_every_function_of_an_operation_is_defined():
+    called = {m[1] for row in OPERATIONS.values() if (m := re.match(r"(\w+)\(", row.c))}
+    assert called
+    for name in called:
+        assert re.search(rf"\b{name}\b", PRELUDE), name
+
+
+def test_no_name_of_a_user_stands_in_the_code_as_it_is(tmp_path):
+    text = hostile().export(tmp_path / "mass.js").path.read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith("//")]
+    code = "\n".join(lines)
+    assert "</script>" not in code
+    assert "/*CODE*/" not in code.split("const info =")[0]
+    assert "\u2028" not in text
+
+
+def test_no_text_is_made_into_code_where_it_runs(tmp_path):
+    system, bounce = ball()
+    text = system.export(tmp_path / "ball.js", events=bounce).path.read_text(encoding="utf-8")
+    assert not re.search(r"\beval\b|\bnew Function\b|\bimport\b", text)
+
+
+def test_literals_cannot_end_a_script():
+    assert literal({"a": "</script>&<!--"}) == (
+        '{"a":"\\u003c/script\\u003e\\u0026\\u003c!--"}'
+    )  # fmt: skip
+
+
+def test_very_long_programs_are_divided(monkeypatch):
+    system = pendulum()
+    system.generate_ode_function()
+    program = system._current().assembly.program("rates")
+    whole = javascript_of(program, "rates")
+    monkeypatch.setattr("pydy.export.straight.LONGEST", 50)
+    parts = javascript_of(program, "rates")
+    assert "function rates_1(" in parts
+    assert "function rates_1(" not in whole
+    assert LONGEST > 50

@@ -1,0 +1,99 @@
+"""The Python of a model runs where there is no pydy."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from exported import ball, hostile, pendulum
+
+ALONE = """
+import json, sys
+sys.modules["pydy"] = sys.modules["sympy"] = None
+sys.path.insert(0, {folder!r})
+import numpy as np
+import {name} as model
+x = np.array({x!r})
+rows = np.stack([x, 1.1 * x])
+print(json.dumps({{
+    "rates": model.rates(0.3, x, {r!r}, {p!r}).tolist(),
+    "rows": model.rates(np.array([0.3, 0.4]), rows, {r!r}, {p!r}).tolist(),
+    "outputs": model.outputs(0.3, x, {r!r}, {p!r}).tolist(),
+    "jacobian": model.jacobian(0.3, x, {r!r}, {p!r}).tolist(),
+}}))
+"""
+
+
+def alone(system, folder, x, r=None, p=None):
+    system.export(folder / "model.py")
+    script = ALONE.format(folder=str(folder), name="model", x=x.tolist(), r=r, p=p)
+    # -I: the module stands beside nothing of the caller's.
+    command = [sys.executable, "-I", "-W", "error", "-c", script]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def test_numpys_functions_run_without_pydy(tmp_path):
+    system = pendulum()
+    x = np.linspace(0.2, 1.1, 6)
+    found = alone(system, tmp_path, x, {"F": 0.7}, {"l0": 1.3})
+    changed = {"r": {"F": 0.7}, "p": {"l0": 1.3}}
+    expected = system.evaluate_ode(x, t=0.3, **changed)
+    assert found["rates"] == pytest.approx(expected, rel=1e-12)
+    assert found["rows"][0] == pytest.approx(expected, rel=1e-12)
+    later = system.evaluate_ode(1.1 * x, t=0.4, **changed)
+    assert found["rows"][1] == pytest.approx(later, rel=1e-12)
+    assert found["outputs"] == pytest.approx(system.evaluate_outputs(x, t=0.3, **changed))
+    by_states = system.evaluate_jacobian(x, t=0.3, **changed)
+    assert np.array(found["jacobian"])[:6, :6] == pytest.approx(by_states, rel=1e-10, abs=1e-10)
+
+
+def test_names_are_strings_that_nothing_ends(tmp_path):
+    system = hostile()
+    x = np.array([0.5, 0.1])
+    assert alone(system, tmp_path, x)["rates"] == pytest.approx(system.evaluate_ode(x, t=0.0))
+
+
+@pytest.fixture
+def module(tmp_path):
+    names = {}
+    pendulum().export(tmp_path / "model.py")
+    exec((tmp_path / "model.py").read_text(), names)
+    return names
+
+
+def test_an_unknown_constant_is_named(module):
+    with pytest.raises(KeyError, match="p: no 'l9'; there are"):
+        module["rates"](0.0, np.zeros(6), p={"l9": 1.0})
+
+
+def test_a_singular_mass_matrix_gives_nan_without_a_warning(module):
+    massless = dict.fromkeys(module["CONSTANTS"], 0.0)
+    assert np.isnan(module["rates"](0.0, np.zeros(6), p=massless)[3:]).all()
+
+
+def test_weak_pivots_are_solved_by_pivoting(module):
+    system = pendulum()
+    p = {"m0": 1e-14, "m1": 1.0, "m2": 1e-13}
+    x = np.array([0.1, np.pi / 2, 0.3, 0.2, 0.1, 0.4])
+    assert module["rates"](0.0, x, p=p) == pytest.approx(system.evaluate_ode(x, t=0.0, p=p), 1e-6)
+
+
+def test_events_and_resets_are_functions_too(tmp_path):
+    system, bounce = ball()
+    names = {}
+    system.export(tmp_path / "ball.py", events=bounce)
+    exec((tmp_path / "ball.py").read_text(), names)
+    assert names["events"](0.0, [0.3, -2.0]).tolist() == [0.3]
+    assert names["resets"](0.0, [0.3, -2.0]) == pytest.approx(np.array([[0.3, 1.6]]))
+
+
+def test_jax_source_is_python(tmp_path):
+    system = pendulum()
+    compile(system.export(tmp_path / "m.py", target="jax").path.read_text(), "m.py", "exec")
+    text = (tmp_path / "m.py").read_text()
+    assert "import jax" in text
+    assert "numpy as np" not in text.replace("jax.numpy as jnp", "")

@@ -1,0 +1,61 @@
+"""Systems that are exported in tests."""
+
+from __future__ import annotations
+
+import numpy as np
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy.models import n_link_pendulum_on_cart
+from pydy.solvers import Event
+from pydy.system import System
+
+TIMES = np.linspace(0.0, 2.0, num=41)
+
+
+def pendulum():
+    """Two links on a cart with a force on it; the energy and an acceleration are outputs."""
+    system = n_link_pendulum_on_cart(2)
+    system.constants = {"g": 9.81, "l0": 0.7}
+    system.initial_conditions = {"q1": 0.4, "q2": -0.2, "u0": 0.1}
+    system.specifieds = {"F": 0.5}
+    system.outputs = {
+        sm.Symbol("T"): system.kinetic_energy,
+        sm.Symbol("a"): system.speeds[0].diff(),
+    }
+    system.times = TIMES
+    system.ode_solver = "dop853"
+    return system
+
+
+def ball():
+    """A ball that falls on the ground; returns the system and the event of its bounce."""
+    y, v = me.dynamicsymbols("y v")
+    m, g, e = sm.symbols("m g e")
+    N, O, P = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    O.set_vel(N, 0)
+    P.set_pos(O, y * N.y)
+    P.set_vel(N, v * N.y)
+    kane = me.KanesMethod(N, [y], [v], kd_eqs=[v - y.diff()])
+    kane.kanes_equations([me.Particle("ball", P, m)], [(P, -m * g * N.y)])
+    system = System(kane, constants={m: 0.2, g: 9.81}, initial_conditions={y: 1.0}, times=TIMES)
+    system.constants = {m: 0.2, g: 9.81, **({e: 0.8} if e in system.constants_symbols else {})}
+    system.ode_solver = "dop853"
+    bounce = Event(y, direction=-1, reset={v: -sm.Rational(4, 5) * v}, name="bounce")
+    return system, bounce
+
+
+def hostile():
+    """A mass whose names try to end strings, comments, elements and scripts."""
+    q, u = me.dynamicsymbols('q*/"; u')
+    m = sm.Symbol("m</script><script>alert('1')</script>*/ // \\ \" ${x} `")
+    k = sm.Symbol("k/*CODE*/{{APP}} ??/ <b>&amp;\u2028\ue000日本")
+    N, O, P = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    O.set_vel(N, 0)
+    P.set_pos(O, q * N.x)
+    P.set_vel(N, u * N.x)
+    kane = me.KanesMethod(N, [q], [u], kd_eqs=[u - q.diff()])
+    kane.kanes_equations([me.Particle("mass", P, m)], [(P, -k * q * N.x)])
+    system = System(kane, constants={m: 2.0, k: 3.0}, initial_conditions={q: 1.0}, times=TIMES)
+    system.ode_solver = "dop853"
+    return system
