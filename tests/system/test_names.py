@@ -270,9 +270,7 @@ def test_symbols_of_different_kinds_may_share_a_name():
 
 
 def test_a_name_that_is_nearly_one_is_answered_with_it(system):
-    with pytest.raises(
-        ValueError, match=r"'k00' is a str, the name of a symbol. Did you mean `k0`"
-    ):
+    with pytest.raises(ValueError, match=r"'k00' is a str, .* Did you mean `k0`"):
         system.constants = {"k00": 1.0}
 
 

@@ -10,9 +10,9 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, dynamicsymb
 
 from pydy.trajectory import Trajectory
 from pydy.viz import Arrow, Line, Plane, Scene, Sphere, Trace, Visual
+from pydy.viz.arguments import watchable_speed
 from pydy.viz.framing import Look, frame
 from pydy.viz.motion import sampled
-from pydy.viz.scene import _watchable
 
 q, u = dynamicsymbols("q, u")
 l = sm.Symbol("l")
@@ -52,7 +52,7 @@ def test_arguments_of_the_wrong_kind_are_named(arguments, message):
 
 def test_a_scene_needs_a_visual():
     with pytest.raises(ValueError, match="needs at least one visual"):
-        Scene(N, O)
+        Scene(N, O).animate(TIMES, STATES, symbols=[q, u])
 
 
 @pytest.mark.parametrize("up", ["w", "", "xy", (0, 0, 0), (1, 2), N.x * q, 3, None])
@@ -136,7 +136,7 @@ def test_repeated_times_are_taken_once():
     [(5, 1), (60, 1), (0, 1), (0.01, 0.001), (0.5, 0.05), (86400, 1000), (600, 10)],
 )
 def test_very_short_and_very_long_motions_play_at_a_speed_to_watch(duration, speed):
-    assert _watchable(duration) == pytest.approx(speed)
+    assert watchable_speed(duration) == pytest.approx(speed)
 
 
 @pytest.mark.parametrize(
@@ -284,7 +284,7 @@ def test_show_displays_inline_in_a_notebook(trajectory, monkeypatch):
     monkeypatch.setitem(sys.modules, "IPython.display", display)
     scene = swing().animate(trajectory)
     scene.show()
-    assert shown == [scene._repr_html_()]
+    assert shown == [scene]
 
 
 def test_states_and_constants_go_by_name():

@@ -25,6 +25,8 @@ class Look:
     view : ndarray, shape (3,), or None
         From the scene to the camera.
     title : str
+    axes : float or None
+        Length of the axes at the origin.
     """
 
     up: np.ndarray
@@ -32,6 +34,7 @@ class Look:
     follow: bool | None = None
     view: np.ndarray | None = None
     title: str = ""
+    axes: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

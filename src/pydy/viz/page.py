@@ -23,11 +23,17 @@ from pydy.viz.animation import Animation, Item
 from pydy.viz.colours import CYCLE
 from pydy.viz.framing import Look, frame
 from pydy.viz.shapes import Arrow, Line, Mesh, Trace
+from pydy.viz.solids import Circle, Cube, Icosahedron, Octahedron, Tetrahedron, TorusKnot, Tube
+from pydy.viz.surfaces import surface
 
 __all__ = ["Look", "page", "page_data"]
 
 # The scripts of the page, in the order in which they build on each other.
 SCRIPTS = ("data.js", "shapes.js", "stage.js", "trails.js", "strip.js", "player.js", "controls.js")
+
+
+# What the page draws as triangles from here.
+_TRIANGLES = (Circle, Cube, Icosahedron, Octahedron, Tetrahedron, TorusKnot, Tube)
 
 
 def page(animation: Animation, look: Look, speed: float, theme: str) -> str:
@@ -82,6 +88,7 @@ def page_data(animation: Animation, look: Look, speed: float) -> dict[str, Any]:
             "extent": seen.extent.tolist(),
             "ground": seen.ground,
             "cell": seen.cell,
+            "axes": look.axes,
             "path": None if seen.path is None else _column(seen.path),
         },
     }
@@ -174,8 +181,8 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
     if item.vectors is not None:
         assert isinstance(shape, Arrow)
         return {**entry, "radius": shape.radius, "vectors": _column(item.vectors)}
-    if isinstance(shape, Mesh):
-        entry["vertices"] = _packed(shape.vertices * shape.scale)
-        entry["faces"] = _packed(shape.faces, np.uint32)
-        return entry
+    if isinstance(shape, (Mesh, *_TRIANGLES)):
+        vertices, faces = surface(shape)
+        entry["vertices"], entry["faces"] = _packed(vertices), _packed(faces, np.uint32)
+        return {**entry, "kind": "Mesh", "smooth": isinstance(shape, (TorusKnot, Tube))}
     return {**entry, "size": dict(shape.dimensions())}

@@ -10,28 +10,38 @@ from pathlib import Path
 from typing import Any, Literal, Self
 
 import numpy as np
-import sympy as sm
-from sympy.physics.mechanics import Particle, RigidBody
 from sympy.physics.vector import Point, ReferenceFrame
 
 from pydy._checks import (
-    check_mapping,
     choice,
     flag,
+    listed,
     number,
     path_of,
-    real_array,
-    shown,
     text,
     vector,
 )
+from pydy._names import nearest
 from pydy.viz.animation import Animation, animate
+from pydy.viz.arguments import (
+    as_visual,
+    columns_of,
+    ground_height,
+    in_notebook,
+    series_of,
+    watchable_speed,
+    within,
+)
 from pydy.viz.defaults import unit_vector
 from pydy.viz.motion import Model, motion_of_arrays, motion_of_trajectory, sampled
 from pydy.viz.page import Look, page
+from pydy.viz.views import direction_of
 from pydy.viz.visuals import Visual
 
 __all__ = ["Scene"]
+
+_ARGUMENTS = ("up", "ground", "follow", "view", "series", "title", "system", "cameras")
+_IGNORED = ("lights", "width", "height", "name", "fov")
 
 
 class Scene:
@@ -44,7 +54,7 @@ class Scene:
     origin : Point
         Where its zero is.
     *visuals : Visual, RigidBody or Particle
-        Bodies get a default shape.
+        Bodies get a default shape. They may be set later, as `visualization_frames`.
     up : str or Vector, optional
         Which way is up on the screen: an axis of the reference frame such as ``'y'`` or ``'-z'``,
         or a constant vector.
@@ -59,11 +69,21 @@ class Scene:
         What to plot over time below the animation. What is in the trajectory, an output for
         instance, is taken from there by symbol or name; the rest is evaluated.
     title : str, optional
+    system : System, optional
+        What moves the scene when it is displayed and `animate` was not called.
+    cameras : sequence of PerspectiveCamera, optional
+        The first gives the `view`. Lights, and the width and height of a window, are accepted for
+        scripts written elsewhere; the page has its own.
 
     Raises
     ------
     TypeError, ValueError
         An argument is of the wrong kind; the message names it.
+
+    Notes
+    -----
+    A scene may also be moved by attributes: `states_symbols`, `states_trajectories`, `constants`
+    and `times`, which are the arguments of `animate`; `display` then animates and shows it.
 
     Examples
     --------
@@ -96,7 +116,14 @@ class Scene:
         series: Any = (),
         title: str = "",
         model: Model | None = None,
+        system: Any = None,
+        cameras: Iterable[Any] = (),
+        **ignored: Any,
     ) -> None:
+        unknown = [name for name in ignored if name not in _IGNORED]
+        if unknown:
+            names = (*_ARGUMENTS, *_IGNORED)
+            raise TypeError(f"Scene has no argument `{unknown[0]}`. {nearest(unknown[0], names)}")
         for argument, value, kind in (
             ("reference_frame", reference_frame, ReferenceFrame),
             ("origin", origin, Point),
@@ -108,21 +135,23 @@ class Scene:
                 )
         self.reference_frame = reference_frame
         self.origin = origin
-        self.visuals = tuple(_visual(v) for v in visuals)
-        if not self.visuals:
-            raise ValueError(
-                "A Scene needs at least one visual, such as Visual(Sphere(0.1), point), or a body."
-            )
-        self.series = _series(series)
+        self.visuals = tuple(as_visual(v) for v in visuals)
+        self.system = system
+        self.constants: Mapping[Any, Any] = {}
+        self.states_symbols: Any = None
+        self._states: Any = None
+        self._times: Any = None
+        self.series = series_of(series)
         self._model = model
         self._look = Look(
             up=unit_vector(up, reference_frame, "up"),
-            ground=_ground(ground),
+            ground=ground_height(ground),
             follow=None if follow is None else flag(follow, "`follow`"),
             view=None if view is None else unit_vector(view, reference_frame, "view"),
             title=text(title, "`title`"),
         )
         self._animation: Animation | None = None
+        self.cameras = cameras
 
     def __repr__(self) -> str:
         instants = f", {len(self._animation.times)} instants" if self._animation else ""
@@ -179,6 +208,11 @@ class Scene:
             The trajectory is one of another system, a frame or point is not related to the scene's,
             a symbol has no value; the message names the thing and the remedy.
         """
+        if not self.visuals:
+            raise ValueError(
+                "A Scene needs at least one visual, such as Visual(Sphere(0.1), point), or a body: "
+                "pass them to Scene, or set `scene.visualization_frames`."
+            )
         model = self._model
         if states is None and model is not None and not hasattr(trajectory, "state_symbols"):
             # `animate(states)` at the times of the system.
@@ -197,12 +231,12 @@ class Scene:
             speed = number(speed, "`speed`", finite=True)
             if not speed > 0:
                 raise ValueError(f"`speed` must be a positive number, got {speed}.")
-        self._speed = speed or _watchable(float(motion.times[-1] - motion.times[0]))
+        self._speed = speed or watchable_speed(float(motion.times[-1] - motion.times[0]))
         rows = np.arange(len(motion.times))
         if fps is not None:
             rows = sampled(motion.times, self._speed / fps)
         columns = self._recorded(trajectory if states is None else None)
-        columns.update(_columns(series, len(motion.times)))
+        columns.update(columns_of(series, len(motion.times)))
         formulas = tuple((k, e) for k, e in self.series.items() if k not in columns)
         animation = animate(
             self.reference_frame, self.origin, self.visuals, formulas, motion.taken(rows)
@@ -227,8 +261,45 @@ class Scene:
 
     @property
     def times(self) -> np.ndarray:
-        """The instants that are shown, shape (m,)."""
+        """The instants that are shown, shape (m,); or set them, as `states_trajectories`."""
         return self._moving().times
+
+    @times.setter
+    def times(self, times: Any) -> None:
+        self._times, self._animation = times, None
+
+    @property
+    def states_trajectories(self) -> Any:
+        """States to show, shape (m, n), with `states_symbols` for their columns, at `times`."""
+        return self._states
+
+    @states_trajectories.setter
+    def states_trajectories(self, states: Any) -> None:
+        self._states, self._animation = states, None
+
+    @property
+    def visualization_frames(self) -> list[Visual]:
+        """What is shown: set it to other visuals, and animate again."""
+        return list(self.visuals)
+
+    @visualization_frames.setter
+    def visualization_frames(self, visuals: Iterable[Any]) -> None:
+        self.visuals = tuple(
+            as_visual(v) for v in listed("visualization_frames", visuals, "Visuals")
+        )
+        self._animation = None
+
+    @property
+    def cameras(self) -> list[Any]:
+        """Cameras, of which the first says from which side the scene is seen at the start."""
+        return self._cameras
+
+    @cameras.setter
+    def cameras(self, cameras: Iterable[Any]) -> None:
+        self._cameras = listed("cameras", cameras, "PerspectiveCamera")
+        for camera in self._cameras[:1]:
+            view = direction_of(camera, self.reference_frame, self.origin)
+            self._look = self._look if view is None else replace(self._look, view=view)
 
     @property
     def poses(self) -> np.ndarray:
@@ -240,6 +311,15 @@ class Scene:
         return self._moving().poses
 
     def _moving(self) -> Animation:
+        if self._animation is None and self._states is not None:
+            symbols, constants = self.states_symbols, self.constants
+            self.animate(self._times, self._states, symbols=symbols, constants=constants)
+        elif self._animation is None and self.system is not None:
+            shown = self.system.scene(
+                *self.visuals, reference_frame=self.reference_frame, origin=self.origin
+            )
+            self._model, self.visuals = shown._model, shown.visuals
+            self.animate(self.system.simulate(), constants=self.constants)
         if self._animation is None:
             raise ValueError(
                 "The scene does not move yet: call `scene.animate(trajectory)`, or "
@@ -274,15 +354,38 @@ class Scene:
 
     def show(self) -> Any:
         """Show the scene: inline in Jupyter, otherwise in the browser, from a temporary file."""
-        if _in_notebook():
-            from IPython.display import HTML, display  # where there is a notebook, there is IPython
+        if in_notebook():
+            from IPython.display import display  # where there is a notebook, there is IPython
 
-            display(HTML(self._repr_html_()))
+            self._moving()
+            display(self)  # as an object: IPython's HTML warns of pages in frames
             return None
         path = Path(tempfile.mkdtemp(prefix="pydy-scene-")) / "scene.html"
         self.to_html(path)
         webbrowser.open(path.as_uri())
         return path
+
+    def display(self) -> Any:
+        """Animate the scene if that is still to be done, and `show` it."""
+        return self.show()
+
+    def display_jupyter(
+        self, window_size: Any = None, axes_arrow_length: float | None = None
+    ) -> Self:
+        """Return the scene, animated, for a notebook to display.
+
+        Parameters
+        ----------
+        window_size : (int, int), optional
+            Accepted and not used: the page is as wide as the notebook.
+        axes_arrow_length : float, optional
+            Length of the axes at the origin.
+        """
+        if axes_arrow_length is not None:
+            length = within(axes_arrow_length, "`axes_arrow_length`", 1e-300, 1e300)
+            self._look = replace(self._look, axes=length)
+        self._moving()
+        return self
 
     def _repr_html_(self) -> str | None:
         from html import escape
@@ -365,93 +468,9 @@ class Scene:
             self._look,
             self._speed,
             target,
-            _within(fps, "`fps`", 1e-3, 1e3),
-            _within(dpi, "`dpi`", 10.0, 1e4),
-            (_within(width, "`size`", 0.5, 1e3), _within(height, "`size`", 0.5, 1e3)),
+            within(fps, "`fps`", 1e-3, 1e3),
+            within(dpi, "`dpi`", 10.0, 1e4),
+            (within(width, "`size`", 0.5, 1e3), within(height, "`size`", 0.5, 1e3)),
             flag(progress, "`progress`"),
         )
         return target
-
-
-def _visual(thing: Any) -> Visual:
-    if isinstance(thing, Visual):
-        return thing
-    if isinstance(thing, (RigidBody, Particle)):
-        return Visual(None, thing)
-    raise TypeError(
-        "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got the "
-        f"{type(thing).__name__} {thing!r}."
-    )
-
-
-def _series(series: Any) -> dict[str, Any]:
-    if isinstance(series, Mapping):
-        return {str(label): _entry(expression) for label, expression in series.items()}
-    if not isinstance(series, Iterable) or isinstance(series, (str, bytes)):
-        raise TypeError(
-            "`series` must be a dictionary of labels and expressions, or a sequence of "
-            f"expressions, got {shown(series)}."
-        )
-    # "q1(t)" says no more than "q1".
-    return {str(_entry(e)).removesuffix("(t)"): e for e in series}
-
-
-def _entry(value: Any) -> Any:
-    if isinstance(value, (str, sm.Expr, int, float)):
-        return value
-    raise TypeError(
-        "`series` must hold expressions, or names of what is in the trajectory, got "
-        f"{shown(value)}."
-    )
-
-
-def _within(value: Any, what: str, least: float, most: float) -> float:
-    """Return a number of a picture that can be drawn."""
-    checked = number(value, what)
-    if not least <= checked <= most:
-        raise ValueError(f"{what} must be from {least:g} to {most:g}, got {checked}.")
-    return checked
-
-
-def _ground(value: Any) -> bool | float | None:
-    if value is None or isinstance(value, (bool, np.bool_)):
-        return None if value is None else bool(value)
-    try:
-        return number(value, "", finite=True)
-    except ValueError:
-        pass
-    raise ValueError(f"`ground` must be a height, True or False, got {shown(value)}.")
-
-
-def _columns(series: Mapping[str, Any] | None, count: int) -> dict[str, np.ndarray]:
-    columns = {}
-    for label, values in check_mapping("series", series).items():
-        column = real_array(values, f"`series[{label!r}]`")
-        if column.shape != (count,):
-            raise ValueError(
-                f"`series[{label!r}]` must have the shape ({count},), a value for each time, got "
-                f"{column.shape}."
-            )
-        columns[str(label)] = column
-    return columns
-
-
-def _watchable(duration: float) -> float:
-    """Return the speed, 1 or 2 or 5 times a power of ten, at which a film is watched in peace.
-
-    Between one second and two minutes the film runs in real time.
-    """
-    if 1 <= duration <= 120 or duration <= 0:
-        return 1.0
-    wanted = duration / (10.0 if duration < 1 else 60.0)
-    power = 10.0 ** np.floor(np.log10(wanted))
-    return float(power * max(k for k in (1, 2, 5) if k * power <= wanted))
-
-
-def _in_notebook() -> bool:
-    import sys
-
-    # Only a kernel displays; `get_ipython` exists on IPython's terminal too.
-    ipython = sys.modules.get("IPython")
-    shell = ipython.get_ipython() if ipython is not None else None
-    return shell is not None and hasattr(shell, "kernel")

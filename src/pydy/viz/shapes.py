@@ -7,139 +7,48 @@ say along which of the three axes they lie.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any
 
 import numpy as np
-import sympy as sm
 from sympy.physics.vector import Point, Vector
 
-from pydy._checks import choice, number, real_array, shown
-from pydy.viz.colours import hex_colour
+from pydy._checks import real_array, shown
 from pydy.viz.meshes import read_mesh
+from pydy.viz.shape import Shape, check_axis, real_number
+from pydy.viz.solids import (
+    Circle,
+    Cube,
+    Icosahedron,
+    Octahedron,
+    Tetrahedron,
+    TorusKnot,
+    Tube,
+    hull,
+)
 
 __all__ = [
     "Arrow",
     "Box",
     "Capsule",
+    "Circle",
     "Cone",
+    "Cube",
     "Cylinder",
+    "Icosahedron",
     "Line",
     "Mesh",
+    "Octahedron",
     "Plane",
     "Shape",
     "Sphere",
+    "Tetrahedron",
     "Torus",
+    "TorusKnot",
     "Trace",
+    "Tube",
 ]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Shape:
-    """What all shapes have in common.
-
-    Attributes
-    ----------
-    colour : str or sequence of 3 numbers, optional
-        A CSS name, ``"#rrggbb"``, or red, green, blue from 0 to 1; by default the next of a cycle.
-    opacity : float
-        From 0, not to be seen, to 1.
-    name : str, optional
-        For the legend, where visuals of one name share a row.
-    """
-
-    colour: Any = None
-    opacity: float = 1.0
-    name: str | None = None
-
-    lengths: ClassVar[tuple[str, ...]] = ()
-
-    def __post_init__(self) -> None:
-        kind = type(self).__name__
-        optional = {entry.name for entry in fields(self) if entry.default is None}
-        for attribute in self.lengths:
-            value = getattr(self, attribute)
-            if value is not None or attribute not in optional:
-                self._set(attribute, _length(value, f"`{attribute}` of {kind}"))
-        if self.colour is not None:
-            self._set("colour", hex_colour(self.colour, f"`colour` of {kind}"))
-        opacity = _number(self.opacity)
-        if opacity is None or not 0 <= opacity <= 1:
-            raise ValueError(f"`opacity` of {kind} must be from 0 to 1, got {shown(self.opacity)}.")
-        self._set("opacity", opacity)
-        if self.name is not None and not isinstance(self.name, str):
-            raise TypeError(f"`name` of {kind} must be a string, got {self.name!r}.")
-
-    def _set(self, attribute: str, value: Any) -> None:
-        object.__setattr__(self, attribute, value)  # the shape is still in the making
-
-    def measured(self, values: Mapping[Any, Any]) -> Self:
-        """Return this shape with numbers for lengths.
-
-        Parameters
-        ----------
-        values : mapping of symbols to numbers
-
-        Raises
-        ------
-        ValueError
-            A symbol has no value, or the length comes out as no positive number.
-        """
-        numbers: dict[str, Any] = {}
-        kind = type(self).__name__
-        for attribute in self.lengths:
-            expression = getattr(self, attribute)
-            if not isinstance(expression, sm.Basic):
-                continue
-            # By name too: a trajectory from a file has names in the place of symbols.
-            known = {s: values.get(s, values.get(s.name)) for s in expression.free_symbols}
-            missing = sorted(s.name for s, value in known.items() if value is None)
-            if missing:
-                raise ValueError(
-                    f"`{attribute}` of {kind} is `{expression}`, but `{missing[0]}` has no value: "
-                    "shapes may depend on constants only. Give its value in `constants`."
-                )
-            value = _number(expression.xreplace({s: sm.Float(v) for s, v in known.items()}))
-            if value is None or not 0 < value < np.inf:
-                raise ValueError(
-                    f"`{attribute}` of {kind} is `{expression}`, which must be positive, but comes "
-                    f"out as {value} with the constants' values."
-                )
-            numbers[attribute] = value
-        return replace(self, **numbers) if numbers else self
-
-    def dimensions(self) -> Iterator[tuple[str, Any]]:
-        """Yield the shape's own fields: what says how it looks, but for colour and name."""
-        common = {f.name for f in fields(Shape)}
-        for entry in fields(self):
-            if entry.name not in common:
-                yield entry.name, getattr(self, entry.name)
-
-
-def _number(value: Any) -> float | None:
-    try:
-        return number(value, "")
-    except ValueError:
-        return None
-
-
-def _length(value: Any, what: str) -> Any:
-    """Return a length as a float, or as an expression when it has symbols."""
-    if isinstance(value, sm.Expr) and value.free_symbols:
-        return value
-    length = None if isinstance(value, bool) else _number(value)
-    if length is None or not 0 < length < np.inf:
-        raise ValueError(
-            f"{what} must be a positive number or a SymPy expression of constants, got "
-            f"{shown(value)}."
-        )
-    return length
-
-
-def _axis(value: Any, kind: str) -> None:
-    choice(value, ("x", "y", "z"), f"`axis` of {kind}")
 
 
 @dataclass(frozen=True)
@@ -159,12 +68,13 @@ class Sphere(Shape):
 
 @dataclass(frozen=True)
 class Box(Shape):
-    """A box about the point, with edges along x, y and z."""
+    """A box about the point, with edges along x, y and z: its width, height and depth."""
 
     x: Any
     y: Any
     z: Any
     lengths = ("x", "y", "z")
+    spellings = Shape.spellings | {"width": "x", "height": "y", "depth": "z"}
 
 
 @dataclass(frozen=True)
@@ -187,7 +97,7 @@ class Cylinder(Shape):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        _axis(self.axis, type(self).__name__)
+        check_axis(self.axis, type(self).__name__)
 
 
 @dataclass(frozen=True)
@@ -201,7 +111,7 @@ class Cone(Shape):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        _axis(self.axis, type(self).__name__)
+        check_axis(self.axis, type(self).__name__)
 
 
 @dataclass(frozen=True)
@@ -215,7 +125,7 @@ class Capsule(Shape):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        _axis(self.axis, type(self).__name__)
+        check_axis(self.axis, type(self).__name__)
 
 
 @dataclass(frozen=True)
@@ -226,10 +136,11 @@ class Torus(Shape):
     tube: Any
     axis: str = "z"
     lengths = ("radius", "tube")
+    spellings = Shape.spellings | {"tube_radius": "tube"}
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        _axis(self.axis, type(self).__name__)
+        check_axis(self.axis, type(self).__name__)
 
 
 @dataclass(frozen=True)
@@ -247,7 +158,7 @@ class Plane(Shape):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        _axis(self.axis, type(self).__name__)
+        check_axis(self.axis, type(self).__name__)
 
 
 @dataclass(frozen=True)
@@ -283,7 +194,7 @@ class Arrow(Shape):
                 "`vector` of Arrow must be a vector of sympy.physics.mechanics, such as F*N.x, got "
                 f"{self.vector!r}."
             )
-        scale = _number(self.scale)
+        scale = real_number(self.scale)
         if scale is None or not np.isfinite(scale):
             raise ValueError(f"`scale` of Arrow must be a number, got {shown(self.scale)}.")
         self._set("scale", scale)
@@ -345,7 +256,8 @@ class Mesh(Shape):
     ----------
     source : path, or (vertices, faces)
         A file with the suffix ``.stl`` (text or binary) or ``.obj``; or coordinates of shape (n, 3)
-        and, of shape (k, 3), which three of them make each triangle.
+        and, of shape (k, 3), which three of them make each triangle. Coordinates alone stand for
+        their convex hull.
     scale : length
         What one unit of the file is, in the scene: 0.001 for millimetres in a scene of metres.
 
@@ -362,6 +274,7 @@ class Mesh(Shape):
     vertices: np.ndarray = field(init=False, repr=False)
     faces: np.ndarray = field(init=False, repr=False)
     lengths = ("scale",)
+    spellings = Shape.spellings | {"points": "source"}
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -375,6 +288,9 @@ class Mesh(Shape):
 
 
 def _triangles(source: Any) -> tuple[np.ndarray, np.ndarray]:
+    points = hull(source)
+    if points is not None:
+        return points
     try:
         given, corners = source
         vertices = real_array(given, "")

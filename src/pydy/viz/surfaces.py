@@ -11,6 +11,19 @@ from functools import singledispatch
 import numpy as np
 
 from pydy.viz.shapes import Box, Capsule, Cone, Cylinder, Mesh, Plane, Shape, Sphere, Torus
+from pydy.viz.solids import (
+    Circle,
+    Cube,
+    Icosahedron,
+    Octahedron,
+    Tetrahedron,
+    TorusKnot,
+    Tube,
+    along,
+    hull,
+    knot,
+    polyhedron,
+)
 
 __all__ = ["Surface", "arrow", "rod", "surface"]
 
@@ -107,6 +120,38 @@ def _(shape: Box) -> Surface:
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     faces = [part for a, b, c, d in sides for part in ((a, b, c), (a, c, d))]
     return corners * (np.array([shape.x, shape.y, shape.z]) / 2), np.array(faces)
+
+
+@surface.register
+def _(shape: Cube) -> Surface:
+    return surface(Box(shape.length, shape.length, shape.length))
+
+
+@surface.register
+def _(shape: Circle) -> Surface:
+    angle = np.arange(2 * _AROUND) * (np.pi / _AROUND)
+    rim = shape.radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1)
+    k = np.arange(1, len(rim) - 1)
+    return rim, np.stack([0 * k, k, k + 1], 1)
+
+
+@surface.register(Tetrahedron)
+@surface.register(Octahedron)
+@surface.register(Icosahedron)
+def _(shape: Tetrahedron | Octahedron | Icosahedron) -> Surface:
+    triangles = hull(shape.radius * polyhedron(shape))
+    assert triangles is not None
+    return triangles
+
+
+@surface.register
+def _(shape: TorusKnot) -> Surface:
+    return along(knot(shape.radius), shape.tube, closed=True)
+
+
+@surface.register
+def _(shape: Tube) -> Surface:
+    return along(np.array(shape.points), shape.radius, closed=False)
 
 
 @surface.register

@@ -29,6 +29,7 @@ function geometryOf(visual) {
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(unpacked(visual.vertices, Float32Array), 3));
     geometry.setIndex(new THREE.BufferAttribute(unpacked(visual.faces, Uint32Array), 1));
+    if (visual.smooth) geometry.computeVertexNormals();
     return geometry;
   }
   const key = visual.kind + JSON.stringify(visual.size);
@@ -40,7 +41,7 @@ function materialOf(visual) {
   return new THREE.MeshStandardMaterial({
     color: visual.colour, roughness: 0.55, metalness: 0.05,
     transparent: visual.opacity < 1, opacity: visual.opacity, depthWrite: visual.opacity === 1,
-    flatShading: visual.kind === "Mesh",
+    flatShading: visual.kind === "Mesh" && !visual.smooth,
     side: visual.kind === "Plane" || visual.kind === "Mesh" ? THREE.DoubleSide : THREE.FrontSide,
   });
 }

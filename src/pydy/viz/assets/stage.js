@@ -127,7 +127,7 @@ const AXES = [["x", "#e0524d"], ["y", "#3d9e52"], ["z", "#4a7fe0"]];
 const axes = new THREE.Group();
 AXES.forEach(([, colour], i) => {
   const line = new WideLine(2, colour, 1, 2.5), tip = [0, 0, 0];
-  tip[i] = 0.3 * view.radius;
+  tip[i] = view.axes ?? 0.3 * view.radius;
   line.put(0, [0, 0, 0], 0, tip, 0);
   axes.add(line);
 });

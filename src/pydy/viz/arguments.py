@@ -1,0 +1,112 @@
+"""What users hand a Scene, checked."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+import sympy as sm
+from sympy.physics.mechanics import Particle, RigidBody
+
+from pydy._checks import check_mapping, number, real_array, shown
+from pydy.viz.visuals import Visual
+
+__all__ = [
+    "as_visual",
+    "columns_of",
+    "ground_height",
+    "in_notebook",
+    "series_of",
+    "watchable_speed",
+    "within",
+]
+
+
+def as_visual(thing: Any) -> Visual:
+    """Return a Visual; a body gets a default shape."""
+    if isinstance(thing, Visual):
+        return thing
+    if isinstance(thing, (RigidBody, Particle)):
+        return Visual(None, thing)
+    raise TypeError(
+        "A Scene takes Visuals, RigidBodies and Particles after its frame and origin, got the "
+        f"{type(thing).__name__} {thing!r}."
+    )
+
+
+def series_of(series: Any) -> dict[str, Any]:
+    """Return what is to be plotted, by label."""
+    if isinstance(series, Mapping):
+        return {str(label): _entry(expression) for label, expression in series.items()}
+    if not isinstance(series, Iterable) or isinstance(series, (str, bytes)):
+        raise TypeError(
+            "`series` must be a dictionary of labels and expressions, or a sequence of "
+            f"expressions, got {shown(series)}."
+        )
+    # "q1(t)" says no more than "q1".
+    return {str(_entry(e)).removesuffix("(t)"): e for e in series}
+
+
+def _entry(value: Any) -> Any:
+    if isinstance(value, (str, sm.Expr, int, float)):
+        return value
+    raise TypeError(
+        "`series` must hold expressions, or names of what is in the trajectory, got "
+        f"{shown(value)}."
+    )
+
+
+def within(value: Any, what: str, least: float, most: float) -> float:
+    """Return a number of a picture that can be drawn."""
+    checked = number(value, what)
+    if not least <= checked <= most:
+        raise ValueError(f"{what} must be from {least:g} to {most:g}, got {checked}.")
+    return checked
+
+
+def ground_height(value: Any) -> bool | float | None:
+    """Return the height of the ground, or whether there is one, or None to decide later."""
+    if value is None or isinstance(value, (bool, np.bool_)):
+        return None if value is None else bool(value)
+    try:
+        return number(value, "", finite=True)
+    except ValueError:
+        pass
+    raise ValueError(f"`ground` must be a height, True or False, got {shown(value)}.")
+
+
+def columns_of(series: Mapping[str, Any] | None, count: int) -> dict[str, np.ndarray]:
+    """Return evaluated series, a value for each of `count` instants."""
+    columns = {}
+    for label, values in check_mapping("series", series).items():
+        column = real_array(values, f"`series[{label!r}]`")
+        if column.shape != (count,):
+            raise ValueError(
+                f"`series[{label!r}]` must have the shape ({count},), a value for each time, got "
+                f"{column.shape}."
+            )
+        columns[str(label)] = column
+    return columns
+
+
+def watchable_speed(duration: float) -> float:
+    """Return the speed, 1 or 2 or 5 times a power of ten, at which a film is watched in peace.
+
+    Between one second and two minutes the film runs in real time.
+    """
+    if 1 <= duration <= 120 or duration <= 0:
+        return 1.0
+    wanted = duration / (10.0 if duration < 1 else 60.0)
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(power * max(k for k in (1, 2, 5) if k * power <= wanted))
+
+
+def in_notebook() -> bool:
+    """Return whether output goes to a notebook."""
+    import sys
+
+    # Only a kernel displays; `get_ipython` exists on IPython's terminal too.
+    ipython = sys.modules.get("IPython")
+    shell = ipython.get_ipython() if ipython is not None else None
+    return shell is not None and hasattr(shell, "kernel")

@@ -1,0 +1,98 @@
+"""Names that scripts written for PyDy's viz package use: visualization frames, cameras, lights."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from sympy.physics.mechanics import Particle
+from sympy.physics.vector import Point
+
+from pydy._checks import shown
+from pydy.viz.shape import Shape
+from pydy.viz.visuals import Visual
+
+__all__ = [
+    "OrthoGraphicCamera",
+    "PerspectiveCamera",
+    "PointLight",
+    "VisualizationFrame",
+    "direction_of",
+]
+
+
+def VisualizationFrame(*args: Any) -> Visual:
+    """Return a Visual, from the arguments in the order of PyDy's viz package.
+
+    Parameters
+    ----------
+    *args
+        A name, which may be left out; a ReferenceFrame and a Point or Particle, or a RigidBody; and
+        a shape.
+
+    Examples
+    --------
+    >>> from sympy.physics.mechanics import Point, ReferenceFrame
+    >>> from pydy.viz import Cylinder, VisualizationFrame
+    >>> VisualizationFrame("link", ReferenceFrame("B"), Point("P"), Cylinder(1.0, 0.1))
+    Visual(link: Cylinder at P, turning with B)
+    """
+    name, rest = _named(args)
+    if not rest or not isinstance(rest[-1], Shape):
+        raise TypeError(
+            "A VisualizationFrame takes [name,] frame, point, shape; or [name,] body, shape; got "
+            f"{', '.join(map(shown, args)) or 'nothing'}."
+        )
+    *where, shape = rest
+    if len(where) == 2:
+        where = [thing.point if isinstance(thing, Particle) else thing for thing in where]
+    return Visual(shape, *where, name=name)
+
+
+class PerspectiveCamera:
+    """A camera of PyDy's viz package: the scene is first seen from the side on which it is.
+
+    Parameters
+    ----------
+    *args
+        A name, which may be left out; a ReferenceFrame and a Point, or a body.
+    **options
+        Accepted and not used: the page chooses the distance, and readers turn the view.
+    """
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        self.name, where = _named(args)
+        self.options = options
+        points = [getattr(t, "masscenter", getattr(t, "point", t)) for t in where]
+        points = [p for p in points if isinstance(p, Point)]
+        if len(points) != 1:
+            kind = type(self).__name__
+            raise TypeError(
+                f"A {kind} takes [name,] frame, point; or [name,] body; got "
+                f"{', '.join(map(shown, args)) or 'nothing'}."
+            )
+        self.origin = points[0]
+
+
+class OrthoGraphicCamera(PerspectiveCamera):
+    """As `PerspectiveCamera`: the page draws in perspective."""
+
+
+class PointLight(PerspectiveCamera):
+    """A light of PyDy's viz package; accepted and not used, the page has lights of its own."""
+
+
+def direction_of(camera: Any, frame: Any, origin: Any) -> np.ndarray | None:
+    """Return the direction in which a camera is from the origin, or None where it moves."""
+    try:
+        place = camera.origin.pos_from(origin).to_matrix(frame)
+        direction = np.array([float(c) for c in place])
+    except (TypeError, ValueError):
+        return None
+    length = float(np.linalg.norm(direction))
+    return direction / length if length > 0 else None
+
+
+def _named(args: tuple[Any, ...]) -> tuple[str | None, list[Any]]:
+    rest = list(args)
+    return (rest.pop(0) if rest and isinstance(rest[0], str) else None), rest
