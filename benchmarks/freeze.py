@@ -10,10 +10,11 @@ import time
 
 import sympy as sm
 from harness import frozen
+from harness.model import Model
 from harness.models import MODELS, STANDARD
 
 
-def cse_operations(model: frozen.Model) -> int:
+def cse_operations(model: Model) -> int:
     """Return the operations that SymPy's `cse` leaves in M and F together."""
     shape = (len(model.speeds), len(model.speeds))
     matrices = [sm.Matrix(*shape, model.mass_matrix), sm.Matrix(model.forcing)]

@@ -10,6 +10,7 @@ import time
 from typing import Any
 
 from harness import frozen
+from harness.model import Model
 from harness.program import assembly_of
 from harness.report import save, seconds, table
 
@@ -49,7 +50,7 @@ def main() -> None:
     save("operations", results)
 
 
-def _count(model: frozen.Model, passes: bool) -> dict[str, Any]:
+def _count(model: Model, passes: bool) -> dict[str, Any]:
     start = time.perf_counter()
     assembly = assembly_of(model)
     program = assembly.program("mass_matrix", "forcing")
@@ -69,7 +70,7 @@ def _count(model: frozen.Model, passes: bool) -> dict[str, Any]:
     }
 
 
-def _without_each(model: frozen.Model) -> dict[str, int]:
+def _without_each(model: Model) -> dict[str, int]:
     """Return the operations at every call with one pass or strategy left out, or all passes."""
     chosen = {name: Passes.without(name) for name in Passes.names()} | {"passes": Passes.none()}
     counts = {}

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 from harness import frozen
+from harness.model import Model
 from harness.models import spring_chain
 from harness.program import assembly_of, equations_of
 from harness.report import save, seconds, table
@@ -105,7 +106,7 @@ def _build_times(name: str, rounds: int) -> list[float]:
     return _times_of_builds(frozen.read(name), rounds)
 
 
-def _times_of_builds(model: frozen.Model, rounds: int) -> list[float]:
+def _times_of_builds(model: Model, rounds: int) -> list[float]:
     """Return the seconds from SymPy expressions to the best code, each in a fork of the process."""
     equations = equations_of(model)
 

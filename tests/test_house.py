@@ -211,6 +211,18 @@ def test_there_are_no_circles_of_modules():
     no_circles({m: {i.target for i in imports(m)} & MODULES.keys() - {m} for m in MODULES})
 
 
+def test_there_are_no_circles_in_the_benchmarks_harness():
+    folder = SRC.parent / "benchmarks" / "harness"
+    names = {f"harness.{path.stem}" for path in folder.glob("*.py")}
+    graph: dict[str, set[str]] = {}
+    for path in folder.glob("*.py"):
+        found = graph.setdefault(f"harness.{path.stem}", set())
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.module:
+                found |= {node.module, *(f"{node.module}.{a.name}" for a in node.names)} & names
+    no_circles(graph)
+
+
 def no_circles(graph: dict[str, set[str]]) -> None:
     try:
         graphlib.TopologicalSorter(graph).prepare()

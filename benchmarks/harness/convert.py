@@ -11,7 +11,7 @@ from typing import Any
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
-from harness.frozen import Model
+from harness.model import Model
 
 
 class Algebra:

@@ -9,7 +9,7 @@ import numpy as np
 
 from harness.convert import Algebra
 from harness.elimination import derivatives
-from harness.frozen import Model
+from harness.model import Model
 
 # The parser recurses; longer expressions are cut into named pieces.
 _LONGEST = 2000

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from harness.convert import Algebra, translate
-from harness.frozen import Model
+from harness.model import Model
 from harness.samples import samples
 
 Entry = Any  # a peer's expression, or None for zero

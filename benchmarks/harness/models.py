@@ -9,7 +9,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 
-from harness.frozen import Model
+from harness.model import Model
 from harness.problems import BICYCLE
 from harness.serve import module_at
 from harness.written_down import pendulum_written_down, rods_written_down

@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import dynamicsymbols
 
-from harness.frozen import Model
+from harness.model import Model
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+import subprocess
 import sys
 from collections.abc import Sequence
 from datetime import UTC, datetime
@@ -49,9 +50,10 @@ def save(name: str, results: Any) -> Path:
     about = {
         "taken": datetime.now(UTC).isoformat(timespec="seconds"),
         "machine": platform.machine(),
-        "processor": _processor(),
+        "processor": processor(),
+        "target": os.environ.get("PYDY_CPU", "native"),
         "cores": os.cpu_count(),
-        "load_average": os.getloadavg(),
+        "load_average": os.getloadavg() if hasattr(os, "getloadavg") else None,
         "python": platform.python_version(),
     }
     path.write_text(json.dumps({"about": about, "results": results}, indent=1) + "\n")
@@ -59,10 +61,45 @@ def save(name: str, results: Any) -> Path:
     return path
 
 
-def _processor() -> str:
+def processor() -> dict[str, Any]:
+    """Return the processor's name, its vector extensions, and the sizes of its caches."""
+    if sys.platform == "darwin":
+        return {"name": _sysctl("machdep.cpu.brand_string"), "features": [], "caches": _apples()}
+    fields: dict[str, str] = {}
     info = Path("/proc/cpuinfo")
-    if info.exists():
-        for line in info.read_text().splitlines():
-            if line.startswith("model name"):
-                return line.partition(":")[2].strip()
-    return platform.processor()
+    for line in info.read_text().splitlines() if info.exists() else ():
+        key, _, value = line.partition(":")
+        fields.setdefault(key.strip(), value.strip())
+    flags = (fields.get("flags") or fields.get("Features") or "").split()
+    return {
+        "name": fields.get("model name") or platform.processor() or platform.machine(),
+        "features": sorted(flag for flag in flags if flag.startswith(_VECTORS)),
+        "caches": _caches(Path("/sys/devices/system/cpu/cpu0/cache")),
+    }
+
+
+# What decides how wide and with which instructions code is written.
+_VECTORS = ("avx", "fma", "sse4", "asimd", "sve", "neon")
+
+
+def _caches(folder: Path) -> dict[str, str]:
+    """Return sizes by level and kind, as Linux tells them: ``{'L1 Data': '32K'}``."""
+    found = {}
+    for place in sorted(folder.glob("index*")):
+        level, kind, size = ((place / n).read_text().strip() for n in ("level", "type", "size"))
+        found[f"L{level} {kind}"] = size
+    return found
+
+
+def _apples() -> dict[str, str]:
+    names = {
+        "L1 Instruction": "l1icachesize",
+        "L1 Data": "l1dcachesize",
+        "L2 Unified": "l2cachesize",
+    }
+    return {name: _sysctl(f"hw.{key}") for name, key in names.items()}
+
+
+def _sysctl(name: str) -> str:
+    command = ["/usr/sbin/sysctl", "-n", name]
+    return subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip()

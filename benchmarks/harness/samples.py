@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from harness.frozen import Model
+from harness.model import Model
 
 
 def samples(model: Model, count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

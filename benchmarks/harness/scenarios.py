@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from harness.frozen import Model
+from harness.model import Model
 
 
 @dataclass

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sm
 from sympy.physics.mechanics import dynamicsymbols
 
-from harness.frozen import Model
+from harness.model import Model
 
 
 def total(terms: Iterable[Any]) -> Any:

@@ -13,7 +13,7 @@ import casadi as ca
 import numpy as np
 from harness.convert import Algebra, translate
 from harness.elimination import pivots_of, solve_general
-from harness.frozen import Model
+from harness.model import Model
 from harness.peer import Peer, serve_peer
 
 _LOOP = """

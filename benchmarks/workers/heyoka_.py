@@ -8,7 +8,7 @@ import heyoka as hy
 import numpy as np
 from harness.convert import Algebra
 from harness.elimination import derivatives
-from harness.frozen import Model
+from harness.model import Model
 from harness.peer import Peer, serve_peer
 from harness.serve import time_of
 

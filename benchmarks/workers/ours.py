@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
-from harness.frozen import Model
+from harness.model import Model
 from harness.peer import Peer, serve_peer
 from harness.program import assembly_of, equations_of
 from harness.serve import time_of

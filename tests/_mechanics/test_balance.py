@@ -1,0 +1,56 @@
+"""Whether an energy is that of some loads, told from powers of known systems."""
+
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy._mechanics.balance import is_potential_of
+from pydy._mechanics.kane import equations_of_kane
+
+M, G, L = sm.symbols("m g l", positive=True)
+
+
+def bead(holonomic=()):
+    """A particle in the plane, free or on a circle."""
+    q, u = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", q[0] * frame.x + q[1] * frame.y)
+    place.set_vel(frame, u[0] * frame.x + u[1] * frame.y)
+    options = {"q_ind": q, "u_ind": u}
+    if holonomic:
+        circle = q[0] ** 2 + q[1] ** 2 - L**2
+        options = {
+            "q_ind": q[:1], "q_dependent": q[1:], "u_ind": u[:1], "u_dependent": u[1:],
+            "configuration_constraints": [circle],
+            "velocity_constraints": [2 * q[0] * u[0] + 2 * q[1] * u[1]],
+        }  # fmt: skip
+    rates = [a.diff() - b for a, b in zip(q, u, strict=True)]
+    body = me.Particle("P", place, M)
+    kane = me.KanesMethod(frame, kd_eqs=rates, bodies=[body], forcelist=None, **options)
+    return equations_of_kane(kane), q, u
+
+
+def test_weight_is_that_of_height():
+    equations, q, u = bead()
+    assert is_potential_of(equations, M * G * q[1], [-M * G * u[1]])
+
+
+@pytest.mark.parametrize("factor", [1 - 1e-6, -1, 2])
+def test_another_factor_is_told(factor):
+    equations, q, u = bead()
+    assert not is_potential_of(equations, factor * M * G * q[1], [-M * G * u[1]])
+
+
+def test_several_powers_add_up():
+    equations, q, u = bead()
+    parts = [-M * G * u[1], G * q[0] * u[1], G * q[1] * u[0]]
+    assert is_potential_of(equations, M * G * q[1] - G * q[0] * q[1], parts)
+
+
+def test_a_velocity_that_was_simplified_with_the_constraint_counts_as_it_is_there():
+    equations, q, u = bead(holonomic=True)
+    along = -q[0] * u[0] / q[1]  # v on the circle
+    assert is_potential_of(equations, M * G * q[1], [-M * G * along])
+    free, q, u = bead()
+    assert not is_potential_of(free, M * G * q[1], [-M * G * along])

@@ -1,0 +1,81 @@
+"""Potential energies of loads, against closed forms."""
+
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy._mechanics.kane import equations_of_kane
+from pydy._mechanics.potential import find_potential
+
+Q, U = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
+M, K, L, G, C = sm.symbols("m k l g c", positive=True)
+
+
+@pytest.fixture
+def plane():
+    """A frame, its origin, and a particle that moves in its plane."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", Q[0] * frame.x + Q[1] * frame.y)
+    place.set_vel(frame, U[0] * frame.x + U[1] * frame.y)
+    return frame, origin, place
+
+
+def potential(plane, loads):
+    frame, _, place = plane
+    rates = [a.diff() - b for a, b in zip(Q, U, strict=True)]
+    body = me.Particle("P", place, M)
+    kane = me.KanesMethod(frame, Q, U, kd_eqs=rates, bodies=[body], forcelist=loads)
+    return find_potential(equations_of_kane(kane))
+
+
+def differs_by_a_constant(found, expected):
+    return all(sm.simplify((found - expected).diff(q)) == 0 for q in Q)
+
+
+def test_a_constant_force_has_that_of_its_place(plane):
+    frame, _, place = plane
+    found = potential(plane, [(place, -M * G * frame.y + C * frame.x)])
+    assert differs_by_a_constant(found.expression, M * G * Q[1] - C * Q[0])
+    assert not found.unknown
+
+
+def test_a_force_between_two_points_has_that_of_their_distance(plane):
+    _, origin, place = plane
+    way = place.pos_from(origin)
+    size = way.magnitude()
+    pull = -K * (size - L) * way / size
+    found = potential(plane, [(place, pull), (origin, -pull)])
+    assert differs_by_a_constant(found.expression, K * (size - L) ** 2 / 2)
+
+
+@pytest.mark.parametrize(
+    ("force", "energy"),
+    [
+        (-K * Q[0], K * Q[0] ** 2 / 2),
+        (-K * sm.sin(2 * Q[0]), -K * sm.cos(2 * Q[0]) / 2),
+        (K * Q[1], -K * Q[0] * Q[1]),
+    ],
+    ids=["linear", "sine", "coupled"],
+)
+def test_a_load_with_an_integral_has_that(plane, force, energy):
+    frame, _, place = plane
+    other = -energy.diff(Q[1])
+    found = potential(plane, [(place, force * frame.x + other * frame.y)])
+    assert differs_by_a_constant(found.expression, energy)
+    assert not found.unknown
+
+
+def test_a_force_whose_work_depends_on_the_path_is_named(plane):
+    frame, _, place = plane
+    found = potential(plane, [(place, K * Q[1] * frame.x)])
+    assert found.expression == 0
+    assert found.unknown == ["the force on the point P, `k*y(t)*N.x`"]
+    assert "the same on every path" in found.advice
+
+
+def test_damping_and_what_depends_on_time_have_none(plane):
+    frame, _, place = plane
+    loads = [(place, -C * U[0] * frame.x), (place, sm.sin(me.dynamicsymbols._t) * frame.y)]
+    found = potential(plane, loads)
+    assert (found.expression, found.unknown) == (0, [])
