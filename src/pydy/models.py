@@ -69,10 +69,10 @@ def multi_mass_spring_damper(
     Examples
     --------
     >>> from pydy.models import multi_mass_spring_damper
-    >>> sys = multi_mass_spring_damper(2, apply_gravity=True)
-    >>> sys.constants_symbols
+    >>> system = multi_mass_spring_damper(2, apply_gravity=True)
+    >>> system.constants_symbols
     {c0, c1, g, k0, k1, m0, m1}
-    >>> sys.states
+    >>> system.states
     [x0(t), x1(t), v0(t), v1(t)]
     """
     _check_size(n)
@@ -159,8 +159,8 @@ def n_link_pendulum_on_cart(
     Examples
     --------
     >>> from pydy.models import n_link_pendulum_on_cart
-    >>> sys = n_link_pendulum_on_cart(2, joint_torques=True)
-    >>> sys.specifieds_symbols
+    >>> system = n_link_pendulum_on_cart(2, joint_torques=True)
+    >>> system.specifieds_symbols
     {F(t), T1(t), T2(t)}
     """
     _check_size(n)

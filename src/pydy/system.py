@@ -136,8 +136,8 @@ class System:
     >>> from sympy.physics.mechanics.models import n_link_pendulum_on_cart
     >>> from pydy.system import System
     >>> kane = n_link_pendulum_on_cart(1)
-    >>> sys = System(kane, initial_conditions={kane.q[1]: 0.5}, times=np.linspace(0.0, 5.0, 3))
-    >>> sys.integrate().shape
+    >>> system = System(kane, initial_conditions={kane.q[1]: 0.5}, times=np.linspace(0.0, 5.0, 3))
+    >>> system.integrate().shape
     (3, 4)
     """
 
@@ -365,8 +365,8 @@ class System:
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper(apply_gravity=True)
-        >>> sys.potential_energy
+        >>> system = multi_mass_spring_damper(apply_gravity=True)
+        >>> system.potential_energy
         -g*m0*x0(t) + k0*x0(t)**2/2
         """
         return self._energies.potential
@@ -524,7 +524,7 @@ class System:
         functions ``g(x, t)`` of the state and time that return numbers or arrays, SymPy expressions
         of states, time, constants and other specifieds, or `pydy.inputs.SampledInput`::
 
-            sys.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
+            system.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
 
         One number for a tuple holds for each. Expressions are compiled into the code. Symbols that
         occur only in them become constants of the system, functions of time specifieds. Where the
@@ -533,7 +533,7 @@ class System:
 
         In the second, which is faster with functions, all are given together::
 
-            sys.specifieds = {'symbols': (a, b, c), 'values': lambda x, t: np.ones(3)}
+            system.specifieds = {'symbols': (a, b, c), 'values': lambda x, t: np.ones(3)}
 
         The order of ``'symbols'`` is the order of r in the generated function.
         """
@@ -618,11 +618,11 @@ class System:
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> sys.initial_conditions[sys.coordinates[0]] = 1.0
-        >>> sys.times = [1.0, 2.0, 3.0]
-        >>> sys.ode_solver = 'RK45'
-        >>> sys.integrate(rtol=1e-10, atol=1e-10)[:, 0]
+        >>> system = multi_mass_spring_damper()
+        >>> system.initial_conditions[system.coordinates[0]] = 1.0
+        >>> system.times = [1.0, 2.0, 3.0]
+        >>> system.ode_solver = 'RK45'
+        >>> system.integrate(rtol=1e-10, atol=1e-10)[:, 0]
         array([1.        , 0.65970..., 0.1505...])
         """
         return self._ode_solver
@@ -666,8 +666,8 @@ class System:
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> rhs = sys.generate_ode_function(generator='lambdify')
+        >>> system = multi_mass_spring_damper()
+        >>> rhs = system.generate_ode_function(generator='lambdify')
         >>> rhs([1.0, 0.0], 0.0, [0.1, 2.0, 1.0])
         array([ 0., -2.])
         """
@@ -913,8 +913,8 @@ class System:
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> sys.evaluate_ode([1.0, 0.0])
+        >>> system = multi_mass_spring_damper()
+        >>> system.evaluate_ode([1.0, 0.0])
         array([ 0., -1.])
         """
         return self._evaluate("rates", x, t, r, p)
@@ -934,10 +934,10 @@ class System:
         --------
         >>> import sympy as sm
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> x0, v0 = sys.states
-        >>> sys.outputs = {sm.Symbol('speed'): v0, sm.Symbol('twice'): 2*x0}
-        >>> sys.evaluate_outputs([1.0, 3.0])
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> system.outputs = {sm.Symbol('speed'): v0, sm.Symbol('twice'): 2*x0}
+        >>> system.evaluate_outputs([1.0, 3.0])
         array([3., 2.])
         """
         return self._evaluate("outputs", x, t, r, p)
@@ -966,10 +966,10 @@ class System:
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> sys.evaluate_energy([1.0, 3.0])
+        >>> system = multi_mass_spring_damper()
+        >>> system.evaluate_energy([1.0, 3.0])
         Energy(kinetic=4.5, potential=0.5, total=5.0)
-        >>> sys.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
+        >>> system.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
         array([5., 2.])
         """
         names = row_names(self._definition, "energy")
@@ -1081,11 +1081,11 @@ class System:
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> sys.evaluate_jacobian()
+        >>> system = multi_mass_spring_damper()
+        >>> system.evaluate_jacobian()
         array([[ 0.,  1.],
                [-1., -1.]])
-        >>> sys.evaluate_jacobian({'x0': 2.0}, wrt=['k0', 'v0'])
+        >>> system.evaluate_jacobian({'x0': 2.0}, wrt=['k0', 'v0'])
         array([[ 0.,  1.],
                [-2., -1.]])
         """
@@ -1573,11 +1573,11 @@ class System:
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> x0, v0 = sys.states
-        >>> sys.initial_conditions = {x0: 1.0}
-        >>> sys.times = [0.0, 0.5, 1.0]
-        >>> trajectory = sys.simulate(rtol=1e-10, atol=1e-10)
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> system.initial_conditions = {x0: 1.0}
+        >>> system.times = [0.0, 0.5, 1.0]
+        >>> trajectory = system.simulate(rtol=1e-10, atol=1e-10)
         >>> trajectory[x0].round(6)
         array([1.      , 0.895595, 0.6597  ])
         """
@@ -1720,9 +1720,9 @@ class System:
         --------
         >>> import numpy as np
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> x0, v0 = sys.states
-        >>> results = sys.integrate_ensemble(
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> results = system.integrate_ensemble(
         ...     initial_conditions={x0: [1.0, 2.0, 3.0]}, times=np.linspace(0.0, 1.0, num=11)
         ... )
         >>> dict(results.sizes)
@@ -1882,10 +1882,10 @@ class System:
         --------
         >>> import numpy as np
         >>> from pydy.models import n_link_pendulum_on_cart
-        >>> sys = n_link_pendulum_on_cart(2)
-        >>> sys.initial_conditions = {sys.coordinates[1]: 0.5}
-        >>> sys.times = np.linspace(0.0, 1.0, num=61)
-        >>> scene = sys.scene().animate(sys.simulate())
+        >>> system = n_link_pendulum_on_cart(2)
+        >>> system.initial_conditions = {system.coordinates[1]: 0.5}
+        >>> system.times = np.linspace(0.0, 1.0, num=61)
+        >>> scene = system.scene().animate(system.simulate())
         >>> scene.poses.shape
         (61, 6, 4, 4)
 

@@ -131,10 +131,10 @@ class Trajectory:
     --------
     >>> import numpy as np
     >>> from pydy.models import multi_mass_spring_damper
-    >>> sys = multi_mass_spring_damper()
-    >>> sys.initial_conditions = {sys.coordinates[0]: 1.0}
-    >>> sys.times = np.linspace(0.0, 1.0, num=11)
-    >>> trajectory = sys.simulate()
+    >>> system = multi_mass_spring_damper()
+    >>> system.initial_conditions = {system.coordinates[0]: 1.0}
+    >>> system.times = np.linspace(0.0, 1.0, num=11)
+    >>> trajectory = system.simulate()
     >>> trajectory
     Trajectory of x0, v0 at 11 times from 0.0 to 1.0
     >>> trajectory['x0'][::5].round(4)
@@ -411,10 +411,10 @@ class Trajectory:
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
-        >>> sys = multi_mass_spring_damper()
-        >>> sys.initial_conditions = {sys.coordinates[0]: 1.0}
-        >>> sys.times = [0.0, 0.1, 0.2]
-        >>> sys.simulate().at([0.05, 0.15])['x0'].round(6)
+        >>> system = multi_mass_spring_damper()
+        >>> system.initial_conditions = {system.coordinates[0]: 1.0}
+        >>> system.times = [0.0, 0.1, 0.2]
+        >>> system.simulate().at([0.05, 0.15])['x0'].round(6)
         array([0.998771, 0.989312])
         """
         times = np.atleast_1d(real_array(times, "`times`"))
