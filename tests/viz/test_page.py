@@ -3,7 +3,8 @@
 import html
 import json
 import re
-from base64 import b64decode
+from base64 import b64decode, b64encode
+from hashlib import sha256
 from importlib.resources import files
 
 import numpy as np
@@ -43,6 +44,17 @@ def test_the_page_is_one_file_that_asks_for_nothing(tmp_path):
     own = text.replace((files("pydy.viz") / "assets/three.min.js").read_text(encoding="utf-8"), "")
     assert not re.search(r"\b(src|href)=(?![\"']data:)", own)
     assert not re.search(r"fetch\(|XMLHttpRequest|import\(|url\(", own)
+
+
+def test_a_browser_runs_the_pages_own_scripts_only():
+    text = scene(Visual(Sphere(1), P), title="{{POLICY}}").html()
+    policy = re.search(r'Security-Policy" content="([^"]*)"', text)[1]
+    assert "unsafe" not in policy
+    for kind in ("script", "style"):
+        allowed = re.search(rf"{kind}-src ([^;]*)", policy)[1].split()
+        own = re.findall(rf"<{kind}>(.*?)</{kind}>", text, re.DOTALL)
+        hashes = [b64encode(sha256(part.encode()).digest()).decode() for part in own]
+        assert allowed == [f"'sha256-{value}'" for value in hashes]
 
 
 def test_the_licence_of_three_comes_along():

@@ -11,6 +11,7 @@ import json
 import re
 from base64 import b64encode
 from functools import cache
+from hashlib import sha256
 from html import escape
 from importlib.resources import files
 from typing import Any
@@ -51,7 +52,28 @@ def page(animation: Animation, look: Look, speed: float, theme: str) -> str:
         "APP": "\n".join(_resource(name) for name in SCRIPTS),
     }
     # In one pass: what is put in may itself look like a place to put something.
-    return re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts[m[1]], _resource("page.html"))
+    html = re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts.get(m[1], m[0]), _resource("page.html"))
+    # The page's own head comes before anything of the user's but the title, which is escaped.
+    return html.replace("{{POLICY}}", _policy(html), 1)
+
+
+def _policy(html: str) -> str:
+    """Return which scripts and styles a browser may use: those of this page as they are now."""
+    own = {
+        kind: " ".join(f"'sha256-{_hash(text)}'" for text in re.findall(pattern, html, re.S))
+        for kind, pattern in (
+            ("script", r"<script>(.*?)</script>"),
+            ("style", r"<style>(.*?)</style>"),
+        )
+    }
+    return (
+        f"default-src 'none'; script-src {own['script']}; style-src {own['style']}; "
+        "img-src data: blob:; media-src blob:; base-uri 'none'; form-action 'none'"
+    )
+
+
+def _hash(text: str) -> str:
+    return b64encode(sha256(text.encode()).digest()).decode("ascii")
 
 
 @cache
