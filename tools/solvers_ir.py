@@ -32,6 +32,7 @@ ENTRIES = {
     "step_lanes": "lanes.stepper",
     "evaluate_lanes": "lanes.kernels",
     "project": "loop.projection",
+    "project_columns": "loop.projection",
     "scan_events": "loop.event_detection",
 }
 # What entries may call: of libm, where LLVM does not write it in line; nothing of Python or numba.

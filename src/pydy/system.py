@@ -1548,7 +1548,9 @@ class System:
         sensitivities : iterable of symbols or names, optional
             Parameters by which the states are differentiated along the motion: constants; states,
             for their initial conditions; specifieds that are numbers or samples. The derivatives
-            are integrated beside the states and are the trajectory's `sensitivity`.
+            are integrated beside the states, through events and constraints, and are the
+            trajectory's `sensitivity`. Dependent initial conditions, as
+            `set_dependent_initial_conditions` solved for them last, follow the others.
         control_sensitivities : bool, optional
             Whether the step control of a native solver looks at them too, and not at the states
             alone.

@@ -8,6 +8,8 @@ import sympy.physics.mechanics as me
 from scipy.integrate import odeint
 from scipy.linalg import expm
 
+import zoo
+from cases import system_of
 from pydy import System
 from pydy.errors import IntegrationError
 from pydy.inputs import SampledInput
@@ -411,3 +413,77 @@ def test_events_with_sensitivities_are_saved(tmp_path):
     loaded = type(trajectory).load(tmp_path / "ball.nc").events[0]
     assert np.array_equal(loaded.time_sensitivity, trajectory.events[0].time_sensitivity)
     assert loaded.sensitivity_after.shape == (2, 2)
+
+
+# -- constraints ----------------------------------------------------------------------------------
+
+
+FOURBAR = ["la", "ln", "m1", "q1", "u1"]
+HELD = [{}, {"constraints": "project"}, {"constraints": "baumgarte", "gain": 5.0}]
+
+
+def linkage(solver="vern9", dep_vars=None, **changes):
+    """A four-bar linkage with changed numbers, assembled anew."""
+    model = zoo.fourbar()
+    system = system_of(model, times=np.linspace(0.0, 2.0, 5), ode_solver=solver)
+    constants, start = (
+        {key.name: value + changes.get(key.name, 0.0) for key, value in numbers.items()}
+        for numbers in (model.constants, model.start)
+    )
+    system.constants, system.initial_conditions = constants, start
+    system.set_dependent_initial_conditions(dep_vars, use_jac=True, tol=1e-15)
+    return system
+
+
+def derivative(function, size):
+    """Return the central difference of sixth order at zero."""
+    values = [function(k * size) - function(-k * size) for k in (1, 2, 3)]
+    return (45.0 * values[0] - 9.0 * values[1] + values[2]) / (60.0 * size)
+
+
+@pytest.mark.parametrize("held", HELD, ids=["free", "project", "baumgarte"])
+def test_dependent_initial_conditions_and_constraints_are_differentiated(held):
+    found = linkage().simulate(sensitivities=FOURBAR, **held, **TIGHT).sensitivity
+    for name in FOURBAR:
+        expected = derivative(
+            lambda h, name=name: linkage(**{name: h}).simulate(**held, **TIGHT).states, 2e-3
+        )
+        assert relative(np.array([found[s, name] for s in found.quantities[:6]]).T, expected) < 1e-9
+
+
+def off_the_constraints(system, trajectory, names):
+    """The largest residual of the linear constraints that sensitivities satisfy."""
+    largest = 0.0
+    for of in ("holonomic", "velocity"):
+        by_state = system.evaluate_jacobian(trajectory.states, trajectory.times, of=of)
+        columns = [k for k, s in enumerate(system.constants_symbols) if s.name in names]
+        by_constant = system.evaluate_jacobian(
+            trajectory.states, trajectory.times, of=of, wrt="constants"
+        )[:, :, columns]
+        residual = by_state @ trajectory.sensitivity.values + by_constant
+        largest = max(largest, np.abs(residual).max(initial=0.0))
+    return largest
+
+
+@pytest.mark.parametrize("solver", ["dop853", "tsit5"])
+def test_projection_holds_the_constraints_of_sensitivities(solver):
+    system = linkage(solver)
+    loose, names = {"rtol": 1e-5, "atol": 1e-5}, ["la", "lb", "m1"]
+    free = system.simulate(sensitivities=names, **loose)
+    held = system.simulate(sensitivities=names, constraints="project", **loose)
+    assert off_the_constraints(system, free, names) > 1e-8
+    assert off_the_constraints(system, held, names) < 1e-12
+
+
+def test_the_norm_of_a_quaternion_is_held_in_sensitivities():
+    system = system_of(zoo.gyro(), times=np.linspace(0.0, 2.0, 5), ode_solver="dop853")
+    names = [str(next(iter(system.constants_symbols)))]
+    held = system.simulate(sensitivities=names, constraints="project", rtol=1e-5, atol=1e-5)
+    assert off_the_constraints(system, held, names) < 1e-12
+
+
+def test_a_dependent_initial_condition_is_no_parameter():
+    with pytest.raises(ValueError, match=r"initial condition of `q2.t.`, which follows from"):
+        linkage().simulate(sensitivities=["q2"])
+    chosen = linkage(dep_vars=["q1", "q3", "u1", "u3"])
+    assert chosen.simulate(sensitivities=["q2"]).sensitivity["q1", "q2"][0] != 0.0

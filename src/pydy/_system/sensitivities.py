@@ -163,20 +163,23 @@ class Sensitive:
 
     # -- compiled ---------------------------------------------------------------------------------
 
-    def kernel(self, block: str = "rates") -> Kernel:
-        """Return the Kernel of the rates and their sensitivities, or of a block's derivatives."""
+    def kernel(self, *blocks: str) -> Kernel:
+        """Return the Kernel of the derivatives of blocks by the parameters.
+
+        By default it is that of the derivatives of the states and of their sensitivities by time.
+        """
         columns, assembly = self.columns, self.model.assembly
 
-        def make() -> Any:
+        def make() -> Program:
             graph = assembly.graph.copy()
-            nodes = getattr(assembly, block)
-            if block == "rates":
-                return columns.rates_program(graph, nodes, assembly.sizes, assembly.passes)
-            return columns.program(graph, [(block, nodes)], assembly.sizes, assembly.passes)
+            if not blocks:
+                return columns.rates_program(graph, assembly.rates, assembly.sizes, assembly.passes)
+            nodes = [(name, getattr(assembly, name)) for name in blocks]
+            return columns.program(graph, nodes, assembly.sizes, assembly.passes)
 
-        key = ("sensitivities", block, columns)
+        what = f"sensitivities of {', '.join(blocks)} {columns}"
         return self.model.compiled_by(
-            key, lambda: stored_program(assembly, f"sensitivities of {block} {columns}", make)
+            ("sensitivities", blocks, columns), lambda: stored_program(assembly, what, make)
         )
 
     def call(self) -> KernelCall:
@@ -224,7 +227,13 @@ class Sensitive:
     def compiled(self, scales: np.ndarray | None, events: Sequence[Event]) -> CompiledSensitivities:
         """Return what native solvers need to know beside the equations."""
         n, k = self.columns.states, self.columns.count
-        return CompiledSensitivities(n, k, scales, lambda event: self._jump(events[event]))
+        return CompiledSensitivities(
+            n,
+            k,
+            scales,
+            lambda event: self._jump(events[event]),
+            lambda: self.kernel("holonomic", "velocity"),
+        )
 
     def _jump(self, event: Event) -> Kernel:
         """Return the Kernel of what an event does to sensitivities."""
@@ -326,8 +335,8 @@ class Sensitive:
         )
         solved, *_ = np.linalg.lstsq(gradient[:, dependent], -moved, rcond=_DEPENDENT)
         values[dependent] += solved
-        size = np.abs(gradient) @ np.abs(values) + np.abs(moved)
-        if (np.abs(gradient[:, dependent] @ solved + moved) > 1e-6 * size + 1e-300).any():
+        size = (np.abs(gradient) @ np.abs(values) + np.abs(moved)).max(axis=0)
+        if (np.abs(gradient[:, dependent] @ solved + moved) > 1e-6 * size).any():
             names = describe([self.definition.states[d] for d in dependent]) if dependent else ""
             which = f"for {names}" if names else "for any: none is named as dependent"
             raise ValueError(

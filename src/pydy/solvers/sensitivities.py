@@ -60,12 +60,16 @@ class CompiledSensitivities:
         states alone, and the steps are those of an integration without sensitivities.
     events : callable
         Returns the Kernel of `pydy._graph.columns.Columns.jump_program` for an event.
+    constraints : callable
+        Returns the Kernel of the derivatives of the holonomic, then of the velocity residuals,
+        shapes (h, k) and (v, k).
     """
 
     states: int
     columns: int
     scales: np.ndarray | None
     events: Callable[[int], Kernel]
+    constraints: Callable[[], Kernel]
 
     def tolerances(self, rtol: np.ndarray, atol: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the tolerances (n (1 + k),) of states and sensitivities from those of states.

@@ -1,4 +1,4 @@
-; sources afffa57abe10302fea56d086805cef8d24c18c8adb99c6a98b33ca7c8d467ccb
+; sources d853f7bc8100ced85b5e636d97c8d5f7801c7aa9cb2a29ef9e9421b565871161
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

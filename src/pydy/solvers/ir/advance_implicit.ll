@@ -1,4 +1,4 @@
-; sources 5d44cf00add8e4b4cb2a789041aede418f5ed10c06ee1118a83cb5536ff226f9
+; sources 69ecda69120619d844e86530fe62eab32d0c28b28a2303cba97596d2565455d6
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8

@@ -1,4 +1,4 @@
-; sources b77308f7fd90a432a75b5aee4c6b69db7b6ff3e5ef592b9dc2647da1e008757e
+; sources 55fa019d1d4aecde1f5689ccd04c4714eee39bf3c90d40d0d1f56e44fd865e42
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, i64 %7, ptr %8, i64 %9, i64 %10, ptr %11, i64 %12, ptr %13, i64 %14, i64 %15) unnamed_addr #0 {

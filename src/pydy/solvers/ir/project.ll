@@ -1,4 +1,4 @@
-; sources a92f97a6bbf25888040c0c6994b770a25ca7fb192ffe2c866bc67be38010b58a
+; sources 826b25bd360c56393a0c437320bfeb2cd3f27f3a984b2c4def631d1020bcbb56
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0
@@ -972,46 +972,46 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
 
 154:                                              ; preds = %148, %148, %3, %153
   %155 = phi i32 [ %152, %153 ], [ 0, %3 ], [ 0, %148 ], [ 0, %148 ]
-  switch i32 %155, label %441 [
-    i32 -2, label %435
-    i32 0, label %435
+  switch i32 %155, label %416 [
+    i32 -2, label %410
+    i32 0, label %410
   ], !prof !13
 
-156:                                              ; preds = %160, %435
-  %157 = phi i64 [ 0, %435 ], [ %444, %160 ]
-  %158 = phi i64 [ %440, %435 ], [ %443, %160 ]
+156:                                              ; preds = %160, %410
+  %157 = phi i64 [ 0, %410 ], [ %419, %160 ]
+  %158 = phi i64 [ %415, %410 ], [ %418, %160 ]
   %159 = icmp sgt i64 %158, 0
-  br i1 %159, label %442, label %164
+  br i1 %159, label %417, label %164
 
-160:                                              ; preds = %442, %445
-  %161 = phi i64 [ 0, %442 ], [ %447, %445 ]
-  %162 = phi i64 [ %440, %442 ], [ %446, %445 ]
+160:                                              ; preds = %417, %420
+  %161 = phi i64 [ 0, %417 ], [ %422, %420 ]
+  %162 = phi i64 [ %415, %417 ], [ %421, %420 ]
   %163 = icmp sgt i64 %162, 0
-  br i1 %163, label %445, label %156
+  br i1 %163, label %420, label %156
 
-164:                                              ; preds = %156, %319
-  %165 = phi i64 [ %461, %319 ], [ 0, %156 ]
-  %166 = phi i64 [ %460, %319 ], [ 10, %156 ]
-  %167 = phi double [ %175, %319 ], [ 0x7FF0000000000000, %156 ]
+164:                                              ; preds = %156, %294
+  %165 = phi i64 [ %436, %294 ], [ 0, %156 ]
+  %166 = phi i64 [ %435, %294 ], [ 10, %156 ]
+  %167 = phi double [ %175, %294 ], [ 0x7FF0000000000000, %156 ]
   %168 = icmp sgt i64 %166, 0
-  br i1 %168, label %459, label %320
+  br i1 %168, label %434, label %295
 
-169:                                              ; preds = %459
-  br label %731
+169:                                              ; preds = %434
+  br label %733
 
-170:                                              ; preds = %459
+170:                                              ; preds = %434
   %171 = call i64 @llvm.smax.i64(i64 %127, i64 0)
   br label %172
 
 172:                                              ; preds = %189, %170
-  %173 = phi i64 [ 0, %170 ], [ %470, %189 ]
-  %174 = phi i64 [ %171, %170 ], [ %469, %189 ]
+  %173 = phi i64 [ 0, %170 ], [ %445, %189 ]
+  %174 = phi i64 [ %171, %170 ], [ %444, %189 ]
   %175 = phi double [ 0.000000e+00, %170 ], [ %190, %189 ]
   %176 = icmp sgt i64 %174, 0
-  br i1 %176, label %468, label %193
+  br i1 %176, label %443, label %193
 
-177:                                              ; preds = %468
-  %178 = call double @llvm.fabs.f64(double %475)
+177:                                              ; preds = %443
+  %178 = call double @llvm.fabs.f64(double %450)
   %179 = add nsw i64 %145, %173
   %180 = icmp slt i64 %179, 0
   %181 = select i1 %180, i64 %52, i64 0
@@ -1024,30 +1024,30 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %188 = select i1 %187, double %186, double %175
   br label %189
 
-189:                                              ; preds = %177, %468
-  %190 = phi double [ %175, %468 ], [ %188, %177 ]
-  %191 = fcmp uno double %475, 0.000000e+00
+189:                                              ; preds = %177, %443
+  %190 = phi double [ %175, %443 ], [ %188, %177 ]
+  %191 = fcmp uno double %450, 0.000000e+00
   br i1 %191, label %192, label %172
 
 192:                                              ; preds = %189
-  br label %731
+  br label %733
 
 193:                                              ; preds = %172
   %194 = fcmp ugt double %175, 1.000000e+00
-  br i1 %194, label %195, label %320
+  br i1 %194, label %195, label %295
 
 195:                                              ; preds = %193
   %196 = fmul double %167, 5.000000e-01
   %197 = fcmp oge double %175, %196
   %198 = fcmp ole double %175, 8.000000e+00
   %199 = and i1 %197, %198
-  br i1 %199, label %320, label %200
+  br i1 %199, label %295, label %200
 
 200:                                              ; preds = %195
-  br i1 %462, label %201, label %202
+  br i1 %437, label %201, label %202
 
 201:                                              ; preds = %200
-  br label %731
+  br label %733
 
 202:                                              ; preds = %200
   %203 = load i64, ptr %141, align 8, !noalias !5
@@ -1062,7 +1062,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %208 = phi i64 [ 0, %205 ], [ %217, %211 ]
   %209 = phi i64 [ %206, %205 ], [ %216, %211 ]
   %210 = icmp sgt i64 %209, 0
-  br i1 %210, label %215, label %477
+  br i1 %210, label %215, label %452
 
 211:                                              ; preds = %219, %215
   %212 = phi i64 [ 0, %215 ], [ %221, %219 ]
@@ -1099,7 +1099,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   store double %229, ptr %238, align 8, !noalias !14
   br label %211
 
-239:                                              ; preds = %477, %477, %202
+239:                                              ; preds = %452, %452, %202
   %240 = call i64 @llvm.smax.i64(i64 %71, i64 0)
   br label %241
 
@@ -1107,7 +1107,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %242 = phi i64 [ 0, %239 ], [ %251, %245 ]
   %243 = phi i64 [ %240, %239 ], [ %250, %245 ]
   %244 = icmp sgt i64 %243, 0
-  br i1 %244, label %249, label %480
+  br i1 %244, label %249, label %455
 
 245:                                              ; preds = %253, %249
   %246 = phi i64 [ 0, %249 ], [ %255, %253 ]
@@ -1144,700 +1144,704 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   store double %263, ptr %272, align 8, !noalias !17
   br label %245
 
-273:                                              ; preds = %482, %277
-  %274 = phi i64 [ %516, %277 ], [ 0, %482 ]
-  %275 = phi i64 [ %515, %277 ], [ %171, %482 ]
+273:                                              ; preds = %277, %581
+  %274 = phi i64 [ 0, %581 ], [ %586, %277 ]
+  %275 = phi i64 [ %582, %581 ], [ %585, %277 ]
   %276 = icmp sgt i64 %275, 0
-  br i1 %276, label %514, label %296
+  br i1 %276, label %584, label %281
 
-277:                                              ; preds = %514, %295
-  %278 = phi i64 [ 0, %514 ], [ %519, %295 ]
-  %279 = phi i64 [ %440, %514 ], [ %518, %295 ]
+277:                                              ; preds = %584, %587
+  %278 = phi i64 [ 0, %584 ], [ %589, %587 ]
+  %279 = phi i64 [ %415, %584 ], [ %588, %587 ]
   %280 = icmp sgt i64 %279, 0
-  br i1 %280, label %517, label %273
+  br i1 %280, label %587, label %273
 
-281:                                              ; preds = %517, %530
-  %282 = phi i64 [ 0, %517 ], [ %532, %530 ]
-  %283 = phi i64 [ %529, %517 ], [ %531, %530 ]
-  %284 = phi double [ 0.000000e+00, %517 ], [ %554, %530 ]
+281:                                              ; preds = %273, %610
+  %282 = phi i64 [ %619, %610 ], [ 0, %273 ]
+  %283 = phi i64 [ %620, %610 ], [ %171, %273 ]
+  %284 = phi double [ %618, %610 ], [ 0.000000e+00, %273 ]
   %285 = icmp sgt i64 %283, 0
-  br i1 %285, label %530, label %286
+  br i1 %285, label %610, label %286
 
 286:                                              ; preds = %281
-  %287 = load double, ptr %528, align 8, !noalias !5
-  %288 = call double @llvm.fabs.f64(double %287)
-  %289 = sitofp i64 %131 to double
-  %290 = fmul double %289, 4.000000e+00
-  %291 = fmul double %290, 0x3CB0000000000000
-  %292 = fmul double %291, %284
-  %293 = fcmp ugt double %288, %292
-  br i1 %293, label %295, label %294
+  %287 = fcmp ogt double %284, 0.000000e+00
+  br i1 %287, label %288, label %294
 
-294:                                              ; preds = %286
-  store double 0.000000e+00, ptr %528, align 8, !noalias !5
-  br label %295
-
-295:                                              ; preds = %294, %286
-  br label %277
-
-296:                                              ; preds = %273
-  store ptr null, ptr %7, align 8, !noalias !5
-  %297 = call fastcc i32 @_divide_rows(ptr nonnull %7, ptr %88, i64 %85, i64 %87, ptr %67, i64 %64, i64 %66) #3
-  switch i32 %297, label %573 [
-    i32 -2, label %555
-    i32 0, label %555
-  ], !prof !13
-
-298:                                              ; preds = %302, %579
-  %299 = phi i64 [ 0, %579 ], [ %584, %302 ]
-  %300 = phi i64 [ %580, %579 ], [ %583, %302 ]
-  %301 = icmp sgt i64 %300, 0
-  br i1 %301, label %582, label %306
-
-302:                                              ; preds = %582, %585
-  %303 = phi i64 [ 0, %582 ], [ %587, %585 ]
-  %304 = phi i64 [ %440, %582 ], [ %586, %585 ]
-  %305 = icmp sgt i64 %304, 0
-  br i1 %305, label %585, label %298
-
-306:                                              ; preds = %298, %608
-  %307 = phi i64 [ %617, %608 ], [ 0, %298 ]
-  %308 = phi i64 [ %618, %608 ], [ %171, %298 ]
-  %309 = phi double [ %616, %608 ], [ 0.000000e+00, %298 ]
-  %310 = icmp sgt i64 %308, 0
-  br i1 %310, label %608, label %311
-
-311:                                              ; preds = %306
-  %312 = fcmp ogt double %309, 0.000000e+00
-  br i1 %312, label %313, label %319
-
-313:                                              ; preds = %311
+288:                                              ; preds = %286
   store ptr null, ptr %10, align 8, !noalias !5
-  %314 = call fastcc i32 @_minimum_norm(ptr nonnull %10, ptr %81, i64 %78, i64 %80, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
-  switch i32 %314, label %620 [
-    i32 -2, label %619
-    i32 0, label %619
+  %289 = call fastcc i32 @_minimum_norm(ptr nonnull %10, ptr %81, i64 %78, i64 %80, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
+  switch i32 %289, label %622 [
+    i32 -2, label %621
+    i32 0, label %621
   ], !prof !13
 
-315:                                              ; preds = %619, %621
-  %316 = phi i64 [ 0, %619 ], [ %623, %621 ]
-  %317 = phi i64 [ %580, %619 ], [ %622, %621 ]
-  %318 = icmp sgt i64 %317, 0
-  br i1 %318, label %621, label %319
+290:                                              ; preds = %621, %623
+  %291 = phi i64 [ 0, %621 ], [ %625, %623 ]
+  %292 = phi i64 [ %582, %621 ], [ %624, %623 ]
+  %293 = icmp sgt i64 %292, 0
+  br i1 %293, label %623, label %294
 
-319:                                              ; preds = %315, %311
+294:                                              ; preds = %290, %286
   br label %164
 
-320:                                              ; preds = %164, %193, %195
-  %321 = icmp sgt i64 %129, 0
-  br i1 %321, label %322, label %434
+295:                                              ; preds = %164, %193, %195
+  %296 = icmp sgt i64 %129, 0
+  br i1 %296, label %297, label %409
 
-322:                                              ; preds = %320
-  %323 = load i64, ptr %141, align 8, !noalias !5
-  %324 = icmp eq i64 %323, 1
-  br i1 %324, label %325, label %359
+297:                                              ; preds = %295
+  %298 = load i64, ptr %141, align 8, !noalias !5
+  %299 = icmp eq i64 %298, 1
+  br i1 %299, label %300, label %334
 
-325:                                              ; preds = %322
-  %326 = call i64 @llvm.smax.i64(i64 %64, i64 0)
-  br label %327
+300:                                              ; preds = %297
+  %301 = call i64 @llvm.smax.i64(i64 %64, i64 0)
+  br label %302
 
-327:                                              ; preds = %331, %325
-  %328 = phi i64 [ 0, %325 ], [ %337, %331 ]
-  %329 = phi i64 [ %326, %325 ], [ %336, %331 ]
-  %330 = icmp sgt i64 %329, 0
-  br i1 %330, label %335, label %634
+302:                                              ; preds = %306, %300
+  %303 = phi i64 [ 0, %300 ], [ %312, %306 ]
+  %304 = phi i64 [ %301, %300 ], [ %311, %306 ]
+  %305 = icmp sgt i64 %304, 0
+  br i1 %305, label %310, label %636
 
-331:                                              ; preds = %339, %335
-  %332 = phi i64 [ 0, %335 ], [ %341, %339 ]
-  %333 = phi i64 [ %338, %335 ], [ %340, %339 ]
-  %334 = icmp sgt i64 %333, 0
-  br i1 %334, label %339, label %327
+306:                                              ; preds = %314, %310
+  %307 = phi i64 [ 0, %310 ], [ %316, %314 ]
+  %308 = phi i64 [ %313, %310 ], [ %315, %314 ]
+  %309 = icmp sgt i64 %308, 0
+  br i1 %309, label %314, label %302
 
-335:                                              ; preds = %327
-  %336 = add nsw i64 %329, -1
-  %337 = add i64 %328, 1
-  %338 = call i64 @llvm.smax.i64(i64 %66, i64 0)
-  br label %331
+310:                                              ; preds = %302
+  %311 = add nsw i64 %304, -1
+  %312 = add i64 %303, 1
+  %313 = call i64 @llvm.smax.i64(i64 %66, i64 0)
+  br label %306
 
-339:                                              ; preds = %331
-  %340 = add nsw i64 %333, -1
-  %341 = add i64 %332, 1
-  %342 = mul nsw i64 %328, %66
-  %343 = add nsw i64 %140, %342
-  %344 = add nsw i64 %343, %332
-  %345 = icmp slt i64 %344, 0
-  %346 = select i1 %345, i64 %52, i64 0
-  %347 = getelementptr double, ptr %53, i64 %344
-  %348 = getelementptr double, ptr %347, i64 %346
-  %349 = load double, ptr %348, align 8, !noalias !20
-  %350 = icmp slt i64 %328, 0
-  %351 = select i1 %350, i64 %64, i64 0
-  %352 = add i64 %328, %351
-  %353 = icmp slt i64 %332, 0
-  %354 = select i1 %353, i64 %66, i64 0
-  %355 = mul i64 %352, %66
-  %356 = getelementptr double, ptr %67, i64 %355
-  %357 = getelementptr double, ptr %356, i64 %332
-  %358 = getelementptr double, ptr %357, i64 %354
-  store double %349, ptr %358, align 8, !noalias !20
-  br label %331
+314:                                              ; preds = %306
+  %315 = add nsw i64 %308, -1
+  %316 = add i64 %307, 1
+  %317 = mul nsw i64 %303, %66
+  %318 = add nsw i64 %140, %317
+  %319 = add nsw i64 %318, %307
+  %320 = icmp slt i64 %319, 0
+  %321 = select i1 %320, i64 %52, i64 0
+  %322 = getelementptr double, ptr %53, i64 %319
+  %323 = getelementptr double, ptr %322, i64 %321
+  %324 = load double, ptr %323, align 8, !noalias !20
+  %325 = icmp slt i64 %303, 0
+  %326 = select i1 %325, i64 %64, i64 0
+  %327 = add i64 %303, %326
+  %328 = icmp slt i64 %307, 0
+  %329 = select i1 %328, i64 %66, i64 0
+  %330 = mul i64 %327, %66
+  %331 = getelementptr double, ptr %67, i64 %330
+  %332 = getelementptr double, ptr %331, i64 %307
+  %333 = getelementptr double, ptr %332, i64 %329
+  store double %324, ptr %333, align 8, !noalias !20
+  br label %306
 
-359:                                              ; preds = %634, %634, %322
-  %360 = call i64 @llvm.smax.i64(i64 %92, i64 0)
-  br label %361
+334:                                              ; preds = %636, %636, %297
+  %335 = call i64 @llvm.smax.i64(i64 %92, i64 0)
+  br label %336
 
-361:                                              ; preds = %365, %359
-  %362 = phi i64 [ 0, %359 ], [ %371, %365 ]
-  %363 = phi i64 [ %360, %359 ], [ %370, %365 ]
-  %364 = icmp sgt i64 %363, 0
-  br i1 %364, label %369, label %637
+336:                                              ; preds = %340, %334
+  %337 = phi i64 [ 0, %334 ], [ %346, %340 ]
+  %338 = phi i64 [ %335, %334 ], [ %345, %340 ]
+  %339 = icmp sgt i64 %338, 0
+  br i1 %339, label %344, label %639
 
-365:                                              ; preds = %373, %369
-  %366 = phi i64 [ 0, %369 ], [ %375, %373 ]
-  %367 = phi i64 [ %372, %369 ], [ %374, %373 ]
-  %368 = icmp sgt i64 %367, 0
-  br i1 %368, label %373, label %361
+340:                                              ; preds = %348, %344
+  %341 = phi i64 [ 0, %344 ], [ %350, %348 ]
+  %342 = phi i64 [ %347, %344 ], [ %349, %348 ]
+  %343 = icmp sgt i64 %342, 0
+  br i1 %343, label %348, label %336
 
-369:                                              ; preds = %361
-  %370 = add nsw i64 %363, -1
-  %371 = add i64 %362, 1
-  %372 = call i64 @llvm.smax.i64(i64 %94, i64 0)
-  br label %365
+344:                                              ; preds = %336
+  %345 = add nsw i64 %338, -1
+  %346 = add i64 %337, 1
+  %347 = call i64 @llvm.smax.i64(i64 %94, i64 0)
+  br label %340
 
-373:                                              ; preds = %365
-  %374 = add nsw i64 %367, -1
-  %375 = add i64 %366, 1
-  %376 = mul nsw i64 %362, %94
-  %377 = add nsw i64 %138, %376
-  %378 = add nsw i64 %377, %366
-  %379 = icmp slt i64 %378, 0
-  %380 = select i1 %379, i64 %52, i64 0
-  %381 = getelementptr double, ptr %53, i64 %378
-  %382 = getelementptr double, ptr %381, i64 %380
-  %383 = load double, ptr %382, align 8, !noalias !23
-  %384 = icmp slt i64 %362, 0
-  %385 = select i1 %384, i64 %92, i64 0
-  %386 = add i64 %362, %385
-  %387 = icmp slt i64 %366, 0
-  %388 = select i1 %387, i64 %94, i64 0
-  %389 = mul i64 %386, %94
-  %390 = getelementptr double, ptr %95, i64 %389
-  %391 = getelementptr double, ptr %390, i64 %366
-  %392 = getelementptr double, ptr %391, i64 %388
-  store double %383, ptr %392, align 8, !noalias !23
-  br label %365
+348:                                              ; preds = %340
+  %349 = add nsw i64 %342, -1
+  %350 = add i64 %341, 1
+  %351 = mul nsw i64 %337, %94
+  %352 = add nsw i64 %138, %351
+  %353 = add nsw i64 %352, %341
+  %354 = icmp slt i64 %353, 0
+  %355 = select i1 %354, i64 %52, i64 0
+  %356 = getelementptr double, ptr %53, i64 %353
+  %357 = getelementptr double, ptr %356, i64 %355
+  %358 = load double, ptr %357, align 8, !noalias !23
+  %359 = icmp slt i64 %337, 0
+  %360 = select i1 %359, i64 %92, i64 0
+  %361 = add i64 %337, %360
+  %362 = icmp slt i64 %341, 0
+  %363 = select i1 %362, i64 %94, i64 0
+  %364 = mul i64 %361, %94
+  %365 = getelementptr double, ptr %95, i64 %364
+  %366 = getelementptr double, ptr %365, i64 %341
+  %367 = getelementptr double, ptr %366, i64 %363
+  store double %358, ptr %367, align 8, !noalias !23
+  br label %340
 
-393:                                              ; preds = %664, %666
-  %394 = phi i64 [ 0, %664 ], [ %668, %666 ]
-  %395 = phi i64 [ %440, %664 ], [ %667, %666 ]
-  %396 = icmp sgt i64 %395, 0
-  br i1 %396, label %666, label %681
+368:                                              ; preds = %666, %668
+  %369 = phi i64 [ 0, %666 ], [ %670, %668 ]
+  %370 = phi i64 [ %415, %666 ], [ %669, %668 ]
+  %371 = icmp sgt i64 %370, 0
+  br i1 %371, label %668, label %683
 
-397:                                              ; preds = %691, %408
-  %398 = phi i64 [ 0, %691 ], [ %699, %408 ]
-  %399 = phi i64 [ %129, %691 ], [ %698, %408 ]
-  %400 = phi i64 [ 0, %691 ], [ %409, %408 ]
-  %401 = phi double [ 1.000000e+00, %691 ], [ %410, %408 ]
-  %402 = icmp sgt i64 %399, 0
-  br i1 %402, label %697, label %411
+372:                                              ; preds = %693, %383
+  %373 = phi i64 [ 0, %693 ], [ %701, %383 ]
+  %374 = phi i64 [ %129, %693 ], [ %700, %383 ]
+  %375 = phi i64 [ 0, %693 ], [ %384, %383 ]
+  %376 = phi double [ 1.000000e+00, %693 ], [ %385, %383 ]
+  %377 = icmp sgt i64 %374, 0
+  br i1 %377, label %699, label %386
 
-403:                                              ; preds = %697
-  %404 = add nsw i64 %400, 1
-  %405 = fdiv double %716, %712
-  %406 = fcmp olt double %405, %401
-  %407 = select i1 %406, double %405, double %401
-  br label %408
+378:                                              ; preds = %699
+  %379 = add nsw i64 %375, 1
+  %380 = fdiv double %718, %714
+  %381 = fcmp olt double %380, %376
+  %382 = select i1 %381, double %380, double %376
+  br label %383
 
-408:                                              ; preds = %403, %697
-  %409 = phi i64 [ %400, %697 ], [ %404, %403 ]
-  %410 = phi double [ %401, %697 ], [ %407, %403 ]
-  br label %397
+383:                                              ; preds = %378, %699
+  %384 = phi i64 [ %375, %699 ], [ %379, %378 ]
+  %385 = phi double [ %376, %699 ], [ %382, %378 ]
+  br label %372
 
-411:                                              ; preds = %397
-  %412 = load double, ptr %695, align 8, !noalias !5
-  %413 = sitofp i64 %400 to double
-  %414 = fcmp olt double %412, %413
-  br i1 %414, label %415, label %417
+386:                                              ; preds = %372
+  %387 = load double, ptr %697, align 8, !noalias !5
+  %388 = sitofp i64 %375 to double
+  %389 = fcmp olt double %387, %388
+  br i1 %389, label %390, label %392
 
-415:                                              ; preds = %411
-  store double %413, ptr %695, align 8, !noalias !5
-  %416 = getelementptr i8, ptr %695, i64 8
-  store double 1.000000e+00, ptr %416, align 8, !noalias !5
-  br label %420
+390:                                              ; preds = %386
+  store double %388, ptr %697, align 8, !noalias !5
+  %391 = getelementptr i8, ptr %697, i64 8
+  store double 1.000000e+00, ptr %391, align 8, !noalias !5
+  br label %395
 
-417:                                              ; preds = %411
-  %418 = fcmp ogt double %412, %413
-  br i1 %418, label %419, label %420
+392:                                              ; preds = %386
+  %393 = fcmp ogt double %387, %388
+  br i1 %393, label %394, label %395
 
-419:                                              ; preds = %417
-  br label %420
+394:                                              ; preds = %392
+  br label %395
 
-420:                                              ; preds = %419, %417, %415
-  %421 = phi double [ %401, %415 ], [ 0.000000e+00, %419 ], [ %401, %417 ]
-  %422 = getelementptr i8, ptr %695, i64 8
-  %423 = load double, ptr %422, align 8, !noalias !5
-  %424 = fcmp olt double %421, %423
-  %425 = fcmp ogt double %423, 1.000000e-05
-  %426 = and i1 %424, %425
-  br i1 %426, label %427, label %434
+395:                                              ; preds = %394, %392, %390
+  %396 = phi double [ %376, %390 ], [ 0.000000e+00, %394 ], [ %376, %392 ]
+  %397 = getelementptr i8, ptr %697, i64 8
+  %398 = load double, ptr %397, align 8, !noalias !5
+  %399 = fcmp olt double %396, %398
+  %400 = fcmp ogt double %398, 1.000000e-05
+  %401 = and i1 %399, %400
+  br i1 %401, label %402, label %409
 
-427:                                              ; preds = %420
-  store double %421, ptr %422, align 8, !noalias !5
-  %428 = getelementptr i8, ptr %695, i64 16
-  store double %1, ptr %428, align 8, !noalias !5
-  %429 = call i64 @llvm.smax.i64(i64 %57, i64 0)
-  br label %430
+402:                                              ; preds = %395
+  store double %396, ptr %397, align 8, !noalias !5
+  %403 = getelementptr i8, ptr %697, i64 16
+  store double %1, ptr %403, align 8, !noalias !5
+  %404 = call i64 @llvm.smax.i64(i64 %57, i64 0)
+  br label %405
 
-430:                                              ; preds = %427, %718
-  %431 = phi i64 [ 0, %427 ], [ %720, %718 ]
-  %432 = phi i64 [ %429, %427 ], [ %719, %718 ]
-  %433 = icmp sgt i64 %432, 0
-  br i1 %433, label %718, label %434
+405:                                              ; preds = %402, %720
+  %406 = phi i64 [ 0, %402 ], [ %722, %720 ]
+  %407 = phi i64 [ %404, %402 ], [ %721, %720 ]
+  %408 = icmp sgt i64 %407, 0
+  br i1 %408, label %720, label %409
 
-434:                                              ; preds = %430, %420, %320
-  br label %731
+409:                                              ; preds = %405, %395, %295
+  br label %733
 
-435:                                              ; preds = %154, %154
-  %436 = inttoptr i64 %55 to ptr
-  %437 = getelementptr i8, ptr %436, i64 88
-  %438 = load i64, ptr %437, align 8, !noalias !5
-  %439 = add nsw i64 %438, 1
-  store i64 %439, ptr %437, align 8, !noalias !5
-  %440 = call i64 @llvm.smax.i64(i64 %133, i64 0)
+410:                                              ; preds = %154, %154
+  %411 = inttoptr i64 %55 to ptr
+  %412 = getelementptr i8, ptr %411, i64 88
+  %413 = load i64, ptr %412, align 8, !noalias !5
+  %414 = add nsw i64 %413, 1
+  store i64 %414, ptr %412, align 8, !noalias !5
+  %415 = call i64 @llvm.smax.i64(i64 %133, i64 0)
   br label %156
 
-441:                                              ; preds = %154
-  br label %731
+416:                                              ; preds = %154
+  br label %733
 
-442:                                              ; preds = %156
-  %443 = add nsw i64 %158, -1
-  %444 = add i64 %157, 1
+417:                                              ; preds = %156
+  %418 = add nsw i64 %158, -1
+  %419 = add i64 %157, 1
   br label %160
 
-445:                                              ; preds = %160
-  %446 = add nsw i64 %162, -1
-  %447 = add i64 %161, 1
-  %448 = icmp eq i64 %157, %161
-  %449 = select i1 %448, double 1.000000e+00, double 0.000000e+00
-  %450 = icmp slt i64 %157, 0
-  %451 = select i1 %450, i64 %64, i64 0
-  %452 = add i64 %157, %451
-  %453 = icmp slt i64 %161, 0
-  %454 = select i1 %453, i64 %66, i64 0
-  %455 = mul i64 %452, %66
-  %456 = getelementptr double, ptr %67, i64 %455
-  %457 = getelementptr double, ptr %456, i64 %161
-  %458 = getelementptr double, ptr %457, i64 %454
-  store double %449, ptr %458, align 8, !noalias !5
+420:                                              ; preds = %160
+  %421 = add nsw i64 %162, -1
+  %422 = add i64 %161, 1
+  %423 = icmp eq i64 %157, %161
+  %424 = select i1 %423, double 1.000000e+00, double 0.000000e+00
+  %425 = icmp slt i64 %157, 0
+  %426 = select i1 %425, i64 %64, i64 0
+  %427 = add i64 %157, %426
+  %428 = icmp slt i64 %161, 0
+  %429 = select i1 %428, i64 %66, i64 0
+  %430 = mul i64 %427, %66
+  %431 = getelementptr double, ptr %67, i64 %430
+  %432 = getelementptr double, ptr %431, i64 %161
+  %433 = getelementptr double, ptr %432, i64 %429
+  store double %424, ptr %433, align 8, !noalias !5
   br label %160
 
-459:                                              ; preds = %164
-  %460 = add nsw i64 %166, -1
-  %461 = add i64 %165, 1
-  %462 = icmp eq i64 %165, 9
-  %463 = getelementptr i8, ptr %45, i64 8
-  %464 = load i64, ptr %463, align 8, !noalias !5
-  %465 = inttoptr i64 %464 to ptr
-  %466 = call i32 %465(ptr nonnull %21, ptr %58, ptr %26, ptr %48, ptr %53) #3, !noalias !5
-  %467 = icmp slt i32 %466, 0
-  br i1 %467, label %169, label %170
+434:                                              ; preds = %164
+  %435 = add nsw i64 %166, -1
+  %436 = add i64 %165, 1
+  %437 = icmp eq i64 %165, 9
+  %438 = getelementptr i8, ptr %45, i64 8
+  %439 = load i64, ptr %438, align 8, !noalias !5
+  %440 = inttoptr i64 %439 to ptr
+  %441 = call i32 %440(ptr nonnull %21, ptr %58, ptr %26, ptr %48, ptr %53) #3, !noalias !5
+  %442 = icmp slt i32 %441, 0
+  br i1 %442, label %169, label %170
 
-468:                                              ; preds = %172
-  %469 = add nsw i64 %174, -1
-  %470 = add i64 %173, 1
-  %471 = icmp slt i64 %173, 0
-  %472 = select i1 %471, i64 %52, i64 0
-  %473 = getelementptr double, ptr %53, i64 %173
-  %474 = getelementptr double, ptr %473, i64 %472
-  %475 = load double, ptr %474, align 8, !noalias !5
-  %476 = fcmp une double %475, 0.000000e+00
-  br i1 %476, label %177, label %189
+443:                                              ; preds = %172
+  %444 = add nsw i64 %174, -1
+  %445 = add i64 %173, 1
+  %446 = icmp slt i64 %173, 0
+  %447 = select i1 %446, i64 %52, i64 0
+  %448 = getelementptr double, ptr %53, i64 %173
+  %449 = getelementptr double, ptr %448, i64 %447
+  %450 = load double, ptr %449, align 8, !noalias !5
+  %451 = fcmp une double %450, 0.000000e+00
+  br i1 %451, label %177, label %189
 
-477:                                              ; preds = %207
+452:                                              ; preds = %207
   store ptr null, ptr %6, align 8, !noalias !5
-  %478 = call fastcc i32 @_factor(ptr nonnull %6, ptr %67, i64 %64, i64 %66) #3
-  switch i32 %478, label %479 [
+  %453 = call fastcc i32 @_factor(ptr nonnull %6, ptr %67, i64 %64, i64 %66) #3
+  switch i32 %453, label %454 [
     i32 -2, label %239
     i32 0, label %239
   ], !prof !13
 
-479:                                              ; preds = %477
-  br label %731
+454:                                              ; preds = %452
+  br label %733
 
-480:                                              ; preds = %241
-  %481 = call i64 @llvm.smax.i64(i64 %78, i64 0)
-  br label %482
+455:                                              ; preds = %241
+  %456 = call i64 @llvm.smax.i64(i64 %78, i64 0)
+  br label %457
 
-482:                                              ; preds = %486, %480
-  %483 = phi i64 [ 0, %480 ], [ %492, %486 ]
-  %484 = phi i64 [ %481, %480 ], [ %491, %486 ]
-  %485 = icmp sgt i64 %484, 0
-  br i1 %485, label %490, label %273
+457:                                              ; preds = %461, %455
+  %458 = phi i64 [ 0, %455 ], [ %467, %461 ]
+  %459 = phi i64 [ %456, %455 ], [ %466, %461 ]
+  %460 = icmp sgt i64 %459, 0
+  br i1 %460, label %465, label %489
 
-486:                                              ; preds = %494, %490
-  %487 = phi i64 [ 0, %490 ], [ %496, %494 ]
-  %488 = phi i64 [ %493, %490 ], [ %495, %494 ]
-  %489 = icmp sgt i64 %488, 0
-  br i1 %489, label %494, label %482
+461:                                              ; preds = %469, %465
+  %462 = phi i64 [ 0, %465 ], [ %471, %469 ]
+  %463 = phi i64 [ %468, %465 ], [ %470, %469 ]
+  %464 = icmp sgt i64 %463, 0
+  br i1 %464, label %469, label %457
 
-490:                                              ; preds = %482
-  %491 = add nsw i64 %484, -1
-  %492 = add i64 %483, 1
-  %493 = call i64 @llvm.smax.i64(i64 %80, i64 0)
-  br label %486
+465:                                              ; preds = %457
+  %466 = add nsw i64 %459, -1
+  %467 = add i64 %458, 1
+  %468 = call i64 @llvm.smax.i64(i64 %80, i64 0)
+  br label %461
 
-494:                                              ; preds = %486
-  %495 = add nsw i64 %488, -1
-  %496 = add i64 %487, 1
-  %497 = mul nsw i64 %483, %80
-  %498 = add nsw i64 %134, %497
-  %499 = add nsw i64 %498, %487
-  %500 = icmp slt i64 %499, 0
-  %501 = select i1 %500, i64 %52, i64 0
-  %502 = getelementptr double, ptr %53, i64 %499
-  %503 = getelementptr double, ptr %502, i64 %501
-  %504 = load double, ptr %503, align 8, !noalias !26
-  %505 = icmp slt i64 %483, 0
-  %506 = select i1 %505, i64 %78, i64 0
-  %507 = add i64 %483, %506
-  %508 = icmp slt i64 %487, 0
-  %509 = select i1 %508, i64 %80, i64 0
-  %510 = mul i64 %507, %80
-  %511 = getelementptr double, ptr %81, i64 %510
-  %512 = getelementptr double, ptr %511, i64 %487
-  %513 = getelementptr double, ptr %512, i64 %509
-  store double %504, ptr %513, align 8, !noalias !26
-  br label %486
+469:                                              ; preds = %461
+  %470 = add nsw i64 %463, -1
+  %471 = add i64 %462, 1
+  %472 = mul nsw i64 %458, %80
+  %473 = add nsw i64 %134, %472
+  %474 = add nsw i64 %473, %462
+  %475 = icmp slt i64 %474, 0
+  %476 = select i1 %475, i64 %52, i64 0
+  %477 = getelementptr double, ptr %53, i64 %474
+  %478 = getelementptr double, ptr %477, i64 %476
+  %479 = load double, ptr %478, align 8, !noalias !26
+  %480 = icmp slt i64 %458, 0
+  %481 = select i1 %480, i64 %78, i64 0
+  %482 = add i64 %458, %481
+  %483 = icmp slt i64 %462, 0
+  %484 = select i1 %483, i64 %80, i64 0
+  %485 = mul i64 %482, %80
+  %486 = getelementptr double, ptr %81, i64 %485
+  %487 = getelementptr double, ptr %486, i64 %462
+  %488 = getelementptr double, ptr %487, i64 %484
+  store double %479, ptr %488, align 8, !noalias !26
+  br label %461
 
-514:                                              ; preds = %273
-  %515 = add nsw i64 %275, -1
-  %516 = add i64 %274, 1
-  br label %277
+489:                                              ; preds = %457
+  %490 = call i64 @llvm.smax.i64(i64 %85, i64 0)
+  br label %491
 
-517:                                              ; preds = %277
-  %518 = add nsw i64 %279, -1
-  %519 = add i64 %278, 1
-  %520 = icmp slt i64 %274, 0
-  %521 = select i1 %520, i64 %85, i64 0
-  %522 = add i64 %274, %521
-  %523 = icmp slt i64 %278, 0
-  %524 = select i1 %523, i64 %87, i64 0
-  %525 = mul i64 %522, %87
-  %526 = getelementptr double, ptr %88, i64 %525
-  %527 = getelementptr double, ptr %526, i64 %278
-  %528 = getelementptr double, ptr %527, i64 %524
-  store double 0.000000e+00, ptr %528, align 8, !noalias !5
-  %529 = call i64 @llvm.smax.i64(i64 %131, i64 0)
-  br label %281
+491:                                              ; preds = %495, %489
+  %492 = phi i64 [ 0, %489 ], [ %516, %495 ]
+  %493 = phi i64 [ %490, %489 ], [ %515, %495 ]
+  %494 = icmp sgt i64 %493, 0
+  br i1 %494, label %514, label %555
 
-530:                                              ; preds = %281
-  %531 = add nsw i64 %283, -1
-  %532 = add i64 %282, 1
-  %533 = select i1 %520, i64 %78, i64 0
-  %534 = add i64 %274, %533
-  %535 = icmp slt i64 %282, 0
+495:                                              ; preds = %514, %513
+  %496 = phi i64 [ 0, %514 ], [ %520, %513 ]
+  %497 = phi i64 [ %517, %514 ], [ %519, %513 ]
+  %498 = icmp sgt i64 %497, 0
+  br i1 %498, label %518, label %491
+
+499:                                              ; preds = %530, %518
+  %500 = phi i64 [ 0, %518 ], [ %532, %530 ]
+  %501 = phi i64 [ %240, %518 ], [ %531, %530 ]
+  %502 = phi double [ 0.000000e+00, %518 ], [ %554, %530 ]
+  %503 = icmp sgt i64 %501, 0
+  br i1 %503, label %530, label %504
+
+504:                                              ; preds = %499
+  %505 = load double, ptr %529, align 8, !noalias !29
+  %506 = call double @llvm.fabs.f64(double %505)
+  %507 = sitofp i64 %71 to double
+  %508 = fmul double %507, 4.000000e+00
+  %509 = fmul double %508, 0x3CB0000000000000
+  %510 = fmul double %509, %502
+  %511 = fcmp ugt double %506, %510
+  br i1 %511, label %513, label %512
+
+512:                                              ; preds = %504
+  store double 0.000000e+00, ptr %529, align 8, !noalias !29
+  br label %513
+
+513:                                              ; preds = %512, %504
+  br label %495
+
+514:                                              ; preds = %491
+  %515 = add nsw i64 %493, -1
+  %516 = add i64 %492, 1
+  %517 = call i64 @llvm.smax.i64(i64 %73, i64 0)
+  br label %495
+
+518:                                              ; preds = %495
+  %519 = add nsw i64 %497, -1
+  %520 = add i64 %496, 1
+  %521 = icmp slt i64 %492, 0
+  %522 = select i1 %521, i64 %85, i64 0
+  %523 = add i64 %492, %522
+  %524 = icmp slt i64 %496, 0
+  %525 = select i1 %524, i64 %87, i64 0
+  %526 = mul i64 %523, %87
+  %527 = getelementptr double, ptr %88, i64 %526
+  %528 = getelementptr double, ptr %527, i64 %496
+  %529 = getelementptr double, ptr %528, i64 %525
+  store double 0.000000e+00, ptr %529, align 8, !noalias !29
+  br label %499
+
+530:                                              ; preds = %499
+  %531 = add nsw i64 %501, -1
+  %532 = add i64 %500, 1
+  %533 = select i1 %521, i64 %78, i64 0
+  %534 = add i64 %492, %533
+  %535 = icmp slt i64 %500, 0
   %536 = select i1 %535, i64 %80, i64 0
   %537 = mul i64 %534, %80
   %538 = getelementptr double, ptr %81, i64 %537
-  %539 = getelementptr double, ptr %538, i64 %282
+  %539 = getelementptr double, ptr %538, i64 %500
   %540 = getelementptr double, ptr %539, i64 %536
-  %541 = load double, ptr %540, align 8, !noalias !5
+  %541 = load double, ptr %540, align 8, !noalias !29
   %542 = select i1 %535, i64 %71, i64 0
-  %543 = add i64 %282, %542
-  %544 = select i1 %523, i64 %73, i64 0
+  %543 = add i64 %500, %542
+  %544 = select i1 %524, i64 %73, i64 0
   %545 = mul i64 %543, %73
   %546 = getelementptr double, ptr %74, i64 %545
-  %547 = getelementptr double, ptr %546, i64 %278
+  %547 = getelementptr double, ptr %546, i64 %496
   %548 = getelementptr double, ptr %547, i64 %544
-  %549 = load double, ptr %548, align 8, !noalias !5
+  %549 = load double, ptr %548, align 8, !noalias !29
   %550 = fmul double %541, %549
-  %551 = load double, ptr %528, align 8, !noalias !5
+  %551 = load double, ptr %529, align 8, !noalias !29
   %552 = fadd double %551, %550
-  store double %552, ptr %528, align 8, !noalias !5
+  store double %552, ptr %529, align 8, !noalias !29
   %553 = call double @llvm.fabs.f64(double %550)
-  %554 = fadd double %284, %553
+  %554 = fadd double %502, %553
+  br label %499
+
+555:                                              ; preds = %491
+  store ptr null, ptr %7, align 8, !noalias !5
+  %556 = call fastcc i32 @_divide_rows(ptr nonnull %7, ptr %88, i64 %85, i64 %87, ptr %67, i64 %64, i64 %66) #3
+  switch i32 %556, label %575 [
+    i32 -2, label %557
+    i32 0, label %557
+  ], !prof !13
+
+557:                                              ; preds = %555, %555
+  %558 = call i64 @llvm.smax.i64(i64 %127, i64 0)
+  br label %559
+
+559:                                              ; preds = %563, %557
+  %560 = phi i64 [ 0, %557 ], [ %565, %563 ]
+  %561 = phi i64 [ %558, %557 ], [ %564, %563 ]
+  %562 = icmp sgt i64 %561, 0
+  br i1 %562, label %563, label %576
+
+563:                                              ; preds = %559
+  %564 = add nsw i64 %561, -1
+  %565 = add i64 %560, 1
+  %566 = icmp slt i64 %560, 0
+  %567 = select i1 %566, i64 %52, i64 0
+  %568 = getelementptr double, ptr %53, i64 %560
+  %569 = getelementptr double, ptr %568, i64 %567
+  %570 = load double, ptr %569, align 8, !noalias !32
+  %571 = fneg double %570
+  %572 = select i1 %566, i64 %104, i64 0
+  %573 = getelementptr double, ptr %105, i64 %560
+  %574 = getelementptr double, ptr %573, i64 %572
+  store double %571, ptr %574, align 8, !noalias !32
+  br label %559
+
+575:                                              ; preds = %555
+  br label %733
+
+576:                                              ; preds = %559
+  store ptr null, ptr %8, align 8, !noalias !5
+  %577 = call fastcc i32 @_minimum_norm(ptr nonnull %8, ptr %88, i64 %85, i64 %87, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
+  switch i32 %577, label %580 [
+    i32 -2, label %578
+    i32 0, label %578
+  ], !prof !13
+
+578:                                              ; preds = %576, %576
+  store ptr null, ptr %9, align 8, !noalias !5
+  %579 = call fastcc i32 @_divide_transposed(ptr nonnull %9, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
+  switch i32 %579, label %583 [
+    i32 -2, label %581
+    i32 0, label %581
+  ], !prof !13
+
+580:                                              ; preds = %576
+  br label %733
+
+581:                                              ; preds = %578, %578
+  %582 = call i64 @llvm.smax.i64(i64 %131, i64 0)
+  br label %273
+
+583:                                              ; preds = %578
+  br label %733
+
+584:                                              ; preds = %273
+  %585 = add nsw i64 %275, -1
+  %586 = add i64 %274, 1
+  br label %277
+
+587:                                              ; preds = %277
+  %588 = add nsw i64 %279, -1
+  %589 = add i64 %278, 1
+  %590 = icmp slt i64 %274, 0
+  %591 = select i1 %590, i64 %57, i64 0
+  %592 = getelementptr double, ptr %58, i64 %274
+  %593 = getelementptr double, ptr %592, i64 %591
+  %594 = load double, ptr %593, align 8, !noalias !5
+  %595 = select i1 %590, i64 %71, i64 0
+  %596 = add i64 %274, %595
+  %597 = icmp slt i64 %278, 0
+  %598 = select i1 %597, i64 %73, i64 0
+  %599 = mul i64 %596, %73
+  %600 = getelementptr double, ptr %74, i64 %599
+  %601 = getelementptr double, ptr %600, i64 %278
+  %602 = getelementptr double, ptr %601, i64 %598
+  %603 = load double, ptr %602, align 8, !noalias !5
+  %604 = select i1 %597, i64 %99, i64 0
+  %605 = getelementptr double, ptr %100, i64 %278
+  %606 = getelementptr double, ptr %605, i64 %604
+  %607 = load double, ptr %606, align 8, !noalias !5
+  %608 = fmul double %603, %607
+  %609 = fadd double %594, %608
+  store double %609, ptr %593, align 8, !noalias !5
+  br label %277
+
+610:                                              ; preds = %281
+  %611 = icmp slt i64 %282, 0
+  %612 = select i1 %611, i64 %104, i64 0
+  %613 = getelementptr double, ptr %105, i64 %282
+  %614 = getelementptr double, ptr %613, i64 %612
+  %615 = load double, ptr %614, align 8, !noalias !5
+  %616 = call double @llvm.fabs.f64(double %615)
+  %617 = fcmp ogt double %616, %284
+  %618 = select i1 %617, double %616, double %284
+  %619 = add i64 %282, 1
+  %620 = add nsw i64 %283, -1
   br label %281
 
-555:                                              ; preds = %296, %296
-  %556 = call i64 @llvm.smax.i64(i64 %127, i64 0)
-  br label %557
+621:                                              ; preds = %288, %288
+  br label %290
 
-557:                                              ; preds = %561, %555
-  %558 = phi i64 [ 0, %555 ], [ %563, %561 ]
-  %559 = phi i64 [ %556, %555 ], [ %562, %561 ]
-  %560 = icmp sgt i64 %559, 0
-  br i1 %560, label %561, label %574
+622:                                              ; preds = %288
+  br label %733
 
-561:                                              ; preds = %557
-  %562 = add nsw i64 %559, -1
-  %563 = add i64 %558, 1
-  %564 = icmp slt i64 %558, 0
-  %565 = select i1 %564, i64 %52, i64 0
-  %566 = getelementptr double, ptr %53, i64 %558
-  %567 = getelementptr double, ptr %566, i64 %565
-  %568 = load double, ptr %567, align 8, !noalias !29
-  %569 = fneg double %568
-  %570 = select i1 %564, i64 %104, i64 0
-  %571 = getelementptr double, ptr %105, i64 %558
-  %572 = getelementptr double, ptr %571, i64 %570
-  store double %569, ptr %572, align 8, !noalias !29
-  br label %557
+623:                                              ; preds = %290
+  %624 = add nsw i64 %292, -1
+  %625 = add i64 %291, 1
+  %626 = icmp slt i64 %291, 0
+  %627 = select i1 %626, i64 %57, i64 0
+  %628 = getelementptr double, ptr %58, i64 %291
+  %629 = getelementptr double, ptr %628, i64 %627
+  %630 = load double, ptr %629, align 8, !noalias !5
+  %631 = select i1 %626, i64 %99, i64 0
+  %632 = getelementptr double, ptr %100, i64 %291
+  %633 = getelementptr double, ptr %632, i64 %631
+  %634 = load double, ptr %633, align 8, !noalias !5
+  %635 = fadd double %630, %634
+  store double %635, ptr %629, align 8, !noalias !5
+  br label %290
 
-573:                                              ; preds = %296
-  br label %731
-
-574:                                              ; preds = %557
-  store ptr null, ptr %8, align 8, !noalias !5
-  %575 = call fastcc i32 @_minimum_norm(ptr nonnull %8, ptr %88, i64 %85, i64 %87, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
-  switch i32 %575, label %578 [
-    i32 -2, label %576
-    i32 0, label %576
-  ], !prof !13
-
-576:                                              ; preds = %574, %574
-  store ptr null, ptr %9, align 8, !noalias !5
-  %577 = call fastcc i32 @_divide_transposed(ptr nonnull %9, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
-  switch i32 %577, label %581 [
-    i32 -2, label %579
-    i32 0, label %579
-  ], !prof !13
-
-578:                                              ; preds = %574
-  br label %731
-
-579:                                              ; preds = %576, %576
-  %580 = call i64 @llvm.smax.i64(i64 %131, i64 0)
-  br label %298
-
-581:                                              ; preds = %576
-  br label %731
-
-582:                                              ; preds = %298
-  %583 = add nsw i64 %300, -1
-  %584 = add i64 %299, 1
-  br label %302
-
-585:                                              ; preds = %302
-  %586 = add nsw i64 %304, -1
-  %587 = add i64 %303, 1
-  %588 = icmp slt i64 %299, 0
-  %589 = select i1 %588, i64 %57, i64 0
-  %590 = getelementptr double, ptr %58, i64 %299
-  %591 = getelementptr double, ptr %590, i64 %589
-  %592 = load double, ptr %591, align 8, !noalias !5
-  %593 = select i1 %588, i64 %71, i64 0
-  %594 = add i64 %299, %593
-  %595 = icmp slt i64 %303, 0
-  %596 = select i1 %595, i64 %73, i64 0
-  %597 = mul i64 %594, %73
-  %598 = getelementptr double, ptr %74, i64 %597
-  %599 = getelementptr double, ptr %598, i64 %303
-  %600 = getelementptr double, ptr %599, i64 %596
-  %601 = load double, ptr %600, align 8, !noalias !5
-  %602 = select i1 %595, i64 %99, i64 0
-  %603 = getelementptr double, ptr %100, i64 %303
-  %604 = getelementptr double, ptr %603, i64 %602
-  %605 = load double, ptr %604, align 8, !noalias !5
-  %606 = fmul double %601, %605
-  %607 = fadd double %592, %606
-  store double %607, ptr %591, align 8, !noalias !5
-  br label %302
-
-608:                                              ; preds = %306
-  %609 = icmp slt i64 %307, 0
-  %610 = select i1 %609, i64 %104, i64 0
-  %611 = getelementptr double, ptr %105, i64 %307
-  %612 = getelementptr double, ptr %611, i64 %610
-  %613 = load double, ptr %612, align 8, !noalias !5
-  %614 = call double @llvm.fabs.f64(double %613)
-  %615 = fcmp ogt double %614, %309
-  %616 = select i1 %615, double %614, double %309
-  %617 = add i64 %307, 1
-  %618 = add nsw i64 %308, -1
-  br label %306
-
-619:                                              ; preds = %313, %313
-  br label %315
-
-620:                                              ; preds = %313
-  br label %731
-
-621:                                              ; preds = %315
-  %622 = add nsw i64 %317, -1
-  %623 = add i64 %316, 1
-  %624 = icmp slt i64 %316, 0
-  %625 = select i1 %624, i64 %57, i64 0
-  %626 = getelementptr double, ptr %58, i64 %316
-  %627 = getelementptr double, ptr %626, i64 %625
-  %628 = load double, ptr %627, align 8, !noalias !5
-  %629 = select i1 %624, i64 %99, i64 0
-  %630 = getelementptr double, ptr %100, i64 %316
-  %631 = getelementptr double, ptr %630, i64 %629
-  %632 = load double, ptr %631, align 8, !noalias !5
-  %633 = fadd double %628, %632
-  store double %633, ptr %627, align 8, !noalias !5
-  br label %315
-
-634:                                              ; preds = %327
+636:                                              ; preds = %302
   store ptr null, ptr %11, align 8, !noalias !5
-  %635 = call fastcc i32 @_factor(ptr nonnull %11, ptr %67, i64 %64, i64 %66) #3
-  switch i32 %635, label %636 [
-    i32 -2, label %359
-    i32 0, label %359
+  %637 = call fastcc i32 @_factor(ptr nonnull %11, ptr %67, i64 %64, i64 %66) #3
+  switch i32 %637, label %638 [
+    i32 -2, label %334
+    i32 0, label %334
   ], !prof !13
 
-636:                                              ; preds = %634
-  br label %731
+638:                                              ; preds = %636
+  br label %733
 
-637:                                              ; preds = %361
+639:                                              ; preds = %336
   store ptr null, ptr %12, align 8, !noalias !5
-  %638 = call fastcc i32 @_divide_rows(ptr nonnull %12, ptr %95, i64 %92, i64 %94, ptr %67, i64 %64, i64 %66) #3
-  switch i32 %638, label %658 [
-    i32 -2, label %639
-    i32 0, label %639
+  %640 = call fastcc i32 @_divide_rows(ptr nonnull %12, ptr %95, i64 %92, i64 %94, ptr %67, i64 %64, i64 %66) #3
+  switch i32 %640, label %660 [
+    i32 -2, label %641
+    i32 0, label %641
   ], !prof !13
 
-639:                                              ; preds = %637, %637
-  br label %640
+641:                                              ; preds = %639, %639
+  br label %642
 
-640:                                              ; preds = %644, %639
-  %641 = phi i64 [ 0, %639 ], [ %646, %644 ]
-  %642 = phi i64 [ %129, %639 ], [ %645, %644 ]
-  %643 = icmp sgt i64 %642, 0
-  br i1 %643, label %644, label %659
+642:                                              ; preds = %646, %641
+  %643 = phi i64 [ 0, %641 ], [ %648, %646 ]
+  %644 = phi i64 [ %129, %641 ], [ %647, %646 ]
+  %645 = icmp sgt i64 %644, 0
+  br i1 %645, label %646, label %661
 
-644:                                              ; preds = %640
-  %645 = add nsw i64 %642, -1
-  %646 = add i64 %641, 1
-  %647 = add nsw i64 %127, %641
-  %648 = icmp slt i64 %647, 0
-  %649 = select i1 %648, i64 %52, i64 0
-  %650 = getelementptr double, ptr %53, i64 %647
-  %651 = getelementptr double, ptr %650, i64 %649
-  %652 = load double, ptr %651, align 8, !noalias !32
-  %653 = fneg double %652
-  %654 = icmp slt i64 %641, 0
-  %655 = select i1 %654, i64 %104, i64 0
-  %656 = getelementptr double, ptr %105, i64 %641
-  %657 = getelementptr double, ptr %656, i64 %655
-  store double %653, ptr %657, align 8, !noalias !32
-  br label %640
+646:                                              ; preds = %642
+  %647 = add nsw i64 %644, -1
+  %648 = add i64 %643, 1
+  %649 = add nsw i64 %127, %643
+  %650 = icmp slt i64 %649, 0
+  %651 = select i1 %650, i64 %52, i64 0
+  %652 = getelementptr double, ptr %53, i64 %649
+  %653 = getelementptr double, ptr %652, i64 %651
+  %654 = load double, ptr %653, align 8, !noalias !35
+  %655 = fneg double %654
+  %656 = icmp slt i64 %643, 0
+  %657 = select i1 %656, i64 %104, i64 0
+  %658 = getelementptr double, ptr %105, i64 %643
+  %659 = getelementptr double, ptr %658, i64 %657
+  store double %655, ptr %659, align 8, !noalias !35
+  br label %642
 
-658:                                              ; preds = %637
-  br label %731
+660:                                              ; preds = %639
+  br label %733
 
-659:                                              ; preds = %640
+661:                                              ; preds = %642
   store ptr null, ptr %13, align 8, !noalias !5
-  %660 = call fastcc i32 @_minimum_norm(ptr nonnull %13, ptr %95, i64 %92, i64 %94, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
-  switch i32 %660, label %663 [
-    i32 -2, label %661
-    i32 0, label %661
-  ], !prof !13
-
-661:                                              ; preds = %659, %659
-  store ptr null, ptr %14, align 8, !noalias !5
-  %662 = call fastcc i32 @_divide_transposed(ptr nonnull %14, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
+  %662 = call fastcc i32 @_minimum_norm(ptr nonnull %13, ptr %95, i64 %92, i64 %94, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
   switch i32 %662, label %665 [
-    i32 -2, label %664
-    i32 0, label %664
+    i32 -2, label %663
+    i32 0, label %663
   ], !prof !13
 
-663:                                              ; preds = %659
-  br label %731
-
-664:                                              ; preds = %661, %661
-  br label %393
+663:                                              ; preds = %661, %661
+  store ptr null, ptr %14, align 8, !noalias !5
+  %664 = call fastcc i32 @_divide_transposed(ptr nonnull %14, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
+  switch i32 %664, label %667 [
+    i32 -2, label %666
+    i32 0, label %666
+  ], !prof !13
 
 665:                                              ; preds = %661
-  br label %731
+  br label %733
 
-666:                                              ; preds = %393
-  %667 = add nsw i64 %395, -1
-  %668 = add i64 %394, 1
-  %669 = add nsw i64 %131, %394
-  %670 = icmp slt i64 %669, 0
-  %671 = select i1 %670, i64 %57, i64 0
-  %672 = getelementptr double, ptr %58, i64 %669
-  %673 = getelementptr double, ptr %672, i64 %671
-  %674 = load double, ptr %673, align 8, !noalias !5
-  %675 = icmp slt i64 %394, 0
-  %676 = select i1 %675, i64 %99, i64 0
-  %677 = getelementptr double, ptr %100, i64 %394
-  %678 = getelementptr double, ptr %677, i64 %676
-  %679 = load double, ptr %678, align 8, !noalias !5
-  %680 = fadd double %674, %679
-  store double %680, ptr %673, align 8, !noalias !5
-  br label %393
+666:                                              ; preds = %663, %663
+  br label %368
 
-681:                                              ; preds = %393
-  %682 = icmp slt i64 %146, 0
-  %683 = select i1 %682, i64 %52, i64 0
-  %684 = add i64 %146, %683
-  %685 = icmp slt i64 %684, 0
-  br i1 %685, label %686, label %687, !prof !0
+667:                                              ; preds = %663
+  br label %733
 
-686:                                              ; preds = %681
-  br label %687
+668:                                              ; preds = %368
+  %669 = add nsw i64 %370, -1
+  %670 = add i64 %369, 1
+  %671 = add nsw i64 %131, %369
+  %672 = icmp slt i64 %671, 0
+  %673 = select i1 %672, i64 %57, i64 0
+  %674 = getelementptr double, ptr %58, i64 %671
+  %675 = getelementptr double, ptr %674, i64 %673
+  %676 = load double, ptr %675, align 8, !noalias !5
+  %677 = icmp slt i64 %369, 0
+  %678 = select i1 %677, i64 %99, i64 0
+  %679 = getelementptr double, ptr %100, i64 %369
+  %680 = getelementptr double, ptr %679, i64 %678
+  %681 = load double, ptr %680, align 8, !noalias !5
+  %682 = fadd double %676, %681
+  store double %682, ptr %675, align 8, !noalias !5
+  br label %368
 
-687:                                              ; preds = %686, %681
-  %688 = phi i64 [ 0, %686 ], [ %684, %681 ]
-  %689 = icmp slt i64 %684, %52
-  br i1 %689, label %691, label %690, !prof !4
+683:                                              ; preds = %368
+  %684 = icmp slt i64 %146, 0
+  %685 = select i1 %684, i64 %52, i64 0
+  %686 = add i64 %146, %685
+  %687 = icmp slt i64 %686, 0
+  br i1 %687, label %688, label %689, !prof !0
 
-690:                                              ; preds = %687
-  br label %691
+688:                                              ; preds = %683
+  br label %689
 
-691:                                              ; preds = %690, %687
-  %692 = phi i64 [ %52, %690 ], [ %688, %687 ]
-  %693 = sub i64 %52, %692
-  %694 = call i64 @llvm.smax.i64(i64 %693, i64 0)
-  %695 = getelementptr double, ptr %53, i64 %692
-  %696 = add nsw i64 %57, 3
-  br label %397
+689:                                              ; preds = %688, %683
+  %690 = phi i64 [ 0, %688 ], [ %686, %683 ]
+  %691 = icmp slt i64 %686, %52
+  br i1 %691, label %693, label %692, !prof !4
 
-697:                                              ; preds = %397
-  %698 = add nsw i64 %399, -1
-  %699 = add i64 %398, 1
-  %700 = add nsw i64 %696, %398
-  %701 = icmp slt i64 %700, 0
-  %702 = select i1 %701, i64 %694, i64 0
-  %703 = getelementptr double, ptr %695, i64 %700
-  %704 = getelementptr double, ptr %703, i64 %702
-  %705 = load double, ptr %704, align 8, !noalias !5
-  %706 = icmp slt i64 %398, 0
-  %707 = select i1 %706, i64 %119, i64 0
-  %708 = getelementptr double, ptr %120, i64 %398
-  %709 = getelementptr double, ptr %708, i64 %707
-  %710 = load double, ptr %709, align 8, !noalias !5
-  %711 = fcmp ogt double %710, %705
-  %712 = select i1 %711, double %710, double %705
-  store double %712, ptr %704, align 8, !noalias !5
-  %713 = select i1 %706, i64 %124, i64 0
-  %714 = getelementptr double, ptr %125, i64 %398
-  %715 = getelementptr double, ptr %714, i64 %713
-  %716 = load double, ptr %715, align 8, !noalias !5
-  %717 = fcmp ogt double %716, 0.000000e+00
-  br i1 %717, label %403, label %408
+692:                                              ; preds = %689
+  br label %693
 
-718:                                              ; preds = %430
-  %719 = add nsw i64 %432, -1
-  %720 = add i64 %431, 1
-  %721 = icmp slt i64 %431, 0
-  %722 = select i1 %721, i64 %57, i64 0
-  %723 = getelementptr double, ptr %58, i64 %431
-  %724 = getelementptr double, ptr %723, i64 %722
-  %725 = load double, ptr %724, align 8, !noalias !5
-  %726 = icmp slt i64 %431, -3
-  %727 = select i1 %726, i64 %694, i64 0
-  %728 = getelementptr double, ptr %695, i64 %431
-  %729 = getelementptr i8, ptr %728, i64 24
-  %730 = getelementptr double, ptr %729, i64 %727
-  store double %725, ptr %730, align 8, !noalias !5
-  br label %430
+693:                                              ; preds = %692, %689
+  %694 = phi i64 [ %52, %692 ], [ %690, %689 ]
+  %695 = sub i64 %52, %694
+  %696 = call i64 @llvm.smax.i64(i64 %695, i64 0)
+  %697 = getelementptr double, ptr %53, i64 %694
+  %698 = add nsw i64 %57, 3
+  br label %372
 
-731:                                              ; preds = %665, %663, %658, %636, %620, %581, %578, %573, %479, %441, %434, %201, %192, %169
-  %732 = phi i64 [ 0, %441 ], [ 0, %581 ], [ 0, %620 ], [ 6, %201 ], [ 6, %169 ], [ 0, %573 ], [ 0, %479 ], [ 6, %192 ], [ 0, %665 ], [ 0, %636 ], [ 0, %578 ], [ 0, %658 ], [ 0, %434 ], [ 0, %663 ]
-  ret i64 %732
+699:                                              ; preds = %372
+  %700 = add nsw i64 %374, -1
+  %701 = add i64 %373, 1
+  %702 = add nsw i64 %698, %373
+  %703 = icmp slt i64 %702, 0
+  %704 = select i1 %703, i64 %696, i64 0
+  %705 = getelementptr double, ptr %697, i64 %702
+  %706 = getelementptr double, ptr %705, i64 %704
+  %707 = load double, ptr %706, align 8, !noalias !5
+  %708 = icmp slt i64 %373, 0
+  %709 = select i1 %708, i64 %119, i64 0
+  %710 = getelementptr double, ptr %120, i64 %373
+  %711 = getelementptr double, ptr %710, i64 %709
+  %712 = load double, ptr %711, align 8, !noalias !5
+  %713 = fcmp ogt double %712, %707
+  %714 = select i1 %713, double %712, double %707
+  store double %714, ptr %706, align 8, !noalias !5
+  %715 = select i1 %708, i64 %124, i64 0
+  %716 = getelementptr double, ptr %125, i64 %373
+  %717 = getelementptr double, ptr %716, i64 %715
+  %718 = load double, ptr %717, align 8, !noalias !5
+  %719 = fcmp ogt double %718, 0.000000e+00
+  br i1 %719, label %378, label %383
+
+720:                                              ; preds = %405
+  %721 = add nsw i64 %407, -1
+  %722 = add i64 %406, 1
+  %723 = icmp slt i64 %406, 0
+  %724 = select i1 %723, i64 %57, i64 0
+  %725 = getelementptr double, ptr %58, i64 %406
+  %726 = getelementptr double, ptr %725, i64 %724
+  %727 = load double, ptr %726, align 8, !noalias !5
+  %728 = icmp slt i64 %406, -3
+  %729 = select i1 %728, i64 %696, i64 0
+  %730 = getelementptr double, ptr %697, i64 %406
+  %731 = getelementptr i8, ptr %730, i64 24
+  %732 = getelementptr double, ptr %731, i64 %729
+  store double %727, ptr %732, align 8, !noalias !5
+  br label %405
+
+733:                                              ; preds = %667, %665, %660, %638, %622, %583, %580, %575, %454, %416, %409, %201, %192, %169
+  %734 = phi i64 [ 0, %416 ], [ 0, %580 ], [ 0, %622 ], [ 6, %201 ], [ 6, %169 ], [ 0, %583 ], [ 0, %454 ], [ 6, %192 ], [ 0, %667 ], [ 0, %638 ], [ 0, %409 ], [ 0, %660 ], [ 0, %575 ], [ 0, %665 ]
+  ret i64 %734
 }
 
 
@@ -1885,3 +1889,6 @@ attributes #4 = { nounwind willreturn }
 !32 = !{!33}
 !33 = distinct !{!33, !34}
 !34 = distinct !{!34}
+!35 = !{!36}
+!36 = distinct !{!36, !37}
+!37 = distinct !{!37}

@@ -1,4 +1,4 @@
-; sources 98acb1b09c25f2803e09e62a6a01699a2e69d7317b95e13e08d408f143f00e3c
+; sources 9ab05b3fe3d25d2d8a28267a0ddf1b2a05c29ee0dea0c7a3975b116a1e778846
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources ddf8f5abfd81b1f8f2fefdf1ce55cafe8abb04ec90a4a3138086001f41fff4b9
+; sources 1e614fe12e24a0555fffa07400bf3c60bc94548f86f12052c1a3f7cff5fa5f65
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0

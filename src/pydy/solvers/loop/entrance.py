@@ -16,6 +16,7 @@ from pydy.solvers.loop.compiled import inlined
 from pydy.solvers.loop.intrinsics import array_of_row, intrinsic, numbers_at
 from pydy.solvers.loop.runge_kutta import copy_vector
 from pydy.solvers.run.layout import (
+    ALONG,
     PROJECTION,
     RUN,
     STATES,
@@ -28,6 +29,7 @@ from pydy.solvers.run.layout import (
     Problem,
     Progress,
     Projection,
+    Tangents,
     Watch,
     Words,
     first_row,
@@ -42,6 +44,7 @@ __all__ = [
     "opened_problem",
     "opened_progress",
     "opened_projection",
+    "opened_tangents",
     "opened_watch",
     "opening",
 ]
@@ -85,6 +88,7 @@ opened_constraints = opening(RUN, Constraints)
 opened_watch = opening(RUN, Watch)
 opened_newton = opening(RUN, Newton)
 opened_projection = opening(PROJECTION, Projection)
+opened_tangents = opening(ALONG, Tangents)
 _opened_beginning = opening(RUN, Beginning)
 
 

@@ -19,20 +19,25 @@ from pydy.solvers.loop.entrance import (
     opened_problem,
     opened_progress,
     opened_projection,
+    opened_tangents,
 )
-from pydy.solvers.loop.intrinsics import address_of, call_kernel, numbers_at
+from pydy.solvers.loop.intrinsics import address_of, call_kernel, call_part, numbers_at
 from pydy.solvers.loop.rates import set_inputs
 from pydy.solvers.outcome import CONSTRAINTS_NOT_MET
 from pydy.solvers.run.layout import (
     COORDINATES,
+    COUNT,
+    DIRECTIONS,
     HOLONOMIC,
     NEARNESS,
+    OF_STATE,
     PROJECTIONS,
     PROJECTOR,
     RANK,
     SCRATCH,
     SPEEDS,
     STATES,
+    TANGENTS,
     VELOCITY,
     WEIGHTED,
     WHEN,
@@ -40,7 +45,7 @@ from pydy.solvers.run.layout import (
 )
 from pydy.solvers.tuning import NEARLY_SINGULAR, ROUNDINGS
 
-__all__ = ["project"]
+__all__ = ["project", "project_columns"]
 
 _EPS = 2.0**-52
 _DEPENDENT = 1e-10  # a row this much shorter after orthogonalisation is redundant
@@ -159,6 +164,21 @@ def _copy_negative(values, start, m, vector):
         vector[i] = -values[start + i]
 
 
+@inlined
+def _set_rows(kinematics, gradient, rows):
+    """Compute the rows of ∂h/∂q N."""
+    q, u = kinematics.shape
+    for i in range(rows.shape[0]):
+        for k in range(u):
+            rows[i, k] = size = 0.0
+            for j in range(q):
+                term = gradient[i, j] * kinematics[j, k]
+                rows[i, k] += term
+                size += abs(term)
+            if abs(rows[i, k]) <= 4.0 * q * _EPS * size:
+                rows[i, k] = 0.0  # nothing but rounding, as in the norm of a quaternion
+
+
 @inlined(pasted=True)
 def _watch(seen, t, x, lengths, kept, v):
     """Note where the rows were nearest to losing rank, or first came very near to it.
@@ -232,15 +252,7 @@ def project(table, t, place):
             _factor(factor)
         _copy_table(values, at_kinematics, kinematics)
         _copy_table(values, at_gradient, gradient)
-        for i in range(h):
-            for k in range(u):
-                rows[i, k] = size = 0.0
-                for j in range(q):
-                    term = gradient[i, j] * kinematics[j, k]
-                    rows[i, k] += term
-                    size += abs(term)
-                if abs(rows[i, k]) <= 4.0 * q * _EPS * size:
-                    rows[i, k] = 0.0  # nothing but rounding, as in the norm of a quaternion
+        _set_rows(kinematics, gradient, rows)
         _divide_rows(rows, factor)
         _copy_negative(values, 0, h, projection.right)
         _minimum_norm(rows, projection)
@@ -267,4 +279,89 @@ def project(table, t, place):
         for k in range(u):
             x[q + k] += step[k]
         _watch(values[at_worst:], t, x, projection.lengths, projection.kept, v)
+    return 0
+
+
+@inlined(apart=True)
+def _move(problem, tangents, place):
+    """Evaluate the derivatives of the residuals along the columns."""
+    return call_kernel(
+        tangents.words[DIRECTIONS],
+        address_of(problem.clock, 0),
+        place,
+        address_of(problem.r, 0),
+        address_of(tangents.c, 0),
+        address_of(tangents.values, 0),
+    )
+
+
+@inlined
+def _copy_column(values, start, m, width, column, vector):
+    for i in range(m):
+        vector[i] = -values[start + i * width + column]
+
+
+@entry("int64(int64, float64, int64)")
+def project_columns(table, t, place):
+    """Move a state onto the constraints, and its sensitivities onto the linear ones there.
+
+    With c(x, θ) = 0 the sensitivities S of motions that keep the constraints satisfy c_x S + c_θ =
+    0. They are corrected by the least change in the norm that corrects the state.
+    """
+    problem, constraints = opened_problem(table), opened_constraints(table)
+    words, values = constraints.words, constraints.values
+    tangents = opened_tangents(words[TANGENTS])
+    code = call_part(tangents.words[OF_STATE], table, t, place)
+    if code != 0:
+        return code
+    projection = opened_projection(words[SCRATCH])
+    factor, kinematics, gradient = projection.factor, projection.kinematics, projection.gradient
+    rows, velocity, step = projection.holonomic, projection.velocity, projection.step
+    h, v, q, u = words[HOLONOMIC], words[VELOCITY], words[COORDINATES], words[SPEEDS]
+    width, states = tangents.words[COUNT], problem.words[STATES]
+    n = states // (1 + width)
+    columns = numbers_at(place + 8 * n, n * width)
+    # What the projection of the state left there is of its last iteration.
+    at_gradient = h + v
+    at_kinematics = at_gradient + h * q
+    at_velocity = at_kinematics + q * u
+    at_mass = at_velocity + v * u
+    for i in range(u):
+        for k in range(u):
+            factor[i, k] = 1.0 if i == k else 0.0
+    if words[WEIGHTED] == 1:
+        _copy_table(values, at_mass, factor)
+        _factor(factor)
+    if h > 0:
+        if _move(problem, tangents, place) < 0:
+            return CONSTRAINTS_NOT_MET
+        _copy_table(values, at_kinematics, kinematics)
+        for column in range(width):
+            _copy_table(values, at_gradient, gradient)
+            _set_rows(kinematics, gradient, rows)
+            _divide_rows(rows, factor)
+            _copy_column(tangents.values, 0, h, width, column, projection.right)
+            _minimum_norm(rows, projection)
+            _divide_transposed(factor, step)
+            for j in range(q):
+                for k in range(u):
+                    columns[j * width + column] += kinematics[j, k] * step[k]
+            rest = 0.0
+            for i in range(h):
+                rest = max(rest, abs(projection.right[i]))
+            if rest > 0.0:
+                _minimum_norm(gradient, projection)
+                for j in range(q):
+                    columns[j * width + column] += step[j]
+    if v > 0:
+        if _move(problem, tangents, place) < 0:
+            return CONSTRAINTS_NOT_MET
+        for column in range(width):
+            _copy_table(values, at_velocity, velocity)
+            _divide_rows(velocity, factor)
+            _copy_column(tangents.values, h * width, v, width, column, projection.right)
+            _minimum_norm(velocity, projection)
+            _divide_transposed(factor, step)
+            for k in range(u):
+                columns[(q + k) * width + column] += step[k]
     return 0

@@ -12,6 +12,7 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 
 __all__ = [
+    "ALONG",
     "COLUMNS",
     "PROJECTION",
     "RUN",
@@ -23,6 +24,7 @@ __all__ = [
     "Problem",
     "Progress",
     "Projection",
+    "Tangents",
     "Watch",
     "first_row",
 ]
@@ -49,9 +51,13 @@ NEXT, BUDGET, LIMIT, FAILURE, LOGGED, PROJECTIONS = range(6, 12)
 # Constraints.words
 ACTIVE, PROJECTOR, HOLONOMIC, VELOCITY, COORDINATES, SPEEDS, WEIGHTED, PROJECT = range(8)
 SCRATCH = 8  # the address of the table of `Projection`
+TANGENTS = 9  # the address of the table of `Tangents`
 # Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
 # it was nearest to losing it.
 RANK, NEARNESS, WHEN, WHERE = range(4)
+# Tangents.words: the addresses of the projection of the state and of the kernel, and the number of
+# columns.
+OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words
 WATCHER, EVENTS, SCAN = range(3)
 # Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
@@ -147,6 +153,15 @@ class Projection(NamedTuple):
     kept: Numbers
 
 
+class Tangents(NamedTuple):
+    """What the projection of sensitivities works with."""
+
+    words: Words
+    c: Numbers
+    # The derivatives of the holonomic, then of the velocity residuals, row after row.
+    values: Numbers
+
+
 class Watch(NamedTuple):
     """The events and what they have seen."""
 
@@ -193,6 +208,7 @@ class Newton(NamedTuple):
 # The tables' parts, in their order; `Newton` is there for the implicit method only.
 RUN = (Method, Problem, Memory, Progress, Constraints, Watch, Beginning, Newton)
 PROJECTION = (Projection,)
+ALONG = (Tangents,)
 COLUMNS = 3  # a row of a table: address, length, and the number of columns
 
 

@@ -23,6 +23,7 @@ from pydy.solvers.run.layout import (
     Problem,
     Progress,
     Projection,
+    Tangents,
     Watch,
 )
 from pydy.solvers.run.methods import IMPLICIT, method_arrays
@@ -38,13 +39,14 @@ from pydy.solvers.run.problem import (
     watch_arrays,
 )
 from pydy.solvers.run.table import rows_of, table_of
+from pydy.solvers.sensitivities import CompiledSensitivities
 
 __all__ = ["Workspace"]
 
 _LOG = 256  # events between two visits in Python
 
 # Compiled code neither reads nor writes these any further.
-_NO_CONSTRAINTS = Constraints(np.zeros(9, dtype=np.int64), np.zeros(1), np.zeros(1))
+_NO_CONSTRAINTS = Constraints(np.zeros(10, dtype=np.int64), np.zeros(1), np.zeros(1))
 _NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), 1, 0)
 _NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
 
@@ -210,7 +212,7 @@ class Workspace:
         wanted = self.options.constraints
         if wanted is None:
             return _NO_CONSTRAINTS
-        words = np.zeros(9, dtype=np.int64)
+        words = np.zeros(10, dtype=np.int64)
         words[at.ACTIVE], words[at.PROJECT] = 1, shipped.address_of("project")
         words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
         words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
@@ -233,10 +235,23 @@ class Workspace:
         )
         self._scratch = table_of(rows_of(self._projection))
         words[at.SCRATCH] = address(self._scratch)
+        if self.options.sensitivities is not None:
+            self._hold_columns(words, self.options.sensitivities)
         size = sum(b.stop - b.start for b in wanted.kernel.program.blocks)
         values = np.zeros(size + at.WHERE + self.n + wanted.velocity)
         self.seen = values[size:]
         return Constraints(words, c, values)
+
+    def _hold_columns(self, words: np.ndarray, beside: CompiledSensitivities) -> None:
+        """Have the sensitivities projected with the state."""
+        residuals, k = words[at.HOLONOMIC] + words[at.VELOCITY], beside.columns
+        place, c = self._bind_kernel(beside.constraints())
+        self._tangents = Tangents(
+            np.array([words[at.PROJECT], place, k]), c, np.zeros(residuals * k)
+        )
+        self._tangents_table = table_of(rows_of(self._tangents))
+        words[at.PROJECT] = shipped.address_of("project_columns")
+        words[at.TANGENTS] = address(self._tangents_table)
 
     def _look_out(self) -> Watch:
         wanted = self.options.events
