@@ -93,8 +93,8 @@ class System:
     eom_method : KanesMethod, LagrangesMethod or System of sympy.physics.mechanics, or Definition
         A KanesMethod either with ``kanes_equations()`` called, or with bodies and loads, from which
         the equations of motion are then formed, in a fraction of the time. Those of a
-        LagrangesMethod, which must not have constraints, are formed from its Lagrangian; its
-        speeds are the derivatives of the coordinates. A System of SymPy, before or after
+        LagrangesMethod are formed from its Lagrangian and its constraints; its speeds are the
+        derivatives of the coordinates. A System of SymPy, before or after
         ``form_eoms()``, is read with its joints; `pydy.mechanics.Definition` has the same content
         without a method object.
     constants : dict, optional

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
 from typing import Any
 
 import sympy as sm
@@ -13,9 +12,9 @@ from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
 
 from pydy._checks import describe, listed, shown
 from pydy._forks import cached_property
-from pydy._mechanics.dependents import choose_dependents, moving_rows
+from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.formed import equations_of, kinematics_of
+from pydy._mechanics.formed import equations_of
 from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
 
@@ -180,24 +179,12 @@ class Definition:
         )
         if not self.holonomic_constraints and not self.velocity_constraints:
             return self._unconstrained(body)
-        velocity = moving_rows(kinematics_of(body), self.velocity_constraints)
-        body = replace(body, holonomic=self.holonomic_constraints, velocity=tuple(velocity))
-        (places, q_dep), (motions, u_dep) = choose_dependents(
-            kinematics_of(body), self.dependent_coordinates, self.dependent_speeds
-        )
-        coordinates = _behind(self.coordinates, q_dep)
-        rate_of = dict(zip(self.coordinates, rates, strict=True))
-        rates = tuple(rate_of[q] for q in coordinates)
-        return replace(
+        return constrained(
             body,
-            coordinates=coordinates,
-            speeds=_behind(self.speeds, u_dep),
-            coordinate_rates=rates,
-            coordinate_derivatives=tuple(solved.get(rate, rate) for rate in rates),
-            holonomic=tuple(body.holonomic[k] for k in places.rows),
-            velocity=tuple(body.velocity[k] for k in motions.rows),
-            dependent_coordinates=q_dep,
-            dependent_speeds=u_dep,
+            self.holonomic_constraints,
+            self.velocity_constraints,
+            self.dependent_coordinates,
+            self.dependent_speeds,
         )
 
     def _unconstrained(self, body: Multibody) -> Multibody:
@@ -254,7 +241,3 @@ def _among(argument: str, symbols: Any, known: Sequence[Any], what: str) -> tupl
     if strange:
         raise ValueError(f"`{argument}` must be some of the {what}, got {describe(strange)}.")
     return found
-
-
-def _behind(symbols: Sequence[Any], last: Sequence[Any]) -> tuple[Any, ...]:
-    return (*(s for s in symbols if s not in last), *last)

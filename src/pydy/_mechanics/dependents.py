@@ -7,6 +7,7 @@ a pivot is as good as it is at the worst of them. What is left below the rank is
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,9 +15,11 @@ import numpy as np
 from pydy._checks import describe
 from pydy._graph.identities import signatures
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import GenericStates
+from pydy._mechanics.reader import Multibody
 
-__all__ = ["Chosen", "choose_dependents", "moving_rows"]
+__all__ = ["Chosen", "constrained"]
 
 _TRIALS = 6
 _STATES = 3  # of those at which the constraints hold
@@ -62,17 +65,60 @@ class Chosen:
         self.rows, self.columns = sorted(rows), sorted(columns)
 
 
-def moving_rows(equations: Equations, expressions: Sequence[Any]) -> list[Any]:
-    """Return the velocity constraints that are not zero for all motions.
+def constrained(
+    body: Multibody,
+    holonomic: Sequence[Any],
+    velocity: Sequence[Any],
+    coordinates: Sequence[Any] | None = None,
+    speeds: Sequence[Any] | None = None,
+) -> Multibody:
+    """Return the same with constraints, and dependent coordinates and speeds behind the others.
 
-    The derivative of a quaternion's norm is: the kinematic equations keep it.
+    Parameters
+    ----------
+    body : Multibody
+        Without constraints.
+    holonomic, velocity : sequence of expressions
+        Redundant ones are left out, and those that all motions satisfy: the kinematic equations
+        keep the norm of a quaternion.
+    coordinates, speeds : sequence of symbols, optional
+        The user's choice of the dependent ones.
+
+    Raises
+    ------
+    ValueError
+        The constraints contradict each other, or do not give what the user chose.
     """
+    velocity = _moving_rows(kinematics_of(body), velocity)
+    body = replace(body, holonomic=tuple(holonomic), velocity=tuple(velocity))
+    (places, q_dep), (motions, u_dep) = _choose(kinematics_of(body), coordinates, speeds)
+    order = {q: k for k, q in enumerate(body.coordinates)}
+    moved = _behind(body.coordinates, q_dep)
+    return replace(
+        body,
+        coordinates=moved,
+        speeds=_behind(body.speeds, u_dep),
+        coordinate_rates=tuple(body.coordinate_rates[order[q]] for q in moved),
+        coordinate_derivatives=tuple(body.coordinate_derivatives[order[q]] for q in moved),
+        holonomic=tuple(body.holonomic[k] for k in places.rows),
+        velocity=tuple(body.velocity[k] for k in motions.rows),
+        dependent_coordinates=q_dep,
+        dependent_speeds=u_dep,
+    )
+
+
+def _behind(symbols: Sequence[Any], last: Sequence[Any]) -> tuple[Any, ...]:
+    return (*(s for s in symbols if s not in last), *last)
+
+
+def _moving_rows(equations: Equations, expressions: Sequence[Any]) -> list[Any]:
+    """Return the velocity constraints that are not zero for all motions."""
     states = GenericStates(equations, expressions, "the velocity constraints")
     values = signatures(states.graph, states.read.all(expressions))
     return [e for e, value in zip(expressions, values, strict=True) if value]
 
 
-def choose_dependents(
+def _choose(
     equations: Equations,
     coordinates: Sequence[Any] | None,
     speeds: Sequence[Any] | None,

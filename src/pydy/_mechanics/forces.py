@@ -29,6 +29,7 @@ from pydy._mechanics.dynamics import Load, inertia_seen, loads_and_inertias
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import moving
 from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.lagrangian import lagranges_equations
 from pydy._mechanics.reader import Multibody, is_rigid
 
 __all__ = ["ConstraintForces"]
@@ -85,24 +86,46 @@ class ConstraintForces:
     def _multipliers(self) -> Vec:
         kinematics = self._kinematics
         g, n, d = kinematics.graph, len(kinematics.speeds), len(self.body.dependent_speeds)
+        rest = self._unbalanced()
+        rows = [
+            *kinematics.dt(kinematics.read.all(self.holonomic.values())),
+            *kinematics.read.all(self.nonholonomic.values()),
+        ]
+        if self.body.lagrangian is not None:  # no speed is dependent in all configurations
+            d = n
+        bound = jacobian(g, rows, kinematics.speeds[n - d :])
+        columns = [[row.get(k, g.zero) for k in range(d)] for row in bound]  # Jᵀ, by columns
+        force = [g.neg(x) for x in rest[n - d :]]
+        if len(columns) < d:
+            found = self._least(columns, force)
+        elif len(columns) == d:
+            found = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[0]
+        else:
+            found = self._shortest(columns, force)
+        return self._without_idle(found)
+
+    def _unbalanced(self) -> Vec:
+        """Return F − M u' with all speeds free."""
+        kinematics = self._kinematics
+        g, a = kinematics.graph, kinematics.accelerations
+        if self.body.lagrangian is not None:
+            matrix, forcing = lagranges_equations(kinematics)
+            return [g.sub(f, n) for f, n in zip(forcing, kinematics.turned(matrix, a), strict=True)]
         inertias, loads = loads_and_inertias(kinematics)
         for part in inertias:
             needed = kinematics.turned(part.matrix, self._rates(part.velocity))
             loads.append(Load(part.velocity, [g.neg(x) for x in needed]))
         parts = (g, kinematics.rows, kinematics.groups, kinematics.speeds)
-        _, rest = composite(*parts, [], loads)  # F − M u' with all speeds free
-        rows = [
-            *kinematics.dt(kinematics.read.all(self.holonomic.values())),
-            *kinematics.read.all(self.nonholonomic.values()),
-        ]
-        bound = jacobian(g, rows, kinematics.speeds[n - d :])
-        columns = [[row.get(k, g.zero) for k in range(d)] for row in bound]  # Jᵀ, by columns
-        force = [g.neg(x) for x in rest[n - d :]]
-        if len(columns) == d:
-            found = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[0]
-        else:
-            found = self._shortest(columns, force)
-        return self._without_idle(found)
+        return composite(*parts, [], loads)[1]
+
+    def _least(self, columns: Sequence[Vec], force: Vec) -> Vec:
+        """Return the multipliers of independent constraints from the forces on all speeds.
+
+        With A = Jᵀ, (Aᵀ A) λ = Aᵀ f.
+        """
+        g = self._kinematics.graph
+        square = [self._kinematics.turned(columns, c) for c in columns]
+        return g.solve(square, [self._kinematics.turned(columns, force)], "ldl")[0]
 
     def _shortest(self, columns: Sequence[Vec], force: Vec) -> Vec:
         """Return the least multipliers where more constraints than are independent share a force.

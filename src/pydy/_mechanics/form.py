@@ -15,7 +15,7 @@ from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.reader import Multibody
 
-__all__ = ["Formed", "auxiliary_equations", "form", "forms", "moving"]
+__all__ = ["Formed", "auxiliary_equations", "form", "forms", "moving", "reduced"]
 
 
 @dataclass(eq=False)
@@ -55,9 +55,10 @@ class Formed:
     in_one_frame: bool = False
 
     def inputs(self) -> set[tuple[str, int]]:
-        """Return the inputs that q', M and F depend on."""
+        """Return the inputs that q', M, F and u' depend on."""
         graph = self.graph
         roots = [*self.rates, *(n for row in self.matrix for n in row), *self.forcing]
+        roots += self.accelerations or []
         return {graph.args[n] for n in graph.reachable(roots) if graph.ops[n] == "input"}
 
     def symbols(self, speed_rates: Sequence[Any]) -> list[Any]:
@@ -136,7 +137,7 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
         _check_masses(body, g, matrix)
     accelerations = None
     if body.velocity:
-        matrix, forcing, accelerations = _reduced(kinematics, matrix, forcing, moved)
+        matrix, forcing, accelerations = reduced(kinematics, matrix, forcing, moved)
         if body.auxiliary:
             idle = dict.fromkeys(_idle(kinematics, forcing), g.zero)
             forcing = substitute(g, forcing, idle)
@@ -230,7 +231,7 @@ def moving(body: Multibody, in_bodies: bool, *, auxiliary: bool = False) -> Kine
         honoured.update(wrong)
 
 
-def _reduced(
+def reduced(
     kinematics: Kinematics, matrix: list[list[int]], forcing: list[int], moved: bool
 ) -> tuple[list[list[int]], list[int], list[int] | None]:
     """Return M, F and u' with the dependent speeds' equations by the acceleration constraints.

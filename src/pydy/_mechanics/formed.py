@@ -34,7 +34,7 @@ def kinematics_of(body: Multibody) -> Equations:
         auxiliary_speeds=auxiliary,
         # In motion the auxiliary speeds are zero at all times.
         zeros=(*auxiliary, *(u.diff(body.time) for u in auxiliary)),
-        multibody=body if body.bodies else None,
+        multibody=body if body.bodies or body.lagrangian is not None else None,
     )
 
 

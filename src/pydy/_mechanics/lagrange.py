@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import replace
 
 from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymbols
 
+from pydy._mechanics.classify import classify
+from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.lagrangian import form_lagrangian
 from pydy._mechanics.reader import Multibody, read_loads
 
@@ -15,6 +18,8 @@ __all__ = ["equations_of_lagrange"]
 
 def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) -> Equations:
     """Return the equations of a LagrangesMethod. The speeds are the derivatives q'.
+
+    Constraints are solved for dependent coordinates and speeds, which come behind the others.
 
     Parameters
     ----------
@@ -26,53 +31,40 @@ def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) ->
     Raises
     ------
     ValueError
-        There are constraints, loads without a frame, or no equations where the method's own are
-        asked for.
+        There are loads without a frame, constraints that contradict each other, or no equations
+        where the method's own are asked for.
     """
-    if method.coneqs:
-        raise ValueError(
-            "`eom_method` is a LagrangesMethod with constraints, whose multipliers System does not "
-            "solve for. Use a KanesMethod with `velocity_constraints`, or coordinates that satisfy "
-            "the constraints."
-        )
     if method.forcelist and method.inertial is None:
         raise ValueError(
             "`eom_method` has a `forcelist` but no `frame`: give LagrangesMethod the inertial "
             "frame in which velocities are taken."
         )
-    t = dynamicsymbols._t
     coordinates, rates = tuple(method.q), tuple(method._qdots)
-    matrix: Any = ()
-    forcing: tuple[Any, ...] = ()
-    formed = None
+    holonomic, velocity = tuple(method._hol_coneqs), tuple(method.coneqs)
+    body = Multibody(
+        frame=method.inertial or ReferenceFrame("inertial"),
+        bodies=(),
+        loads=read_loads(method.forcelist or ()),
+        time=dynamicsymbols._t,
+        coordinates=coordinates,
+        speeds=rates,
+        coordinate_rates=rates,
+        coordinate_derivatives=rates,
+        lagrangian=method._L[0],
+    )
     if source == "method":
+        if velocity:
+            raise ValueError(
+                "`equations='method'` is not possible with a LagrangesMethod that has constraints: "
+                "its equations hold the multipliers as unknowns. Leave it out."
+            )
         if method.eom is None:
             raise ValueError(
                 "`equations='method'` needs the equations of `eom_method`: call its "
                 "`form_lagranges_equations()` before it is handed to System."
             )
-        matrix, forcing = method.mass_matrix, tuple(method.forcing)
-    else:
-        body = Multibody(
-            frame=method.inertial or ReferenceFrame("inertial"),
-            bodies=(),
-            loads=read_loads(method.forcelist or ()),
-            time=t,
-            coordinates=coordinates,
-            speeds=rates,
-            coordinate_rates=rates,
-            coordinate_derivatives=rates,
-        )
-        formed = form_lagrangian(method._L[0], body)
-    return Equations(
-        time=t,
-        coordinates=coordinates,
-        speeds=rates,
-        coordinate_rates=rates,
-        speed_rates=tuple(method._qdoubledots),
-        coordinate_derivatives=rates,
-        mass_matrix=matrix,
-        forcing=forcing,
-        positive_definite=True,
-        formed=formed,
-    )
+        base = kinematics_of(body)
+        return replace(base, mass_matrix=method.mass_matrix, forcing=tuple(method.forcing))
+    if velocity:
+        body = constrained(body, holonomic, velocity)
+    return classify(replace(kinematics_of(body), formed=form_lagrangian(body)))

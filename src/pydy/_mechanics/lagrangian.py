@@ -6,48 +6,83 @@ and Q are the generalized forces of the loads.
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import Any
-
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._mechanics.dynamics import loads_and_inertias
 from pydy._mechanics.elimination import composite
-from pydy._mechanics.form import Formed, moving
+from pydy._mechanics.form import Formed, moving, reduced
+from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody
 
-__all__ = ["form_lagrangian"]
+__all__ = ["form_lagrangian", "lagranges_equations"]
 
 
 @collector_paused()
-def form_lagrangian(lagrangian: Any, body: Multibody) -> Formed:
+def form_lagrangian(body: Multibody) -> Formed:
     """Return the equations of motion of a Lagrangian.
+
+    With constraints, q'' is solved for together with the multipliers: that holds in every
+    configuration, whatever speeds are dependent. M and F are reduced as Kane's.
 
     Parameters
     ----------
-    lagrangian : expression
-        In the coordinates, their derivatives, time, constants and specifieds.
     body : Multibody
-        With the derivatives of the coordinates as speeds, the loads, and no bodies.
+        With a Lagrangian, and the derivatives of the coordinates as speeds.
 
     Raises
     ------
     ValueError
         The Lagrangian holds second derivatives of coordinates.
     """
-    kinematics = moving(replace(body, bodies=()), in_bodies=True)
+    kinematics = moving(body, in_bodies=True)
+    g, read = kinematics.graph, kinematics.read
+    matrix, forcing = lagranges_equations(kinematics)
+    accelerations = None
+    if body.velocity:
+        moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
+        accelerations = None if moved else _held(kinematics, matrix, forcing)
+        matrix, forcing, _ = reduced(kinematics, matrix, forcing, moved)
+    return Formed(
+        g,
+        read.constants,
+        read.specifieds,
+        kinematics.rates,
+        matrix,
+        forcing,
+        accelerations,
+        g.zero,
+    )
+
+
+def _held(kinematics: Kinematics, matrix: list[Vec], forcing: Vec) -> Vec:
+    """Return q'' of M q'' = F + Jᵀ λ with J q'' + b = 0."""
+    g, n = kinematics.graph, len(forcing)
+    nodes = kinematics.read.all(kinematics.body.velocity)
+    slopes = jacobian(g, nodes, kinematics.speeds)
+    held = [[row.get(k, g.zero) for k in range(n)] for row in slopes]
+    whole = [[*matrix[i], *(g.neg(row[i]) for row in held)] for i in range(n)]
+    whole += [[*row, *([g.zero] * len(held))] for row in held]
+    drift = [g.neg(b) for b in kinematics.dt(nodes)]
+    return g.solve(whole, [[*forcing, *drift]], "lu")[0][:n]
+
+
+def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
+    """Return M and F for all speeds, dependent or not."""
+    body = kinematics.body
     inertias, loads = loads_and_inertias(kinematics)
     g, speeds, n = kinematics.graph, kinematics.speeds, len(body.coordinates)
     _, forces = composite(g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
-    node = kinematics.read(lagrangian)
+    node = kinematics.read(body.lagrangian)
     if set(kinematics.accelerations) & set(g.reachable([node])):
         raise ValueError(
             "The Lagrangian holds second derivatives of coordinates. Leave out what is a "
             "derivative by time: it does not change the equations."
         )
-    coordinates = [g.input("x", k) for k in range(n)]
     (by_speed,) = jacobian(g, [node], speeds)
     momenta = [by_speed.get(k, g.zero) for k in range(n)]
+    # Coordinates in the order of the speeds, which are their derivatives.
+    order = {rate: k for k, rate in enumerate(body.coordinate_rates)}
+    coordinates = [g.input("x", order[u]) for u in body.speeds]
     (by_coordinate,) = jacobian(g, [node], coordinates)
     rows = jacobian(g, momenta, speeds)
     # One triangle for both, so that the matrix is symmetric to the last bit.
@@ -56,7 +91,4 @@ def form_lagrangian(lagrangian: Any, body: Multibody) -> Formed:
         g.sum([(by_coordinate.get(k, g.zero), 1.0), (rate, -1.0), (forces[k], 1.0)])
         for k, rate in enumerate(kinematics.dt(momenta))
     ]
-    read = kinematics.read
-    return Formed(
-        g, read.constants, read.specifieds, kinematics.rates, matrix, forcing, None, g.zero
-    )
+    return matrix, forcing

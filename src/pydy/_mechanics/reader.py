@@ -59,6 +59,8 @@ class Multibody:
         Auxiliary speeds.
     dependent_coordinates, dependent_speeds : tuple of functions of time
         Of the coordinates and speeds, where they are last.
+    lagrangian : expression or None
+        In place of bodies; the speeds are then the derivatives of the coordinates.
     """
 
     frame: Any
@@ -75,6 +77,7 @@ class Multibody:
     auxiliary: tuple[Any, ...] = ()
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
+    lagrangian: Any = None
 
     @cached_property
     def speed_rates(self) -> tuple[Any, ...]:
