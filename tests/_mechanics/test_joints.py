@@ -58,7 +58,9 @@ def test_dependent_coordinates_and_speeds_need_not_be_named(name):
     system.q_ind, system.u_ind = q, u
     own, other = System(system), System(named)
     assert own.num_constraints == other.num_constraints
-    other.constants = dict.fromkeys(other.constants_symbols, 1.0)
+    # Not all of one size: a rhombus can fold.
+    other.constants = {s: 1.0 + 0.07 * k for k, s in enumerate(other.constants_symbols)}
+    own.constants = other.constants
     rng = np.random.default_rng(2)
     other.initial_conditions = {s: rng.uniform(0.4, 0.8) for s in other.states}
     other.set_dependent_initial_conditions()
