@@ -27,7 +27,8 @@ from pydy._graph.switches import Passes
 from pydy._kernel import Kernel
 from pydy._mechanics.extract import extract, method_of, symbolic_matrices
 from pydy._names import nearest
-from pydy._system.analysis import Numbers, find_equilibrium, linearize, variables
+from pydy._system.analysis import linearize, variables
+from pydy._system.balance import Numbers, find_equilibrium
 from pydy._system.causes import cause_of, explain
 from pydy._system.definition import define, given_in, unfollowed
 from pydy._system.dependents import check_dependents, solve_dependents

@@ -1,54 +1,30 @@
-"""Equilibria and linear models of a System: its equations as functions of chosen unknowns."""
+"""Linear models of a System."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
-from pydy._assembly.specifieds import driven
-from pydy._checks import Places, check_mapping, listed, number, real_array
+from pydy._checks import Places, listed
 from pydy._errors import warn_user
+from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._system.evaluation import row_names
+from pydy._system.balance import GROUPS, Numbers, evaluated, feedback, located
+from pydy._system.definition import Definition
+from pydy._system.evaluation import evaluate
+from pydy._system.expressions import driven
 from pydy._system.start import TRIED, violations
-from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen.right_hand_side import RightHandSide
 
-__all__ = ["Numbers", "find_equilibrium", "linearize", "variables"]
+__all__ = ["Point", "linearize", "variables"]
 
-_GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
-_EPS = float(np.finfo(float).eps)
 _BESIDE = 1e-3
-
-
-@dataclass(frozen=True, eq=False)
-class Numbers:
-    """A System's equations and numbers at one moment.
-
-    Attributes
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With its linear solve compiled in.
-    plan : SpecifiedsPlan
-    x, p : ndarray
-        Initial conditions and constants.
-    t : float
-    """
-
-    definition: Definition
-    model: CompiledModel
-    plan: SpecifiedsPlan
-    x: np.ndarray
-    p: np.ndarray
-    t: float
 
 
 def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], ...]:
@@ -59,11 +35,11 @@ def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], 
     definition : Definition
     wrt : {'states', 'specifieds', 'constants'}, symbol, name, or a list
     """
-    if isinstance(wrt, str) and wrt in _GROUPS:
-        return _GROUPS[wrt]
+    if isinstance(wrt, str) and wrt in GROUPS:
+        return GROUPS[wrt]
     if isinstance(wrt, str):
-        kinds = ", ".join(map(repr, _GROUPS))
-        if all(definition.places[kind].get(wrt, "wrt") is None for kind in _GROUPS):
+        kinds = ", ".join(map(repr, GROUPS))
+        if all(definition.places[kind].get(wrt, "wrt") is None for kind in GROUPS):
             raise ValueError(
                 f"`wrt` must be one of {kinds}, or states, constants and specifieds of the system, "
                 f"got {wrt!r}."
@@ -72,207 +48,88 @@ def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], 
     if not symbols:
         raise ValueError("`wrt` must name at least one state, constant or specified.")
     found = (located(definition, symbol, "wrt") for symbol in symbols)
-    return tuple((_GROUPS[kind], place) for kind, place in found)
+    return tuple((GROUPS[kind], place) for kind, place in found)
 
 
-# -- equilibria -----------------------------------------------------------------------------------
+@dataclass(frozen=True, eq=False)
+class Point:
+    """States, times and numbers at which a System is linearised, m of them.
 
+    Attributes
+    ----------
+    definition : Definition
+    made : RightHandSide
+        With additions to the specifieds that are expressions as inputs.
+    plan : SpecifiedsPlan
+    t, x, r, p : ndarray
+        Shapes (m,), (m, n), (m, s) or (1, s), and (k,) or (m, k).
+    """
 
-class _Unknowns:
-    """Symbols of all three kinds, and where they lie."""
+    definition: Definition
+    made: RightHandSide
+    plan: SpecifiedsPlan
+    t: np.ndarray
+    x: np.ndarray
+    r: np.ndarray
+    p: np.ndarray
 
-    def __init__(self, definition: Definition, symbols: Sequence[Any]) -> None:
-        self.symbols: list[Any] = []
-        self.columns: dict[str, list[int]] = {kind: [] for kind in _GROUPS}
-        self.order: list[tuple[str, int]] = []
-        for symbol in symbols:
-            kind, place = located(definition, symbol, "unknowns")
-            if (kind, place) in self.order:
-                raise ValueError(f"`unknowns` has `{symbol}` more than once.")
-            self.order.append((kind, place))
-            self.symbols.append(definition.places[kind].symbols[place])
+    @cached_property
+    def through(self) -> np.ndarray:
+        """How Python functions among the specifieds change with the states, shape (m, s, n)."""
+        return feedback(self.plan, self.x, self.t)
+
+    def value(self, kernel: Kernel, width: int | None = None) -> np.ndarray:
+        """Return the outputs of a Kernel, in rows of so many columns."""
+        if self.p.ndim > 1:
+            out = evaluated(kernel, self.t, self.x, self.r, self.p)
+        else:
+            out = evaluate(kernel, self.made.layout, self.t, self.x, self.r, self.p)
+        return out if width is None else out.reshape(len(self.x), -1, width)
+
+    def slopes(self, block: str) -> np.ndarray:
+        """Return the derivatives of a block by the states, with all feedback."""
+        direct = self.value(self.made.compiled_jacobian(block, "x"), self.x.shape[1])
+        if not self.through.any():
+            return direct
+        by_input = self.value(self.made.compiled_jacobian(block, "r"), self.r.shape[1])
+        whole: np.ndarray = direct + by_input @ self.through
+        return whole
 
     @property
-    def names(self) -> tuple[str, ...]:
-        return unique_names(self.symbols)
+    def blocks(self) -> list[str]:
+        """The constraints there are."""
+        return [b for b in ("holonomic", "velocity") if getattr(self.definition.equations, b)]
 
-    def of(self, kind: str) -> tuple[list[int], list[int]]:
-        """Return which of the unknowns are of a kind, and their places there."""
-        found = [(k, place) for k, (what, place) in enumerate(self.order) if what == kind]
-        return [k for k, _ in found], [place for _, place in found]
-
-
-def located(definition: Definition, symbol: Any, argument: str) -> tuple[str, int]:
-    """Return the kind of a symbol or name, and its place there.
-
-    Raises
-    ------
-    ValueError
-        It is no state, constant or specified.
-    """
-    for kind in _GROUPS:
-        place = definition.places[kind].get(symbol, argument)
-        if place is not None:
-            return kind, place
-    everything = [s for kind in _GROUPS for s in definition.places[kind].symbols]
-    places = Places(everything, "states, constants and specifieds of the system")
-    places.find(symbol, argument)  # raises, with names that are alike
-    raise AssertionError(symbol)
-
-
-def find_equilibrium(
-    numbers: Numbers,
-    unknowns: Iterable[Any] | None,
-    given: Mapping[Any, Any] | None,
-    moving: Iterable[Any],
-    bounds: Mapping[Any, Any] | None,
-) -> Equilibrium:
-    """Return what `System.find_equilibrium` describes."""
-    definition = numbers.definition
-    equations = definition.equations
-    states = definition.places["states"]
-    q, n = len(equations.coordinates), len(equations.coordinates) + len(equations.speeds)
-    steady = [states.find(s, "moving") for s in listed("moving", moving)]
-    if any(place >= q for place in steady):
-        names = [str(states.symbols[k]) for k in steady if k >= q]
-        raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
-    x, p = numbers.x.copy(), numbers.p.copy()
-    inputs: dict[Any, float] = {}
-    given = check_mapping("given", given)
-    for key, entry in given.items():
-        kind, place = located(definition, key, "given")
-        amount = number(entry, f"`given[{key}]`", finite=True)
-        if kind == "specifieds":
-            inputs[definition.specifieds[place]] = amount
-        else:
-            (x if kind == "states" else p)[place] = amount
-    if unknowns is None:
-        held = {located(definition, key, "given") for key in given}
-        unknowns = [
-            s
-            for k, s in enumerate((*equations.coordinates, *equations.speeds))
-            if k not in steady and ("states", k) not in held
+    def tangents(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return T, shape (m, n, k), and the places of the independent states."""
+        definition, x = self.definition, self.x
+        equations, n = definition.equations, x.shape[1]
+        gradient = np.zeros((len(x), 0, n))
+        if self.blocks:
+            gradient = np.concatenate([self.slopes(b) for b in self.blocks], axis=1)
+            gradient /= self._sizes(gradient)
+        chosen = [
+            definition.states.index(state)
+            for state in (*equations.dependent_coordinates, *equations.dependent_speeds)
         ]
-    wanted = _Unknowns(definition, listed("unknowns", unknowns))
-    if not wanted.symbols:
-        raise ValueError("`unknowns` must name at least one state, constant or specified.")
-    rows = [k for k in range(n) if k not in steady]
-    by_specified, columns = wanted.of("specifieds")
-    own = [definition.specifieds[k] for k in columns]
-    plan = numbers.plan.updated(
-        SpecifiedsPlan(
-            {**inputs, **{s: _start(numbers, s) for s in own if s not in inputs}},
-            definition.places["specifieds"],
-            argument="given",
-        )
-    )
-    made = driven(numbers.model, definition, plan, perturbed=bool(own or plan.functions))
-    blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
-    instant = np.array([numbers.t])
-    r = plan.rows(x[None], instant).copy()
-    by_state, at_state = wanted.of("states")
-    by_constant, at_constant = wanted.of("constants")
+        free, bound = independent_places(gradient[0], chosen)
+        free = free[free < n - len(definition.auxiliaries)]  # integrals of outputs move nothing
+        return tangents(gradient, free, bound), free
 
-    def put(z: np.ndarray) -> None:
-        x[at_state], p[at_constant] = z[by_state], z[by_constant]
-        if plan.constant:
-            r[:, columns] = z[by_specified]
-        else:
-            r[:] = plan.rows(x[None], instant)
-            r[:, columns] = z[by_specified]
+    def _sizes(self, gradient: np.ndarray) -> np.ndarray:
+        """Return how large the rows of the constraints' gradient are, shape (m, c, 1).
 
-    def value(kernel: Kernel) -> np.ndarray:
-        out, failed = kernel.evaluate(instant, x[None], r, p)
-        row: np.ndarray = np.full_like(out[0], np.nan) if failed[0] else out[0]
-        return row  # a singular state on the way is none to end the search
-
-    def residual(z: np.ndarray) -> np.ndarray:
-        put(z)
-        parts = [value(made.compiled(block)) for block in blocks]
-        return np.concatenate([parts[0][rows], *parts[1:]])
-
-    def jacobian(z: np.ndarray) -> np.ndarray:
-        put(z)
-        through = _feedback(plan, x[None], instant)[0]
-        through[columns] = 0.0
-        parts = []
-        for block in blocks:
-            part = np.zeros((len(getattr(made.assembly, block)), len(z)))
-            if through.any():
-                by_input = value(made.compiled_jacobian(block, "r")).reshape(len(part), -1)
-                part[:, by_state] = (by_input @ through)[:, at_state]
-            for kind, group in _GROUPS.items():
-                places, found = wanted.of(kind)
-                if places:
-                    whole = value(made.compiled_jacobian(block, group))
-                    part[:, places] += whole.reshape(len(part), -1)[:, found]
-            parts.append(part)
-        return np.vstack([parts[0][rows], *parts[1:]])
-
-    start = np.concatenate([x[at_state], p[at_constant], r[0, columns]])
-    start = start[np.argsort([*by_state, *by_constant, *by_specified])]
-    names = row_names(definition, "rates")
-    titles = [names[k] for k in rows] + [t for b in blocks[1:] for t in row_names(definition, b)]
-    z, largest, free = solve_equilibrium(
-        residual, jacobian, start, _bounds(definition, wanted, bounds), wanted.names, titles
-    )
-    put(z)
-    values = dict(zip(wanted.symbols, z.tolist(), strict=True))
-    return Equilibrium(
-        values=values,
-        initial_conditions=dict(zip(definition.states, x.tolist(), strict=True)),
-        constants={wanted.symbols[k]: values[wanted.symbols[k]] for k in by_constant},
-        specifieds={wanted.symbols[k]: values[wanted.symbols[k]] for k in by_specified},
-        state=x.copy(),
-        residual=largest,
-        free=free,
-    )
-
-
-def _feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Return how the specifieds that are functions change with the states, shape (m, s, n).
-
-    These are central differences; expressions are compiled into the equations instead.
-    """
-    m, n = x.shape
-    slopes = np.zeros((m, len(plan.symbols), n))
-    if plan.functions:
-        for k in range(n):
-            step = np.zeros_like(x)
-            step[:, k] = np.cbrt(_EPS) * np.maximum(np.abs(x[:, k]), 1.0)
-            ahead, behind = x + step, x - step
-            change = plan.rows(ahead, t) - plan.rows(behind, t)
-            slopes[:, :, k] = change / (ahead - behind)[:, k, None]
-    return slopes
-
-
-def _start(numbers: Numbers, symbol: Any) -> float:
-    """Return the value of a specified from which to search."""
-    place = numbers.definition.specifieds.index(symbol)
-    row = numbers.plan.rows(numbers.x[None], np.array([numbers.t]))[0]
-    return float(row[place])
-
-
-def _bounds(
-    definition: Definition, wanted: _Unknowns, bounds: Mapping[Any, Any] | None
-) -> tuple[np.ndarray, np.ndarray]:
-    low = np.full(len(wanted.symbols), -np.inf)
-    high = -low
-    for key, pair in check_mapping("bounds", bounds).items():
-        place = located(definition, key, "bounds")
-        if place not in wanted.order:
-            raise ValueError(f"`bounds` has the key `{key}`, which is not one of `unknowns`.")
-        limits = real_array(pair, f"`bounds[{key}]`")
-        if limits.shape != (2,) or not limits[0] < limits[1]:
-            raise ValueError(
-                f"`bounds[{key}]` must be a pair of the lowest and the highest value, got {pair}."
-            )
-        k = wanted.order.index(place)
-        low[k], high[k] = limits
-    return low, high
-
-
-# -- linear models --------------------------------------------------------------------------------
+        A row that vanishes in a singular configuration is rounding errors there: its size is taken
+        beside it.
+        """
+        n = gradient.shape[2]
+        offset = _BESIDE * np.maximum(np.abs(self.x), 1.0) * np.cos(np.arange(n))
+        beside = replace(self, x=self.x + offset)
+        found = [beside.value(self.made.compiled_jacobian(b, "x"), n) for b in self.blocks]
+        moved = np.concatenate(found, axis=1)
+        both = np.stack([gradient, np.where(np.isfinite(moved), moved, 0.0)])
+        sizes: np.ndarray = np.linalg.norm(both, axis=-1, keepdims=True).max(axis=0)
+        return np.where(sizes > 0.0, sizes, 1.0)
 
 
 def linearize(
@@ -285,39 +142,15 @@ def linearize(
 ) -> LinearModel:
     """Return what `System.linearize` describes; x (m, n) and t (m,)."""
     definition = numbers.definition
-    equations, places = definition.equations, definition.places
+    places = definition.places
     names = unique_names(definition.states)
     plan = numbers.plan
-    made = driven(numbers.model, definition, plan, perturbed=True)
+    made = driven(numbers.implementation, definition, plan, perturbed=True)
     rows = plan.rows(x, t)
-
-    def value(kernel: Kernel, width: int | None = None) -> np.ndarray:
-        out = made.evaluate(kernel, t, x, rows, numbers.p)
-        return out if width is None else out.reshape(len(x), -1, width)
-
+    point = Point(definition, made, plan, t, x, rows, numbers.p)
+    value, slopes, blocks = point.value, point.slopes, point.blocks
     n, s = len(definition.states), len(definition.specifieds)
-    through = _feedback(plan, x, t)
-
-    def slopes(block: str) -> np.ndarray:
-        direct = value(made.compiled_jacobian(block, "x"), n)
-        if not through.any():
-            return direct
-        whole: np.ndarray = direct + value(made.compiled_jacobian(block, "r"), s) @ through
-        return whole
-
-    blocks = [b for b in ("holonomic", "velocity") if getattr(equations, b)]
-    gradient = np.zeros((len(x), 0, n))
-    if blocks:
-        gradient = np.concatenate([slopes(b) for b in blocks], axis=1)
-        beside = x + _BESIDE * np.maximum(np.abs(x), 1.0) * np.cos(np.arange(n))
-        gradient /= _sizes(numbers, made, blocks, (t, beside, rows), gradient)
-    chosen = [
-        definition.states.index(state)
-        for state in (*equations.dependent_coordinates, *equations.dependent_speeds)
-    ]
-    free, bound = independent_places(gradient[0], chosen)
-    free = free[free < n - len(definition.auxiliaries)]  # integrals of outputs move nothing
-    T = tangents(gradient, free, bound)
+    T, free = point.tangents()
     if blocks:
         _warn_of_violations(numbers, made, t, x, rows)
     A = (slopes("rates") @ T)[:, free]
@@ -359,7 +192,7 @@ def _which(k: int, x: np.ndarray) -> str:
 
 
 def _warn_of_violations(
-    numbers: Numbers, made: CompiledModel, t: np.ndarray, x: np.ndarray, rows: np.ndarray
+    numbers: Numbers, made: RightHandSide, t: np.ndarray, x: np.ndarray, rows: np.ndarray
 ) -> None:
     """Warn of the first state that is off the constraints, of those that are tried."""
     for k in np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int)):
@@ -375,32 +208,11 @@ def _warn_of_violations(
             return
 
 
-def _sizes(
-    numbers: Numbers,
-    made: CompiledModel,
-    blocks: Sequence[str],
-    beside: tuple[np.ndarray, np.ndarray, np.ndarray],
-    gradient: np.ndarray,
-) -> np.ndarray:
-    """Return how large the rows of the constraints' gradient are, shape (m, c, 1).
-
-    A row that vanishes in a singular configuration is rounding errors there: its size is taken
-    beside it.
-    """
-    n = gradient.shape[2]
-    t, x, r = beside
-    found = [made.evaluate(made.compiled_jacobian(b, "x"), t, x, r, numbers.p) for b in blocks]
-    moved = np.concatenate([part.reshape(len(x), -1, n) for part in found], axis=1)
-    both = np.stack([gradient, np.where(np.isfinite(moved), moved, 0.0)])
-    sizes: np.ndarray = np.linalg.norm(both, axis=-1, keepdims=True).max(axis=0)
-    return np.where(sizes > 0.0, sizes, 1.0)
-
-
 def _outputs(
     numbers: Numbers,
     outputs: Iterable[Any] | None,
     value: Any,
-    made: CompiledModel,
+    made: RightHandSide,
     slopes: Callable[[str], np.ndarray],
     T: np.ndarray,
     columns: list[int],

@@ -159,9 +159,12 @@ def tangents(jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray) -> np.nd
     result[:, free, np.arange(len(free))] = 1.0
     if len(bound):
         held, moved = jacobian[:, :, bound], jacobian[:, :, free]
-        smallest = np.linalg.svd(held, compute_uv=False)[:, -1]
-        if smallest.min() <= _DEPENDENT:
+        left, sizes, right = np.linalg.svd(held, full_matrices=False)
+        smallest = sizes[:, -1]
+        if not smallest.min() > _DEPENDENT:
             raise _singular(int(smallest.argmin()))
-        solved = -np.linalg.pinv(held) @ moved
+        # The pseudo-inverse from the same decomposition.
+        projected = left.transpose(0, 2, 1) @ moved / sizes[:, :, None]
+        solved = -right.transpose(0, 2, 1) @ projected
         result[:, bound] = solved
     return result

@@ -1,0 +1,322 @@
+"""The conditions of equilibrium as functions of chosen unknowns, at many values of them at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import Places, check_mapping, listed, number, real_array
+from pydy._kernel import Kernel
+from pydy._names import unique_names
+from pydy._system.definition import Definition
+from pydy._system.evaluation import row_names
+from pydy._system.expressions import driven
+from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.codegen.right_hand_side import RightHandSide
+
+__all__ = [
+    "GROUPS",
+    "Balance",
+    "Numbers",
+    "Unknowns",
+    "evaluated",
+    "feedback",
+    "find_equilibrium",
+    "located",
+]
+
+GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
+"""The kinds of symbols, and the arrays that hold their numbers."""
+_EPS = float(np.finfo(float).eps)
+
+
+@dataclass(frozen=True, eq=False)
+class Numbers:
+    """A System's equations and numbers at one moment.
+
+    Attributes
+    ----------
+    definition : Definition
+    implementation : RightHandSide
+        With its linear solve compiled in.
+    plan : SpecifiedsPlan
+    x, p : ndarray
+        Initial conditions and constants.
+    t : float
+    """
+
+    definition: Definition
+    implementation: RightHandSide
+    plan: SpecifiedsPlan
+    x: np.ndarray
+    p: np.ndarray
+    t: float
+
+
+class Unknowns:
+    """Symbols of all three kinds, and where they lie."""
+
+    def __init__(self, definition: Definition, symbols: Sequence[Any]) -> None:
+        self.symbols: list[Any] = []
+        self.columns: dict[str, list[int]] = {kind: [] for kind in GROUPS}
+        self.order: list[tuple[str, int]] = []
+        for symbol in symbols:
+            kind, place = located(definition, symbol, "unknowns")
+            if (kind, place) in self.order:
+                raise ValueError(f"`unknowns` has `{symbol}` more than once.")
+            self.order.append((kind, place))
+            self.symbols.append(definition.places[kind].symbols[place])
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return unique_names(self.symbols)
+
+    def of(self, kind: str) -> tuple[list[int], list[int]]:
+        """Return which of the unknowns are of a kind, and their places there."""
+        found = [(k, place) for k, (what, place) in enumerate(self.order) if what == kind]
+        return [k for k, _ in found], [place for _, place in found]
+
+
+def located(definition: Definition, symbol: Any, argument: str) -> tuple[str, int]:
+    """Return the kind of a symbol or name, and its place there.
+
+    Raises
+    ------
+    ValueError
+        It is no state, constant or specified.
+    """
+    for kind in GROUPS:
+        place = definition.places[kind].get(symbol, argument)
+        if place is not None:
+            return kind, place
+    everything = [s for kind in GROUPS for s in definition.places[kind].symbols]
+    places = Places(everything, "states, constants and specifieds of the system")
+    places.find(symbol, argument)  # raises, with names that are alike
+    raise AssertionError(symbol)
+
+
+def evaluated(
+    kernel: Kernel, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+) -> np.ndarray:
+    """Return the outputs of a Kernel at m samples, NaN where singular; p (k,) or (m, k)."""
+    if p.ndim == 1:
+        out, failed = kernel.evaluate(t, x, r, p)
+    else:
+        rows = np.broadcast_to(r, (len(x), r.shape[1]))
+        parts = [
+            kernel.evaluate(t[k : k + 1], x[k : k + 1], rows[k : k + 1].copy(), p[k])
+            for k in range(len(x))
+        ]
+        out, failed = (np.concatenate(part) for part in zip(*parts, strict=True))
+    if failed.any():
+        out = np.where(failed[:, None], np.nan, out)
+    return out
+
+
+class Balance:
+    """Derivatives of the states and residuals of the constraints as functions of unknowns z.
+
+    Parameters
+    ----------
+    numbers : Numbers
+    unknowns : iterable of symbols or names, optional
+        By default all coordinates and speeds that are neither given, nor moving, nor varied.
+    given : mapping, optional
+        Values of other states, constants and specifieds.
+    moving : iterable of coordinates
+        Those that may change steadily.
+    varied : sequence of symbols or names
+        Further unknowns, the last ones, which are never taken by default.
+    """
+
+    def __init__(
+        self,
+        numbers: Numbers,
+        unknowns: Iterable[Any] | None,
+        given: Mapping[Any, Any] | None,
+        moving: Iterable[Any],
+        varied: Sequence[Any] = (),
+    ) -> None:
+        definition = self.definition = numbers.definition
+        equations = definition.equations
+        states = definition.places["states"]
+        q, n = len(equations.coordinates), len(equations.coordinates) + len(equations.speeds)
+        steady = [states.find(s, "moving") for s in listed("moving", moving)]
+        if any(place >= q for place in steady):
+            names = [str(states.symbols[k]) for k in steady if k >= q]
+            raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
+        self.x, self.p = numbers.x.copy(), numbers.p.copy()
+        inputs: dict[Any, float] = {}
+        given = check_mapping("given", given)
+        for key, entry in given.items():
+            kind, place = located(definition, key, "given")
+            amount = number(entry, f"`given[{key}]`", finite=True)
+            if kind == "specifieds":
+                inputs[definition.specifieds[place]] = amount
+            else:
+                (self.x if kind == "states" else self.p)[place] = amount
+        if unknowns is None:
+            held = {located(definition, key, "given") for key in given}
+            held |= {located(definition, key, "over") for key in varied}
+            unknowns = [
+                s
+                for k, s in enumerate((*equations.coordinates, *equations.speeds))
+                if k not in steady and ("states", k) not in held
+            ]
+        unknowns = listed("unknowns", unknowns)
+        if not unknowns and not varied:
+            raise ValueError("`unknowns` must name at least one state, constant or specified.")
+        self.wanted = wanted = Unknowns(definition, [*unknowns, *varied])
+        self.rows = [k for k in range(n) if k not in steady]
+        by_specified, self.columns = wanted.of("specifieds")
+        own = [definition.specifieds[k] for k in self.columns]
+        self.plan = numbers.plan.updated(
+            SpecifiedsPlan(
+                {**inputs, **{s: _start(numbers, s) for s in own if s not in inputs}},
+                definition.places["specifieds"],
+                argument="given",
+            )
+        )
+        self.made = driven(
+            numbers.implementation, definition, self.plan,
+            perturbed=bool(own or self.plan.functions),
+        )  # fmt: skip
+        self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
+        self.t = numbers.t
+        self.start = np.empty(len(wanted.symbols))
+        self.start[wanted.of("states")[0]] = self.x[wanted.of("states")[1]]
+        self.start[wanted.of("constants")[0]] = self.p[wanted.of("constants")[1]]
+        r = self.plan.rows(self.x[None], np.array([self.t]))[0]
+        self.start[by_specified] = r[self.columns]
+
+    @property
+    def titles(self) -> list[str]:
+        """What the rows of the residual are called."""
+        names = row_names(self.definition, "rates")
+        rest = [t for b in self.blocks[1:] for t in row_names(self.definition, b)]
+        return [names[k] for k in self.rows] + rest
+
+    def inputs(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Return t (m,), x (m, n), r (m, s) and p, (k,) or (m, k), for unknowns z (m, l)."""
+        m = len(z)
+        by_state, at_state = self.wanted.of("states")
+        by_constant, at_constant = self.wanted.of("constants")
+        x, p, t = np.repeat(self.x[None], m, axis=0), self.p, np.full(m, self.t)
+        x[:, at_state] = z[:, by_state]
+        if by_constant:
+            p = np.repeat(p[None], m, axis=0)
+            p[:, at_constant] = z[:, by_constant]
+        r = np.broadcast_to(self.plan.rows(x, t), (m, len(self.definition.specifieds))).copy()
+        r[:, self.columns] = z[:, self.wanted.of("specifieds")[0]]
+        return t, x, r, p
+
+    def residuals(self, z: np.ndarray) -> np.ndarray:
+        """Return the residuals, shape (m, rows); NaN in singular states."""
+        parts = [evaluated(self.made.compiled(b), *self.inputs(z)) for b in self.blocks]
+        return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
+
+    def slopes(self, z: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the residuals by the unknowns, shape (m, rows, l)."""
+        m, made = len(z), self.made
+        t, x, r, p = self.inputs(z)
+        through = feedback(self.plan, x, t)
+        through[:, self.columns] = 0.0
+        by_state, at_state = self.wanted.of("states")
+        parts = []
+        for block in self.blocks:
+            part = np.zeros((m, len(getattr(made.assembly, block)), z.shape[1]))
+            if through.any():
+                by_input = evaluated(made.compiled_jacobian(block, "r"), t, x, r, p)
+                whole = by_input.reshape(m, part.shape[1], -1) @ through
+                part[:, :, by_state] = whole[:, :, at_state]
+            for kind, group in GROUPS.items():
+                places, found = self.wanted.of(kind)
+                if places:
+                    slopes = evaluated(made.compiled_jacobian(block, group), t, x, r, p)
+                    part[:, :, places] += slopes.reshape(m, part.shape[1], -1)[:, :, found]
+            parts.append(part)
+        return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
+
+    def equilibrium(self, z: np.ndarray, largest: float, free: tuple[str, ...]) -> Equilibrium:
+        """Return the result for the unknowns that were found, shape (l,)."""
+        wanted = self.wanted
+        values = dict(zip(wanted.symbols, z.tolist(), strict=True))
+        x = self.inputs(z[None])[1][0]
+        return Equilibrium(
+            values=values,
+            initial_conditions=dict(zip(self.definition.states, x.tolist(), strict=True)),
+            constants={wanted.symbols[k]: float(z[k]) for k in wanted.of("constants")[0]},
+            specifieds={wanted.symbols[k]: float(z[k]) for k in wanted.of("specifieds")[0]},
+            state=x,
+            residual=largest,
+            free=free,
+        )
+
+
+def find_equilibrium(
+    numbers: Numbers,
+    unknowns: Iterable[Any] | None,
+    given: Mapping[Any, Any] | None,
+    moving: Iterable[Any],
+    bounds: Mapping[Any, Any] | None,
+) -> Equilibrium:
+    """Return what `System.find_equilibrium` describes."""
+    balance = Balance(numbers, unknowns, given, moving)
+    wanted = balance.wanted
+    return balance.equilibrium(
+        *solve_equilibrium(
+            lambda z: balance.residuals(z[None])[0],
+            lambda z: balance.slopes(z[None])[0],
+            balance.start,
+            _bounds(numbers.definition, wanted, bounds),
+            wanted.names,
+            balance.titles,
+        )
+    )
+
+
+def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return how the specifieds that are functions change with the states, shape (m, s, n).
+
+    These are central differences; expressions are compiled into the equations instead.
+    """
+    m, n = x.shape
+    slopes = np.zeros((m, len(plan.symbols), n))
+    if plan.functions:
+        for k in range(n):
+            step = np.zeros_like(x)
+            step[:, k] = np.cbrt(_EPS) * np.maximum(np.abs(x[:, k]), 1.0)
+            ahead, behind = x + step, x - step
+            change = plan.rows(ahead, t) - plan.rows(behind, t)
+            slopes[:, :, k] = change / (ahead - behind)[:, k, None]
+    return slopes
+
+
+def _start(numbers: Numbers, symbol: Any) -> float:
+    """Return the value of a specified from which to search."""
+    place = numbers.definition.specifieds.index(symbol)
+    row = numbers.plan.rows(numbers.x[None], np.array([numbers.t]))[0]
+    return float(row[place])
+
+
+def _bounds(
+    definition: Definition, wanted: Unknowns, bounds: Mapping[Any, Any] | None
+) -> tuple[np.ndarray, np.ndarray]:
+    low = np.full(len(wanted.symbols), -np.inf)
+    high = -low
+    for key, pair in check_mapping("bounds", bounds).items():
+        place = located(definition, key, "bounds")
+        if place not in wanted.order:
+            raise ValueError(f"`bounds` has the key `{key}`, which is not one of `unknowns`.")
+        limits = real_array(pair, f"`bounds[{key}]`")
+        if limits.shape != (2,) or not limits[0] < limits[1]:
+            raise ValueError(
+                f"`bounds[{key}]` must be a pair of the lowest and the highest value, got {pair}."
+            )
+        k = wanted.order.index(place)
+        low[k], high[k] = limits
+    return low, high
