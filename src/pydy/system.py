@@ -58,7 +58,8 @@ from pydy._system.sensitivities import Wanted
 from pydy._system.solving import HANDLED, prepare
 from pydy._system.start import check_start
 from pydy._system.summary import as_html, as_text, facts
-from pydy.analysis import Equilibrium, LinearModel
+from pydy._system.sweeps import eigenvalues
+from pydy.analysis import EigenvalueSweep, Equilibrium, LinearModel
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.ode_function_generators import make_function
 from pydy.codegen.right_hand_side import RightHandSide, make_backend, rates_function
@@ -1351,6 +1352,59 @@ class System:
             at = places.read("at", at, self._x0())
         x, instants, single = samples(at, t, self._x0, self._times, len(places))
         return linearize(numbers, x, instants, inputs, outputs, single)
+
+    def eigenvalues(
+        self,
+        over: dict[Any, Any],
+        at: Any = None,
+        *,
+        unknowns: Iterable[Any] | None = None,
+        given: dict[Any, float] | None = None,
+        moving: Iterable[Any] = (),
+    ) -> EigenvalueSweep:
+        """Return the eigenvalues of the linear models along a parameter, in branches.
+
+        At each value of the parameter the equilibrium is found that the one before leads to, and
+        the motions near it that keep the constraints are linearised.
+
+        Parameters
+        ----------
+        over : dict
+            One state, constant or specified, by symbol or name, and its values, ascending or
+            descending.
+        at : array_like, shape (n,) or (m, n), or dict, optional
+            States to linearise at as they are, instead of equilibria; one, or one for each value.
+        unknowns, given, moving
+            As in `find_equilibrium`.
+
+        Returns
+        -------
+        EigenvalueSweep
+
+        Raises
+        ------
+        EquilibriumError
+            There is no equilibrium at a value of the parameter.
+        ValueError
+            A name is none of the system's, or the values are not in order.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> sweep = system.eigenvalues({'c0': np.linspace(-1.0, 3.0, num=9)})
+        >>> [(round(c.value, 9), c.eigenvalue, c.oscillatory) for c in sweep.crossings()]
+        [(0.0, 1j, True)]
+        """
+        places = self._definition.places["states"]
+        if isinstance(at, Mapping):
+            at = places.read("at", at, self._x0())
+        if at is not None:
+            t = np.zeros(len(at)) if np.ndim(at) == 2 else None
+            at, _, single = samples(at, t, self._x0, self._times, len(places))
+            at = at[0] if single else at
+        return eigenvalues(self._numbers_now(), over, at, unknowns, given, moving)
 
     def _numbers_now(self) -> Numbers:
         t = float(self._times[0]) if len(self._times) else 0.0

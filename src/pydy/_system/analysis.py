@@ -8,19 +8,18 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven
 from pydy._checks import Places, listed
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._system.balance import GROUPS, Numbers, evaluated, feedback, located
-from pydy._system.definition import Definition
-from pydy._system.evaluation import evaluate
-from pydy._system.expressions import driven
 from pydy._system.start import TRIED, violations
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.codegen.right_hand_side import RightHandSide
 
 __all__ = ["Point", "linearize", "variables"]
 
@@ -58,7 +57,7 @@ class Point:
     Attributes
     ----------
     definition : Definition
-    made : RightHandSide
+    made : CompiledModel
         With additions to the specifieds that are expressions as inputs.
     plan : SpecifiedsPlan
     t, x, r, p : ndarray
@@ -66,7 +65,7 @@ class Point:
     """
 
     definition: Definition
-    made: RightHandSide
+    made: CompiledModel
     plan: SpecifiedsPlan
     t: np.ndarray
     x: np.ndarray
@@ -83,7 +82,7 @@ class Point:
         if self.p.ndim > 1:
             out = evaluated(kernel, self.t, self.x, self.r, self.p)
         else:
-            out = evaluate(kernel, self.made.layout, self.t, self.x, self.r, self.p)
+            out = self.made.evaluate(kernel, self.t, self.x, self.r, self.p)
         return out if width is None else out.reshape(len(self.x), -1, width)
 
     def slopes(self, block: str) -> np.ndarray:
@@ -145,7 +144,7 @@ def linearize(
     places = definition.places
     names = unique_names(definition.states)
     plan = numbers.plan
-    made = driven(numbers.implementation, definition, plan, perturbed=True)
+    made = driven(numbers.model, definition, plan, perturbed=True)
     rows = plan.rows(x, t)
     point = Point(definition, made, plan, t, x, rows, numbers.p)
     value, slopes, blocks = point.value, point.slopes, point.blocks
@@ -192,7 +191,7 @@ def _which(k: int, x: np.ndarray) -> str:
 
 
 def _warn_of_violations(
-    numbers: Numbers, made: RightHandSide, t: np.ndarray, x: np.ndarray, rows: np.ndarray
+    numbers: Numbers, made: CompiledModel, t: np.ndarray, x: np.ndarray, rows: np.ndarray
 ) -> None:
     """Warn of the first state that is off the constraints, of those that are tried."""
     for k in np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int)):
@@ -212,7 +211,7 @@ def _outputs(
     numbers: Numbers,
     outputs: Iterable[Any] | None,
     value: Any,
-    made: RightHandSide,
+    made: CompiledModel,
     slopes: Callable[[str], np.ndarray],
     T: np.ndarray,
     columns: list[int],

@@ -8,15 +8,15 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, listed, number, real_array
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._system.definition import Definition
 from pydy._system.evaluation import row_names
-from pydy._system.expressions import driven
 from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.codegen.right_hand_side import RightHandSide
 
 __all__ = [
     "GROUPS",
@@ -41,7 +41,7 @@ class Numbers:
     Attributes
     ----------
     definition : Definition
-    implementation : RightHandSide
+    model : CompiledModel
         With its linear solve compiled in.
     plan : SpecifiedsPlan
     x, p : ndarray
@@ -50,7 +50,7 @@ class Numbers:
     """
 
     definition: Definition
-    implementation: RightHandSide
+    model: CompiledModel
     plan: SpecifiedsPlan
     x: np.ndarray
     p: np.ndarray
@@ -182,7 +182,7 @@ class Balance:
             )
         )
         self.made = driven(
-            numbers.implementation, definition, self.plan,
+            numbers.model, definition, self.plan,
             perturbed=bool(own or self.plan.functions),
         )  # fmt: skip
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]

@@ -1,11 +1,12 @@
 """What derivatives answer: where a system balances, and how it moves near there.
 
-`System.find_equilibrium` and `System.linearize` return these.
+`System.find_equilibrium`, `System.linearize` and `System.eigenvalues` return these.
 """
 
 from __future__ import annotations
 
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel
+from pydy.analysis.sweeps import Crossing, EigenvalueSweep
 
-__all__ = ["Equilibrium", "LinearModel"]
+__all__ = ["Crossing", "EigenvalueSweep", "Equilibrium", "LinearModel"]

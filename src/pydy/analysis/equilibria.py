@@ -17,7 +17,7 @@ from scipy.optimize import least_squares
 from pydy._errors import EquilibriumError
 from pydy._names import unique_names
 
-__all__ = ["Equilibrium", "solve_equilibrium"]
+__all__ = ["Equilibrium", "solve_equilibrium", "solve_many"]
 
 _EPS = float(np.finfo(float).eps)
 # Singular values below this share of the largest leave a direction in which the unknowns are free.
@@ -117,8 +117,7 @@ def solve_equilibrium(
             z,
             values,
         )
-    scale = np.abs(slopes) @ np.maximum(np.abs(z), 1.0) + np.abs(values).max(initial=0.0) * _EPS
-    worst = np.abs(values) / np.maximum(_ROUNDING * _EPS * scale, 1e-300)
+    worst = np.abs(values) / np.maximum(_ROUNDING * _EPS * _scale(slopes, z, values), 1e-300)
     if (worst > 1.0).any():
         order = [k for k in np.argsort(-np.abs(values)) if worst[k] > 1.0][:3]
         left = ", ".join(f"{rows[k]} = {values[k]:.3g}" for k in order)
@@ -136,6 +135,58 @@ def solve_equilibrium(
             values,
         )
     return z, float(np.abs(values).max(initial=0.0)), _undetermined(slopes, unknowns)
+
+
+def solve_many(
+    residuals: Callable[[np.ndarray], np.ndarray],
+    slopes: Callable[[np.ndarray], np.ndarray],
+    z: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Solve for all but the last column of `z` in each row at once, by Newton's method.
+
+    Parameters
+    ----------
+    residuals, slopes : callable
+        Of z (m, k): shapes (m, r) and (m, r, k).
+    z : ndarray, shape (m, k)
+        Where to start.
+
+    Returns
+    -------
+    z : ndarray, shape (m, k)
+    sound : ndarray of bool, shape (m,)
+        Where the residuals are rounding errors.
+    """
+    z = z.copy()
+    best = residuals(z)
+    sizes = np.abs(best).max(axis=1)
+    left = np.arange(len(z))
+    J = slopes(z)
+    for _ in range(_POLISH):
+        ready = np.isfinite(J[left]).all(axis=(1, 2)) & np.isfinite(sizes[left])
+        left = left[ready & (sizes[left] > 0.0)]
+        if not left.size:
+            break
+        steps = np.linalg.pinv(J[left, :, :-1], rcond=_FREE) @ best[left, :, None]
+        after = z[left]
+        after[:, :-1] -= steps[:, :, 0]
+        values = residuals(after)
+        better = np.abs(values).max(axis=1) < sizes[left]
+        left, after, values = left[better], after[better], values[better]
+        if not left.size:
+            break
+        z[left], best[left], sizes[left] = after, values, np.abs(values).max(axis=1)
+        J[left] = slopes(after)
+    limit = _ROUNDING * _EPS * _scale(J, z, best)
+    with np.errstate(invalid="ignore"):
+        return z, (np.abs(best) <= np.maximum(limit, 1e-300)).all(axis=1)
+
+
+def _scale(J: np.ndarray, z: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return the size of the terms that residuals are made of."""
+    terms = (np.abs(J) @ np.maximum(np.abs(z), 1.0)[..., None])[..., 0]
+    result: np.ndarray = terms + np.abs(values).max(axis=-1, initial=0.0, keepdims=True) * _EPS
+    return result
 
 
 def _polished(

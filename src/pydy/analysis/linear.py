@@ -17,7 +17,9 @@ from typing import Any
 import numpy as np
 from scipy.linalg import qr
 
+from pydy._checks import choice, real_array
 from pydy._optional import require
+from pydy.analysis.pictures import plot_bode
 
 __all__ = ["LinearModel", "independent_places", "tangents"]
 
@@ -82,6 +84,52 @@ class LinearModel:
         return control.ss(
             *self._one("to_control"), **{kind: list(given) for kind, given in names.items()}
         )
+
+    def frequency_response(self, frequencies: Any) -> np.ndarray:
+        """Return the outputs' complex amplitudes for inputs of amplitude one.
+
+        Parameters
+        ----------
+        frequencies : array_like, shape (f,)
+            In rad/s.
+
+        Returns
+        -------
+        ndarray of complex, shape (f, o, s)
+            ``C (iω − A)⁻¹ B + D``.
+        """
+        omega = real_array(frequencies, "`frequencies`")
+        if omega.ndim != 1 or not np.isfinite(omega).all():
+            raise ValueError("`frequencies` must be a list of finite numbers, in rad/s.")
+        A, B, C, D = self._one("frequency_response")
+        resolvent = 1j * omega[:, None, None] * np.eye(len(A)) - A
+        response: np.ndarray = C @ np.linalg.solve(resolvent, B.astype(complex)[None]) + D
+        return response
+
+    def plot_bode(self, input: str, output: str, frequencies: Any = None, axes: Any = None) -> Any:
+        """Plot magnitude and phase of the response of one output to one input.
+
+        Parameters
+        ----------
+        input, output : str
+            Names, of `inputs` and `outputs`.
+        frequencies : array_like, shape (f,), optional
+            In rad/s; by default from a tenth of the slowest eigenvalue to ten times the fastest.
+        axes : pair of matplotlib Axes, optional
+
+        Returns
+        -------
+        pair of matplotlib Axes
+        """
+        j = self.inputs.index(choice(input, self.inputs, "`input`"))
+        i = self.outputs.index(choice(output, self.outputs, "`output`"))
+        if frequencies is None:
+            sizes = np.abs(np.linalg.eigvals(self._one("plot_bode")[0]))
+            sizes = sizes[sizes > 1e-6 * sizes.max(initial=0.0)]
+            low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
+            frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
+        response = self.frequency_response(frequencies)[:, i, j]
+        return plot_bode(np.asarray(frequencies), response, f"{input} → {output}", axes)
 
     def _one(self, what: str) -> tuple[np.ndarray, ...]:
         if self.A.ndim != 2:

@@ -1,0 +1,179 @@
+"""Equilibria and linear models of a System along a parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from pydy._assembly.definition import Definition
+from pydy._checks import check_mapping, real_array
+from pydy._errors import EquilibriumError
+from pydy._names import unique_names
+from pydy._system.analysis import Point
+from pydy._system.balance import Balance, Numbers, located
+from pydy.analysis.equilibria import solve_equilibrium, solve_many
+from pydy.analysis.sweeps import EigenvalueSweep, spectra_of
+
+__all__ = ["Family", "eigenvalues", "parameter_of"]
+
+
+def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
+    """Return the only parameter of a mapping, and its values."""
+    over = check_mapping("over", over)
+    if len(over) != 1:
+        raise ValueError(
+            f"`over` must give the values of one state, constant or specified, got {len(over)}."
+        )
+    ((key, given),) = over.items()
+    kind, place = located(definition, key, "over")
+    values = real_array(given, f"`over[{key}]`")
+    if values.ndim != 1 or len(values) < 2 or not np.isfinite(values).all():
+        raise ValueError(
+            f"`over[{key}]` must be at least two finite values, got {given!r}."
+            if values.ndim != 1 or len(values) < 2
+            else f"`over[{key}]` must be finite, got {values[~np.isfinite(values)][0]!r}."
+        )
+    steps = np.diff(values)
+    if not ((steps > 0.0).all() or (steps < 0.0).all()):
+        raise ValueError(f"`over[{key}]` must ascend or descend.")
+    return definition.places[kind].symbols[place], values
+
+
+class Family:
+    """Equilibria and state matrices of a System as functions of a parameter."""
+
+    def __init__(
+        self,
+        numbers: Numbers,
+        parameter: Any,
+        unknowns: Iterable[Any] | None,
+        given: Mapping[Any, Any] | None,
+        moving: Iterable[Any],
+    ) -> None:
+        self.balance = Balance(numbers, unknowns, given, moving, [parameter])
+        self.names = self.balance.wanted.names
+
+    def equilibria(self, values: np.ndarray) -> np.ndarray:
+        """Return the unknowns and the parameter in the last column, for each value."""
+        balance = self.balance
+        z = self._alone(np.append(balance.start[:-1], values[0]))
+        guess = np.repeat(z[None], len(values), axis=0)
+        guess[:, -1] = values
+        if guess.shape[1] == 1:
+            return guess
+        found, sound = solve_many(balance.residuals, balance.slopes, guess)
+        # What is not found from the first value, or lies on another branch, is found from its
+        # neighbour.
+        for k in range(1, len(values)):
+            if not (sound[k] and self._near(found[k - 1], found[k])):
+                found[k] = self._alone(np.append(found[k - 1, :-1], values[k]))
+        return found
+
+    def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
+        step = other - z
+        moved = float(np.linalg.norm(step[:-1]))
+        scale = max(1.0, float(np.linalg.norm(z[:-1])))
+        if moved <= 0.02 * scale:
+            return True
+        slopes = self.balance.slopes(z[None])[0]
+        expected = -np.linalg.pinv(slopes[:, :-1], rcond=1e-9) @ slopes[:, -1] * step[-1]
+        return float(np.linalg.norm(step[:-1] - expected)) <= 0.5 * moved
+
+    def _alone(self, z: np.ndarray) -> np.ndarray:
+        """Return the equilibrium at the parameter's value in `z`, found from there."""
+        balance, value = self.balance, z[-1]
+        if len(z) == 1:
+            return z
+        infinite = np.full(len(z) - 1, np.inf)
+
+        def whole(part: np.ndarray) -> np.ndarray:
+            return np.append(part, value)[None]
+
+        try:
+            found = solve_equilibrium(
+                lambda part: balance.residuals(whole(part))[0],
+                lambda part: balance.slopes(whole(part))[0, :, :-1],
+                z[:-1],
+                (-infinite, infinite),
+                self.names[:-1],
+                balance.titles,
+            )[0]
+        except EquilibriumError as error:
+            error.add_note(f"This was at {self.names[-1]} = {value:.10g}.")
+            raise
+        return np.append(found, value)
+
+    def matrices(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the state matrices, all states, and the places of the independent ones."""
+        balance = self.balance
+        t, x, r, p = balance.inputs(z)
+        point = Point(balance.definition, balance.made, balance.plan, t, x, r, p)
+        T, free = point.tangents()
+        A = (point.slopes("rates") @ T)[:, free]
+        sound = np.isfinite(A.reshape(len(A), -1)).all(axis=1)
+        if not sound.all():
+            raise ValueError(
+                "The equations or their derivatives are not finite at "
+                f"{self.names[-1]} = {z[int(sound.argmin()), -1]:.10g}: there is no linear model."
+            )
+        return A, x, free
+
+    def models(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the state matrices at the equilibria near some states."""
+        z = self.unknowns_at(values, states)
+        return self.matrices(np.array([self._alone(row) for row in z]))[0]
+
+    def at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the state matrices at states as they are, but for the parameter."""
+        return self.matrices(self.unknowns_at(values, states))[0]
+
+    def unknowns_at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the unknowns of which some are states."""
+        z = np.repeat(self.balance.start[None], len(values), axis=0)
+        by_state, places = self.balance.wanted.of("states")
+        z[:, by_state] = states[:, places]
+        z[:, -1] = values
+        return z
+
+
+def eigenvalues(
+    numbers: Numbers,
+    over: Any,
+    at: np.ndarray | None,
+    unknowns: Iterable[Any] | None,
+    given: Mapping[Any, Any] | None,
+    moving: Iterable[Any],
+) -> EigenvalueSweep:
+    """Return what `System.eigenvalues` describes; `at` has the shape (n,) or (m, n)."""
+    definition = numbers.definition
+    parameter, values = parameter_of(definition, over)
+    if at is not None:
+        unknowns = definition.states if unknowns is None else unknowns
+        unknowns = [s for s in unknowns if s != parameter]
+        if at.ndim == 2 and len(at) != len(values):
+            raise ValueError(
+                f"`at` must have one state, or one for each of the {len(values)} values of "
+                f"`over`, got {len(at)}."
+            )
+        family = Family(numbers, parameter, unknowns, given, moving)
+        z = family.unknowns_at(values, np.broadcast_to(at, (len(values), at.shape[-1])))
+        models = family.at
+    else:
+        family = Family(numbers, parameter, unknowns, given, moving)
+        z = family.equilibria(values)
+        models = family.models
+    A, x, free = family.matrices(z)
+    names = unique_names(definition.states)
+    spectra, active = spectra_of(A)
+    return EigenvalueSweep(
+        parameter=family.names[-1],
+        values=values,
+        eigenvalues=spectra,
+        A=A,
+        states=tuple(names[k] for k in free),
+        equilibria=x,
+        _active=active,
+        _models=models,
+    )

@@ -1,0 +1,73 @@
+"""Pictures of what analyses find, with matplotlib."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import shown
+from pydy._optional import require
+
+__all__ = ["axes_of", "plot_bode", "plot_eigenvalues", "plot_root_locus"]
+
+
+def axes_of(ax: Any) -> Any:
+    """Return the Axes that were given, or those of a new figure."""
+    if ax is None:
+        return require("matplotlib.pyplot", "plot", "a plot").subplots(layout="constrained")[1]
+    if not hasattr(ax, "set_xlabel"):
+        raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
+    return ax
+
+
+def _titled(name: str, unit: str) -> str:
+    return f"{name} ({unit})" if unit else name
+
+
+def plot_eigenvalues(
+    values: np.ndarray, eigenvalues: np.ndarray, parameter: str, ax: Any, unit: str
+) -> Any:
+    """Draw real parts and, dashed, positive imaginary parts over a parameter."""
+    ax = axes_of(ax)
+    ax.axhline(0.0, color="0.7", linewidth=0.8)
+    for branch, column in enumerate(eigenvalues.T):
+        colour = f"C{branch % 10}"
+        ax.plot(values, column.real, color=colour)
+        if column.imag.max() > 0.0:
+            imag = np.where(column.imag > 0.0, column.imag, np.nan)
+            ax.plot(values, imag, color=colour, linestyle="--")
+    ax.set_xlabel(_titled(parameter, unit))
+    ax.set_ylabel("real and imaginary (dashed) parts (1/s)")
+    return ax
+
+
+def plot_root_locus(
+    values: np.ndarray, eigenvalues: np.ndarray, parameter: str, ax: Any, unit: str
+) -> Any:
+    """Draw eigenvalues in the complex plane, coloured by a parameter."""
+    ax = axes_of(ax)
+    ax.axvline(0.0, color="0.7", linewidth=0.8)
+    colours = np.broadcast_to(values[:, None], eigenvalues.shape)
+    points = ax.scatter(eigenvalues.real, eigenvalues.imag, c=colours, s=6)
+    ax.scatter(eigenvalues[0].real, eigenvalues[0].imag, marker="x", color="k", linewidths=0.8)
+    ax.set_xlabel("real part (1/s)")
+    ax.set_ylabel("imaginary part (1/s)")
+    ax.figure.colorbar(points, ax=ax, label=_titled(parameter, unit))
+    return ax
+
+
+def plot_bode(frequencies: np.ndarray, response: np.ndarray, title: str, axes: Any) -> Any:
+    """Draw magnitude and phase of a frequency response; return the two Axes."""
+    if axes is None:
+        plt = require("matplotlib.pyplot", "plot", "a plot")
+        _, axes = plt.subplots(2, sharex=True, layout="constrained")
+    magnitude, phase = (axes_of(ax) for ax in axes)
+    with np.errstate(divide="ignore"):
+        magnitude.semilogx(frequencies, 20.0 * np.log10(np.abs(response)), label=title)
+    phase.semilogx(frequencies, np.degrees(np.unwrap(np.angle(response))), label=title)
+    magnitude.set_ylabel("magnitude (dB)")
+    phase.set_ylabel("phase (°)")
+    phase.set_xlabel("frequency (rad/s)")
+    magnitude.legend()
+    return axes

@@ -1,0 +1,199 @@
+"""Eigenvalues along a parameter: branches that are followed, and where they cross the axis."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq, linear_sum_assignment
+
+from pydy._optional import require
+from pydy.analysis.pictures import plot_eigenvalues, plot_root_locus
+
+__all__ = ["Crossing", "EigenvalueSweep", "spectra_of"]
+
+# Real parts below this share of the largest eigenvalue are rounding errors of zero: those of
+# coordinates that may be anywhere.
+_NOTHING = 1e-6
+# Entries of A below this share of the largest in their row are rounding errors.
+_ROUNDING = 1e-12
+Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Where the real part of an eigenvalue is zero.
+
+    Attributes
+    ----------
+    value : float
+        Of the parameter.
+    eigenvalue : complex
+    branch : int
+    oscillatory : bool
+        Whether the motion there is an oscillation, or one that creeps.
+    stabilizing : bool
+        Whether the real part becomes negative as the parameter goes on.
+    """
+
+    value: float
+    eigenvalue: complex
+    branch: int
+    oscillatory: bool
+    stabilizing: bool
+
+
+@dataclass(frozen=True, eq=False)
+class EigenvalueSweep:
+    """Eigenvalues of the linear models at the equilibria along a parameter.
+
+    Attributes
+    ----------
+    parameter : str
+    values : ndarray, shape (m,)
+    eigenvalues : ndarray of complex, shape (m, k)
+        In 1/s. A column is a branch, followed from value to value; at the first value the largest
+        real part comes first. Zeros of `neutral` states come last.
+    A : ndarray, shape (m, k, k)
+        The state matrices.
+    states : tuple of str
+        The independent states.
+    equilibria : ndarray, shape (m, n)
+        All states.
+    """
+
+    parameter: str
+    values: np.ndarray
+    eigenvalues: np.ndarray
+    A: np.ndarray
+    states: tuple[str, ...]
+    equilibria: np.ndarray
+    _active: np.ndarray = field(repr=False)
+    _models: Models = field(repr=False)
+
+    def __str__(self) -> str:
+        return (
+            f"{self.eigenvalues.shape[1]} eigenvalues at {len(self.values)} values of "
+            f"{self.parameter}, {self.values[0]:g} to {self.values[-1]:g}"
+        )
+
+    @property
+    def stable(self) -> np.ndarray:
+        """Where no real part is positive, shape (m,); rounding errors of zero do not count."""
+        largest: np.ndarray = self.eigenvalues.real.max(axis=1)
+        flags: np.ndarray = largest <= self._nothing
+        return flags
+
+    @property
+    def neutral(self) -> tuple[str, ...]:
+        """States that no other state depends on: each stands for an eigenvalue of zero."""
+        return tuple(name for k, name in enumerate(self.states) if k not in self._active)
+
+    @property
+    def _nothing(self) -> float:
+        return _NOTHING * float(np.abs(self.eigenvalues).max(initial=0.0))
+
+    def crossings(self) -> tuple[Crossing, ...]:
+        """Return where branches cross the imaginary axis, ascending in the parameter.
+
+        Each is found to rounding, from linear models at values in between. Of a conjugate pair
+        only one is listed.
+        """
+        real, limit = self.eigenvalues.real, self._nothing
+        found = []
+        for branch in range(len(self._active)):
+            seen = np.flatnonzero(np.abs(real[:, branch]) > limit)
+            signs = np.sign(real[seen, branch])
+            for k in np.flatnonzero(signs[1:] != signs[:-1]):
+                first, last = seen[k], seen[k + 1]
+                middle = self.eigenvalues[first : last + 1, branch].imag
+                if middle.mean() > -limit:
+                    found.append(self._refined(branch, int(first), int(last)))
+        return tuple(sorted(found, key=lambda crossing: crossing.value))
+
+    def _refined(self, branch: int, first: int, last: int) -> Crossing:
+        a, b = self.values[first], self.values[last]
+        ends = self.eigenvalues[[first, last], branch]
+
+        def near(value: float) -> complex:
+            share = (value - a) / (b - a)
+            start = (1.0 - share) * self.equilibria[first] + share * self.equilibria[last]
+            A = self._models(np.array([value]), start[None])[0]
+            spectrum = np.linalg.eigvals(A[np.ix_(self._active, self._active)])
+            expected = ends[0] + share * (ends[1] - ends[0])
+            return complex(spectrum[np.abs(spectrum - expected).argmin()])
+
+        value = brentq(lambda v: near(v).real, a, b, xtol=1e-14, rtol=4 * np.finfo(float).eps)
+        there = near(value)
+        return Crossing(
+            value=float(value),
+            eigenvalue=complex(0.0, there.imag),
+            branch=branch,
+            oscillatory=abs(there.imag) > self._nothing,
+            stabilizing=bool(ends[1].real < 0.0),
+        )
+
+    def to_xarray(self) -> Any:
+        """Return an `xarray.Dataset`: ``real`` and ``imag`` by parameter and branch, the states."""
+        xarray = require("xarray", "ensemble", "to_xarray()")
+        axes = (self.parameter, "branch")
+        return xarray.Dataset(
+            {
+                "real": (axes, self.eigenvalues.real, {"units": "1/s"}),
+                "imag": (axes, self.eigenvalues.imag, {"units": "1/s"}),
+                "equilibrium": ((self.parameter, "place"), self.equilibria),
+            },
+            {self.parameter: self.values, "branch": np.arange(self.eigenvalues.shape[1])},
+        )
+
+    def plot(self, ax: Any = None, unit: str = "") -> Any:
+        """Plot real parts, and imaginary parts dashed, over the parameter; return the Axes."""
+        return plot_eigenvalues(self.values, self.eigenvalues, self.parameter, ax, unit)
+
+    def plot_root_locus(self, ax: Any = None, unit: str = "") -> Any:
+        """Plot the branches in the complex plane, with the parameter as colour; return the Axes."""
+        return plot_root_locus(self.values, self.eigenvalues, self.parameter, ax, unit)
+
+
+def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the eigenvalues of state matrices in branches, and the states that matter to others.
+
+    A column of zeros, such as that of a vehicle's position, is an eigenvalue of zero. Left in, it
+    would join others to one multiple eigenvalue, of which only half the digits can be had.
+    """
+    m, k = A.shape[:2]
+    sizes = np.abs(A).max(axis=2, keepdims=True, initial=0.0)
+    sizes = np.maximum(sizes, _NOTHING * sizes.max(initial=0.0))
+    matters = (np.abs(A) > _ROUNDING * sizes).any(axis=0)  # rows by columns
+    active = np.arange(k)
+    while True:
+        left = active[matters[np.ix_(active, active)].any(axis=0)]
+        if len(left) == len(active):
+            break
+        active = left
+    found = np.zeros((m, k), dtype=complex)
+    if active.size:
+        block = A[:, active[:, None], active]
+        found[:, : len(active)] = _followed(np.linalg.eigvals(block).astype(complex))
+    return found, active
+
+
+def _followed(spectra: np.ndarray) -> np.ndarray:
+    """Return eigenvalues (m, k) in columns that are branches, each row in another order.
+
+    Each row is matched with what the two rows before lead to expect, so that branches that cross
+    are not mixed up.
+    """
+    order = np.lexsort((-spectra.imag, -spectra.real), axis=-1)
+    followed = np.take_along_axis(spectra, order, axis=-1)
+    for k in range(1, len(followed)):
+        before = followed[k - 1]
+        expected = before if k == 1 else 2.0 * before - followed[k - 2]
+        distance = np.abs(expected[:, None] - followed[k])
+        nearest = distance.argmin(axis=1)
+        if len(set(nearest.tolist())) < len(nearest):
+            nearest = linear_sum_assignment(distance)[1]
+        followed[k] = followed[k, nearest]
+    return followed

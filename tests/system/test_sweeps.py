@@ -1,0 +1,179 @@
+"""Eigenvalues along a parameter."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.linalg import eigvals
+
+import pydy.analysis.sweeps
+from hoop import bead_on_a_hoop
+from pydy import System
+from pydy.errors import EquilibriumError
+from pydy.examples import whipple_bicycle
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+
+MOVING = ["x", "theta_R", "theta_F"]
+
+
+@pytest.fixture(scope="module")
+def bicycle():
+    made = whipple_bicycle.derive()
+    return made, System(made.kane, constants=whipple_bicycle.benchmark_parameters(made))
+
+
+@pytest.fixture(scope="module")
+def over_speed(bicycle):
+    return bicycle[1].eigenvalues({"u_x": np.linspace(0.0, 10.0, num=101)}, moving=MOVING)
+
+
+def test_weave_and_capsize_speeds_are_the_published_ones(over_speed):
+    weave, capsize = over_speed.crossings()
+    assert weave.value == pytest.approx(4.292382536341, abs=5e-12)
+    assert capsize.value == pytest.approx(6.024262015388, abs=5e-12)
+    assert (weave.oscillatory, weave.stabilizing) == (True, True)
+    assert (capsize.oscillatory, capsize.stabilizing) == (False, False)
+    assert weave.eigenvalue.real == capsize.eigenvalue == 0.0
+    between = (over_speed.values > weave.value) & (over_speed.values < capsize.value)
+    np.testing.assert_array_equal(over_speed.stable, between)
+
+
+def test_the_eigenvalues_are_meijaards_table(over_speed):
+    for speed, published in whipple_bicycle.PUBLISHED_EIGENVALUES.items():
+        (k,) = np.flatnonzero(np.isclose(over_speed.values, speed))
+        for value in published:
+            assert np.abs(over_speed.eigenvalues[k] - value).min() < 1e-9
+    assert over_speed.neutral == ("x", "y", "psi", "theta_R", "theta_F", "omega_R")
+
+
+def test_equilibria_are_found_along_the_way(bicycle, over_speed):
+    made, system = bicycle
+    for k in (0, 37, 100):
+        row = whipple_bicycle.equilibrium(made, over_speed.values[k])
+        expected = [row[s] for s in system.states]
+        np.testing.assert_allclose(over_speed.equilibria[k], expected, atol=1e-12)
+
+
+def test_states_may_be_given(bicycle, over_speed):
+    made, system = bicycle
+    values = np.array([3.0, 5.0, 7.0])
+    rows = [whipple_bicycle.equilibrium(made, v) for v in values]
+    at = np.array([[row[s] for s in system.states] for row in rows])
+    sweep = system.eigenvalues({"u_x": values}, at=at)
+    for k, place in enumerate((30, 50, 70)):
+        found = np.sort_complex(sweep.eigenvalues[k].round(9))
+        expected = np.sort_complex(over_speed.eigenvalues[place].round(9))
+        np.testing.assert_allclose(found, expected, atol=1e-8)
+
+
+def test_branches_that_cross_are_followed():
+    """Two uncoupled pendulums whose frequencies pass each other."""
+    values = np.linspace(0.0, 1.0, num=201)
+    a, b = 1.0 + values, 2.0 - 1.5 * values
+    A = np.zeros((201, 4, 4))
+    A[:, 0, 1] = A[:, 2, 3] = 1.0
+    A[:, 1, 0], A[:, 3, 2] = -(a**2), -(b**2)
+    spectra, active = pydy.analysis.sweeps.spectra_of(A)
+    assert len(active) == 4
+    ends = np.sort(np.abs(np.diff(np.abs(spectra), axis=0)).max(axis=0))
+    np.testing.assert_allclose(ends, np.sort([0.005, 0.005, 0.0075, 0.0075]), rtol=1e-6)
+
+
+def test_constants_and_inputs_are_parameters_too():
+    system = multi_mass_spring_damper(2, apply_gravity=True, apply_external_forces=True)
+    values = np.linspace(0.5, 4.0, num=8)
+    sweep = system.eigenvalues({"m1": values})
+    for m, row in zip(values, sweep.eigenvalues, strict=True):
+        expected = eigvals(system_matrix(m))
+        assert max(np.abs(row - e).min() for e in expected) < 1e-12
+    forced = system.eigenvalues({"f0": [0.0, 1.0, 2.0]})
+    # The force stretches the first spring, and changes nothing else.
+    np.testing.assert_allclose(forced.equilibria[:, 0], [2.0, 3.0, 4.0], atol=1e-12)
+    np.testing.assert_allclose(forced.eigenvalues[2], forced.eigenvalues[0], atol=1e-12)
+
+
+def system_matrix(m1):
+    system = multi_mass_spring_damper(2, apply_gravity=True, apply_external_forces=True)
+    system.constants = {"m1": m1}
+    return system.evaluate_jacobian(system.find_equilibrium().state)
+
+
+def test_equilibria_of_a_branch_are_kept():
+    """Beyond the critical rate a bead leaves the bottom; the branch that it is on is followed."""
+    system, angle, turn = bead_on_a_hoop()
+    system.specifieds = {turn: 9.0}
+    system.initial_conditions = {angle: 1.3}
+    rates = np.linspace(9.0, 5.0, num=41)
+    sweep = system.eigenvalues({turn: rates})
+    np.testing.assert_allclose(np.cos(sweep.equilibria[:, 0]), 9.81 / (0.5 * rates**2), rtol=1e-10)
+    assert (sweep.equilibria[:, 0] > 0.0).all()
+
+
+def test_where_there_is_no_equilibrium_the_value_is_told():
+    system, angle, turn = bead_on_a_hoop()
+    system.outputs = {}
+    with pytest.raises(EquilibriumError) as caught:
+        system.eigenvalues({turn: [1.0, 2.0]}, unknowns=["omega"], given={angle: 0.5})
+    assert "This was at Omega = 1." in caught.value.__notes__[0]
+
+
+def test_results_go_into_xarray_and_pictures(over_speed):
+    import matplotlib.pyplot as plt
+
+    dataset = over_speed.to_xarray()
+    assert dict(dataset["real"].sizes) == {"u_x": 101, "branch": 10}
+    assert dataset["imag"].sel(u_x=4.0, method="nearest").max() > 3.0
+    assert over_speed.plot(unit="m/s").get_xlabel() == "u_x (m/s)"
+    assert over_speed.plot_root_locus().get_ylabel() == "imaginary part (1/s)"
+    plt.close("all")
+    with pytest.raises(TypeError, match="`ax` must be Matplotlib Axes"):
+        over_speed.plot(ax=3)
+
+
+def test_the_frequency_response_is_that_of_a_spring_and_a_damper():
+    import matplotlib.pyplot as plt
+
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.constants = {"m0": 2.0, "c0": 0.3, "k0": 5.0}
+    model = system.linearize(outputs=["x0"])
+    omega = np.array([0.1, 1.5, 20.0])
+    expected = 1.0 / (5.0 - 2.0 * omega**2 + 0.3j * omega)
+    found = model.frequency_response(omega)
+    np.testing.assert_allclose(found[:, 0, 0], expected, rtol=1e-12)
+    magnitude, phase = model.plot_bode("f0", "x0")
+    assert magnitude.get_ylabel() == "magnitude (dB)"
+    assert phase.get_xlabel() == "frequency (rad/s)"
+    assert phase.lines[0].get_ydata()[-1] == pytest.approx(-180.0, abs=2.0)
+    plt.close("all")
+    with pytest.raises(ValueError, match="`output` must be"):
+        model.plot_bode("f0", "v0")
+
+
+@pytest.mark.parametrize(
+    ("over", "message"),
+    [
+        ({}, "`over` must give the values of one"),
+        ({"m0": [1.0, 2.0], "k0": [1.0, 2.0]}, "one state, constant or specified, got 2"),
+        ({"m9": [1.0, 2.0]}, "m9"),
+        ({"m0": 1.0}, "at least two finite values"),
+        ({"m0": [1.0, np.nan]}, "must be finite, got .*nan"),
+        ({"m0": [1.0, 1.0]}, "must ascend or descend"),
+    ],
+)
+def test_what_does_not_fit_is_named(over, message):
+    with pytest.raises(ValueError, match=message):
+        n_link_pendulum_on_cart().eigenvalues(over)
+    with pytest.raises(ValueError, match="one for each of the 2 values"):
+        n_link_pendulum_on_cart().eigenvalues({"m0": [1.0, 2.0]}, at=np.zeros((3, 4)))
+
+
+def test_a_prescribed_stiffness_drives_an_oscillator_over_the_edge():
+    x, v, k = me.dynamicsymbols("x v k")
+    N, P, O = me.ReferenceFrame("N"), me.Point("P"), me.Point("O")
+    O.set_vel(N, 0)
+    P.set_vel(N, v * N.x)
+    kane = me.KanesMethod(N, [x], [v], [x.diff() - v])
+    kane.kanes_equations([me.Particle("b", P, sm.Integer(1))], [(P, -(k * x + v / 2) * N.x)])
+    (crossing,) = System(kane).eigenvalues({k: [1.0, -2.0, -4.0]}).crossings()[:1]
+    assert crossing.value == pytest.approx(0.0, abs=1e-9)
+    assert not crossing.oscillatory
