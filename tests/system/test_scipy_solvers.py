@@ -28,7 +28,7 @@ def system():
 SOLVERS = [solve_ivp, RK45, Radau, "solve_ivp", "RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA"]
 
 
-@pytest.mark.parametrize("solver", SOLVERS, ids=str)
+@pytest.mark.parametrize("solver", SOLVERS, ids=lambda s: getattr(s, "__name__", f"named {s}"))
 def test_solve_ivp_gives_odeints_trajectory_in_its_shape(system, solver):
     expected = system.integrate(**TIGHT)
     system.ode_solver = solver
