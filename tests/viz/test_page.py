@@ -12,6 +12,7 @@ import pytest
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from pydy.trajectory import EventRecord, Trajectory
 from pydy.viz import Arrow, Box, Line, Mesh, Scene, Sphere, Trace, Visual
 from pydy.viz.page import page_data
 
@@ -178,3 +179,15 @@ def test_a_minute_of_the_bicycle_stays_under_three_megabytes():
     assert len(made.times) == 3601
     three = len((files("pydy.viz") / "assets/three.min.js").read_bytes())
     assert len(made.html().encode()) - three < 3e6
+
+
+def test_events_units_and_typeset_labels_are_on_the_page():
+    theta = dynamicsymbols("theta_1")
+    happened = [EventRecord(t, "hit", 0, np.zeros(1), np.zeros(1)) for t in (0.5, 0.6)]
+    trajectory = Trajectory([0.0, 1.0], [[0.0], [1.0]], {"coordinate": [theta]}, events=happened)
+    made = Scene(N, O, Visual(Sphere(1), O), series=[theta], units={theta: "rad"})
+    data = data_of(made.animate(trajectory))
+    assert data["events"] == [{"time": 0.5, "name": "hit"}, {"time": 0.6, "name": "hit"}]
+    assert (data["series"][0]["parts"], data["series"][0]["unit"]) == (["θ", "1"], "rad")
+    with pytest.raises(TypeError, match=r"`units\[q\(t\)\]` must be a string, got 5"):
+        Scene(N, O, units={q: 5})

@@ -97,12 +97,14 @@ class Animation:
     series : dict of str to ndarray, shape (m,)
     bounds : ndarray, shape (m', 2, 3)
         The box around everything but planes at some of the instants.
+    events : tuple of (time, name)
     """
 
     times: np.ndarray
     items: tuple[Item, ...]
     series: dict[str, np.ndarray]
     bounds: np.ndarray
+    events: tuple[tuple[float, str], ...] = ()
 
     @property
     def poses(self) -> np.ndarray:

@@ -9,15 +9,17 @@ import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 
-from pydy._checks import check_mapping, number, real_array, shown
+from pydy._checks import check_mapping, number, real_array, shown, text
 from pydy.viz.visuals import Visual
 
 __all__ = [
     "as_visual",
     "columns_of",
+    "events_of",
     "ground_height",
     "in_notebook",
     "series_of",
+    "units_of",
     "watchable_speed",
     "within",
 ]
@@ -88,6 +90,21 @@ def columns_of(series: Mapping[str, Any] | None, count: int) -> dict[str, np.nda
             )
         columns[str(label)] = column
     return columns
+
+
+def units_of(units: Any) -> dict[str, str]:
+    """Return units by the label of a series."""
+    given = check_mapping("units", units)
+    return {
+        str(key).removesuffix("(t)"): text(unit, f"`units[{key}]`") for key, unit in given.items()
+    }
+
+
+def events_of(trajectory: Any, times: np.ndarray) -> tuple[tuple[float, str], ...]:
+    """Return when events happened during what is shown, and their names; a hundred at most."""
+    events = [(float(e.time), str(e.name)) for e in getattr(trajectory, "events", ())]
+    shown = [event for event in events if times[0] <= event[0] <= times[-1]]
+    return tuple(shown[:: max(1, -(-len(shown) // 100))])
 
 
 def watchable_speed(duration: float) -> float:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -27,6 +28,8 @@ class Look:
     title : str
     axes : float or None
         Length of the axes at the origin.
+    units : mapping of str to str
+        Of the series.
     """
 
     up: np.ndarray
@@ -35,6 +38,7 @@ class Look:
     view: np.ndarray | None = None
     title: str = ""
     axes: float | None = None
+    units: Mapping[str, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

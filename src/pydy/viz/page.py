@@ -23,6 +23,7 @@ from pydy._version import __version__
 from pydy.viz.animation import Animation, Item
 from pydy.viz.colours import CYCLE
 from pydy.viz.framing import Look, frame
+from pydy.viz.labels import typeset
 from pydy.viz.shapes import Arrow, Line, Mesh, Trace
 from pydy.viz.solids import Circle, Cube, Icosahedron, Octahedron, Tetrahedron, TorusKnot, Tube
 from pydy.viz.surfaces import surface
@@ -30,7 +31,10 @@ from pydy.viz.surfaces import surface
 __all__ = ["Look", "page", "page_data"]
 
 # The scripts of the page, in the order in which they build on each other.
-SCRIPTS = ("data.js", "shapes.js", "stage.js", "trails.js", "strip.js", "player.js", "controls.js")
+SCRIPTS = (
+    *("data.js", "shapes.js", "stage.js", "trails.js", "strip.js", "player.js", "share.js"),
+    "controls.js",
+)
 
 
 # What the page draws as triangles from here.
@@ -96,11 +100,14 @@ def page_data(animation: Animation, look: Look, speed: float) -> dict[str, Any]:
         "series": [
             {
                 "label": label,
+                "parts": typeset(label),
+                "unit": look.units.get(label, ""),
                 "colour": CYCLE[(k + 1) % len(CYCLE)],
                 "values": _packed(values),
             }
             for k, (label, values) in enumerate(animation.series.items())
         ],
+        "events": [{"time": t, "name": name} for t, name in animation.events],
         "view": {
             "up": seen.up.tolist(),
             "right": seen.right.tolist(),

@@ -26,9 +26,11 @@ from pydy.viz.animation import Animation, animate
 from pydy.viz.arguments import (
     as_visual,
     columns_of,
+    events_of,
     ground_height,
     in_notebook,
     series_of,
+    units_of,
     watchable_speed,
     within,
 )
@@ -40,7 +42,7 @@ from pydy.viz.visuals import Visual
 
 __all__ = ["Scene"]
 
-_ARGUMENTS = ("up", "ground", "follow", "view", "series", "title", "system", "cameras")
+_ARGUMENTS = ("up", "ground", "follow", "view", "series", "title", "units", "system", "cameras")
 _IGNORED = ("lights", "width", "height", "name", "fov")
 
 
@@ -69,6 +71,8 @@ class Scene:
         What to plot over time below the animation. What is in the trajectory, an output for
         instance, is taken from there by symbol or name; the rest is evaluated.
     title : str, optional
+    units : mapping of str or symbols to str, optional
+        Units of the series, shown with their labels.
     system : System, optional
         What moves the scene when it is displayed and `animate` was not called.
     cameras : sequence of PerspectiveCamera, optional
@@ -115,6 +119,7 @@ class Scene:
         view: Any = None,
         series: Any = (),
         title: str = "",
+        units: Mapping[Any, str] | None = None,
         model: Model | None = None,
         system: Any = None,
         cameras: Iterable[Any] = (),
@@ -149,6 +154,7 @@ class Scene:
             follow=None if follow is None else flag(follow, "`follow`"),
             view=None if view is None else unit_vector(view, reference_frame, "view"),
             title=text(title, "`title`"),
+            units=units_of(units),
         )
         self._animation: Animation | None = None
         self.cameras = cameras
@@ -243,7 +249,11 @@ class Scene:
         )
         values = {**animation.series, **{label: c[rows] for label, c in columns.items()}}
         order = dict.fromkeys((*self.series, *columns))
-        self._animation = replace(animation, series={label: values[label] for label in order})
+        self._animation = replace(
+            animation,
+            series={label: values[label] for label in order},
+            events=events_of(trajectory if states is None else None, motion.times),
+        )
         return self
 
     def _recorded(self, trajectory: Any) -> dict[str, np.ndarray]:
@@ -393,7 +403,7 @@ class Scene:
         if self._animation is None:
             return None
         return (
-            '<iframe title="Animation" sandbox="allow-scripts" allowfullscreen '
+            '<iframe title="Animation" sandbox="allow-scripts allow-downloads" allowfullscreen '
             'style="width: 100%; height: 520px; border: 0; border-radius: 8px" '
             f'srcdoc="{escape(self.html(), quote=True)}"></iframe>'
         )

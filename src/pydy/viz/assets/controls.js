@@ -53,8 +53,16 @@ function flip(entry) {
 }
 function updateSwitches() {
   for (const entry of switches) entry.button.setAttribute("aria-pressed", String(entry.get()));
+  for (const entry of actions) entry.button.classList.toggle("recording", entry.key === "v" && video.recorder !== null);
 }
 for (const entry of switches) entry.button = button(switchBox, `${entry.name} (${entry.key})`, entry.icon, () => flip(entry));
+const pictureIcon = "M4 7h3l2-3h6l2 3h3v12H4zM12 9.5a4 4 0 1 0 0 8a4 4 0 1 0 0-8";
+const actions = [
+  { key: "s", name: "Save a picture", icon: pictureIcon, act: savePicture },
+  { key: "v", name: "Record a video", icon: "M3 6h12v12H3zM15 10.5l6-3.5v10l-6-3.5", act: () => (video.recorder ? stopVideo() : startVideo()) },
+  { key: "c", name: "Copy a link to this moment", icon: "M10 13.5a4.5 4.5 0 0 0 6.5.5l3-3a4.6 4.6 0 0 0-6.5-6.5l-1.5 1.5M14 10.5a4.5 4.5 0 0 0-6.5-.5l-3 3A4.6 4.6 0 0 0 11 19.500l1.5-1.500", act: copyLink },
+];
+for (const entry of actions) entry.button = button(switchBox, `${entry.name} (${entry.key})`, entry.icon, entry.act);
 button(switchBox, "Reset the view (r)", "M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5", () => { lookFrom(); invalidate(); });
 button(switchBox, "Help (?)", "M9 9a3 3 0 1 1 4.2 2.7c-.8.4-1.2 1-1.2 2.3M12 17.5v.5", () => toggleHelp());
 
@@ -106,12 +114,19 @@ const legendParts = [...rows].map(([name, members]) => {
     invalidate();
   });
   trail.className = "path";
+  const follow = button(row, `Follow ${name}`, "M12 3v3M12 18v3M3 12h3M18 12h3M12 7a5 5 0 1 0 0 10a5 5 0 1 0 0-10M12 11.500v1", () => {
+    followBody(followed.body === moving ? null : moving);
+    fillLegend();
+    invalidate();
+  });
+  follow.className = "path";
   legendRows.append(row);
-  return { members, shown, trail, moving };
+  return { members, shown, trail, follow, moving };
 });
 
 function fillLegend() {
-  for (const { members, shown, trail } of legendParts) {
+  for (const { members, shown, trail, follow, moving } of legendParts) {
+    follow.setAttribute("aria-pressed", String(followed.body === moving));
     shown.setAttribute("aria-pressed", String(members[0].object.visible));
     trail.setAttribute("aria-pressed", String(members.some((v) => trails.has(v))));
   }
@@ -142,6 +157,7 @@ const KEYS = [
   { keys: ["r"], show: ["r"], what: "reset the view", act: () => { lookFrom(); invalidate(); } },
   { keys: ["x", "y", "z"], show: ["x", "y", "z"], what: "look along an axis",
     act: (event) => { lookFrom([0, 0, 0].map((_, i) => ("xyz"[i] === event.key ? 1 : 1e-4))); invalidate(); } },
+  ...actions.map((entry) => ({ keys: [entry.key], show: [entry.key], what: entry.name.toLowerCase(), act: entry.act })),
   ...switches.map((entry) => ({ keys: [entry.key], show: [entry.key], what: entry.name.toLowerCase(), act: () => flip(entry) })),
   { keys: ["?", "h"], show: ["?"], what: "this help", act: () => toggleHelp() },
 ];
@@ -203,10 +219,12 @@ resize();
 arrange();
 lookFrom();
 readTheme();
+const atMoment = goToMoment(location.hash);
+addEventListener("hashchange", () => goToMoment(location.hash));
 show();
 requestAnimationFrame(tick);
 // Who asked the system for less motion starts it by hand.
-if (renderer && !matchMedia("(prefers-reduced-motion: reduce)").matches) play();
+if (renderer && !atMoment && !matchMedia("(prefers-reduced-motion: reduce)").matches) play();
 
 // For tests and for scripts of an embedding page. All read what is really on the stage.
 window.pydy = {
@@ -217,6 +235,12 @@ window.pydy = {
   get time() { return now.time; },
   get playing() { return player.playing; },
   play, pause, setVisible, setSpeed,
+  /** What a link to this moment and view ends in. */
+  get moment() { return moment(); },
+  /** The last recording, or null. */
+  get video() { return video.blob ?? null; },
+  /** Let the camera follow the visual of a number, or none. */
+  follow(number) { followBody(visuals[number] ?? null); invalidate(); },
   /** Go to a time and draw it before returning. */
   seek(time) { pause(); seek(time); show(); },
   /** Where each visual's point is in the scene: [x, y, z]. */

@@ -28,6 +28,7 @@ function show() {
   drawCursor();
   const begin = performance.now();
   draw();
+  frameDrawn();
   costs.drawing = performance.now() - begin;
 }
 

@@ -143,7 +143,7 @@ controls.maxDistance = 40 * view.radius;
 controls.zoomToCursor = true;
 
 const path = view.path && new Column(view.path);
-const followed = { on: path !== null, at: new THREE.Vector3(), row: new Float32Array(3), next: new THREE.Vector3() };
+const followed = { body: null, on: path !== null, at: new THREE.Vector3(), row: new Float32Array(3), next: new THREE.Vector3() };
 
 const FILL = 0.86; // how much of the picture the scene may take at the start
 
@@ -167,7 +167,8 @@ function lookFrom(direction) {
   controls.update();
   controls.enableDamping = true;
   controls.target.fromArray(view.target);
-  if (path && followed.on) controls.target.add(followed.at.fromArray(path.blend(now.k, now.part, followed.row)));
+  if (followed.body) controls.target.copy(followed.at.copy(placeFollowed()));
+  else if (path && followed.on) controls.target.add(followed.at.fromArray(path.blend(now.k, now.part, followed.row)));
   const away = new THREE.Vector3().fromArray(direction || view.direction).normalize();
   camera.position.copy(controls.target).add(away);
   camera.lookAt(controls.target);
@@ -175,10 +176,27 @@ function lookFrom(direction) {
   controls.update();
 }
 
+/** Where what the camera follows is: a body, or the middle of what moves. */
+function placeFollowed() {
+  if (followed.body) return followed.body.anchor.getWorldPosition(followed.next);
+  return followed.next.fromArray(path.blend(now.k, now.part, followed.row));
+}
+
+/** Let the camera go along with a visual, which moves to the middle; null for none. */
+function followBody(visual) {
+  followed.body = visual;
+  if (visual) {
+    const step = placeFollowed().clone().sub(controls.target);
+    camera.position.add(step);
+    controls.target.add(step);
+  }
+  if (visual || path) followed.at.copy(placeFollowed());
+}
+
 function moveCamera() {
-  if (!path) return;
-  followed.next.fromArray(path.blend(now.k, now.part, followed.row));
-  if (followed.on) {
+  if (!path && !followed.body) return;
+  placeFollowed();
+  if (followed.on || followed.body) {
     const step = followed.next.clone().sub(followed.at);
     camera.position.add(step);
     controls.target.add(step);

@@ -5,6 +5,18 @@ const curves = document.getElementById("strip-curves"), cursor = document.getEle
 const MARGIN = { left: 46, right: 8, top: 6, bottom: 20 };
 strip.hidden = series.length === 0;
 
+/** A label with its index lowered, and its unit. */
+function typeset({ parts, unit }) {
+  const [base, index] = parts, nodes = [base];
+  if (index) {
+    const sub = document.createElement("sub");
+    sub.textContent = index;
+    nodes.push(sub);
+  }
+  if (unit) nodes.push(` (${unit})`);
+  return nodes;
+}
+
 for (const one of series) {
   let low = Infinity, high = -Infinity;
   for (const v of one.values) if (Number.isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v); }
@@ -12,14 +24,17 @@ for (const one of series) {
   one.high = high;
   const item = document.createElement("li"), key = document.createElement("i"), value = document.createElement("b");
   key.style.background = one.colour;
-  item.append(key, one.label, value);
+  item.append(key, ...typeset(one), value);
   document.getElementById("strip-labels").append(item);
   one.output = value;
 }
 
-// One scale for all where all can be read on it, otherwise each curve fills the strip.
+// One scale for all where all can be read on it, otherwise each has a lane of its own.
 const spans = series.map((s) => s.high - s.low).filter((span) => span > 0);
-const shared = spans.length > 0 && Math.max(...spans) <= 12 * Math.min(...spans);
+const units = new Set(series.map((s) => s.unit));
+const shared = spans.length > 0 && Math.max(...spans) <= 12 * Math.min(...spans) && units.size < 2;
+const lanes = shared ? 1 : series.length;
+document.getElementById("strip-canvases").style.height = lanes > 1 ? `${26 + 62 * Math.min(lanes, 4)}px` : "";
 if (shared) {
   const low = Math.min(...series.map((s) => s.low)), high = Math.max(...series.map((s) => s.high));
   for (const one of series) Object.assign(one, { low, high });
@@ -47,8 +62,9 @@ function written(value) {
 const duration = end - start || 1;
 const plot = { width: 0, height: 0 };
 const atTime = (t) => MARGIN.left + (plot.width - MARGIN.left - MARGIN.right) * (t - start) / duration;
-const atValue = (s, v) => plot.height - MARGIN.bottom
-  - (plot.height - MARGIN.top - MARGIN.bottom) * (v - s.low) / (s.high - s.low);
+const laneHeight = () => (plot.height - MARGIN.top - MARGIN.bottom) / lanes;
+const laneFoot = (s) => MARGIN.top + ((shared ? 0 : series.indexOf(s)) + 1) * laneHeight() - (lanes > 1 ? 4 : 0);
+const atValue = (s, v) => laneFoot(s) - (laneHeight() - (lanes > 1 ? 8 : 0)) * (v - s.low) / (s.high - s.low);
 
 function prepared(element) {
   const ratio = Math.min(devicePixelRatio, 2);
@@ -80,15 +96,23 @@ function drawStrip() {
     line(x, MARGIN.top, x, plot.height - MARGIN.bottom);
     g.fillText(written(t) + " s", Math.min(x, plot.width - 16), plot.height - MARGIN.bottom + 4);
   }
-  if (shared || series.length === 1) {
-    g.textAlign = "right";
-    g.textBaseline = "middle";
-    for (const v of ticks(series[0].low, series[0].high, 4)) {
-      const y = Math.round(atValue(series[0], v)) + 0.5;
+  g.textAlign = "right";
+  g.textBaseline = "middle";
+  for (const one of shared ? series.slice(0, 1) : series) {
+    g.fillStyle = lanes > 1 ? one.colour : quiet;
+    for (const v of ticks(one.low, one.high, lanes > 1 ? 3 : 4)) {
+      const y = Math.round(atValue(one, v)) + 0.5;
       line(MARGIN.left, y, plot.width - MARGIN.right, y);
       g.fillText(written(v), MARGIN.left - 6, y);
     }
   }
+  g.strokeStyle = cssColour("--event");
+  g.setLineDash([3, 3]);
+  for (const event of data.events) {
+    const x = Math.round(atTime(event.time)) + 0.5;
+    line(x, MARGIN.top, x, plot.height - MARGIN.bottom);
+  }
+  g.setLineDash([]);
   g.lineWidth = 1.7;
   g.lineJoin = "round";
   for (const one of series) {
