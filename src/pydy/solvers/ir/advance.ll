@@ -1,4 +1,4 @@
-; sources d853f7bc8100ced85b5e636d97c8d5f7801c7aa9cb2a29ef9e9421b565871161
+; sources f96a47ef76d77e208622acc53f79e93fafcf7f18a70e12c241028bcb6cf70bb2
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

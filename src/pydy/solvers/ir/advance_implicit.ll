@@ -1,4 +1,4 @@
-; sources 69ecda69120619d844e86530fe62eab32d0c28b28a2303cba97596d2565455d6
+; sources 3213e3bf862f240ac9b103387e2f4e8379bf2bb22c1793c00988171c74b7fa73
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8
@@ -754,7 +754,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %179
 
 194:                                              ; preds = %156
-  br label %2151
+  br label %2649
 
 195:                                              ; preds = %156
   %196 = getelementptr i8, ptr %27, i64 1032
@@ -848,12 +848,12 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %284 = call i64 @llvm.smax.i64(i64 %275, i64 0)
   br label %285
 
-285:                                              ; preds = %1792, %195
-  %286 = phi i64 [ 0, %195 ], [ %1800, %1792 ]
-  %287 = phi i64 [ %284, %195 ], [ %1801, %1792 ]
-  %288 = phi double [ %283, %195 ], [ %1799, %1792 ]
+285:                                              ; preds = %2290, %195
+  %286 = phi i64 [ 0, %195 ], [ %2298, %2290 ]
+  %287 = phi i64 [ %284, %195 ], [ %2299, %2290 ]
+  %288 = phi double [ %283, %195 ], [ %2297, %2290 ]
   %289 = icmp sgt i64 %287, 0
-  br i1 %289, label %1792, label %290
+  br i1 %289, label %2290, label %290
 
 290:                                              ; preds = %285
   %291 = fcmp olt double %288, 0x3CB0000000000000
@@ -909,19 +909,19 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 318:                                              ; preds = %312, %314
   %319 = phi i32 [ %317, %314 ], [ 0, %312 ]
   %320 = phi i32 [ 0, %314 ], [ %313, %312 ]
-  switch i32 %320, label %1804 [
-    i32 -2, label %1802
-    i32 0, label %1802
+  switch i32 %320, label %2302 [
+    i32 -2, label %2300
+    i32 0, label %2300
   ], !prof !25
 
-321:                                              ; preds = %1802
+321:                                              ; preds = %2300
   %322 = getelementptr i8, ptr %112, i64 72
   store i64 3, ptr %322, align 8, !noalias !5
   %323 = icmp slt i32 %319, 0
   %324 = select i1 %323, i64 -4, i64 2
-  br label %2151
+  br label %2649
 
-325:                                              ; preds = %1802
+325:                                              ; preds = %2300
   store i64 1, ptr %112, align 8, !noalias !5
   %326 = getelementptr i8, ptr %107, i64 24
   store double 0.000000e+00, ptr %326, align 8, !noalias !5
@@ -997,7 +997,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br i1 %376, label %377, label %378
 
 377:                                              ; preds = %374
-  br label %2151
+  br label %2649
 
 378:                                              ; preds = %374
   %379 = fcmp oeq double %301, 0.000000e+00
@@ -1006,32 +1006,32 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 380:                                              ; preds = %378
   %381 = load i64, ptr %118, align 8, !noalias !5
   %382 = icmp slt i64 %66, 1
-  br i1 %382, label %1812, label %1813, !prof !0
+  br i1 %382, label %2310, label %2311, !prof !0
 
-383:                                              ; preds = %1844
+383:                                              ; preds = %2342
   %384 = getelementptr i8, ptr %112, i64 72
   store i64 4, ptr %384, align 8, !noalias !5
   br label %385
 
-385:                                              ; preds = %1844, %290, %383, %378
-  %386 = phi double [ %1859, %1844 ], [ %1859, %383 ], [ %301, %378 ], [ %301, %290 ]
+385:                                              ; preds = %2342, %290, %383, %378
+  %386 = phi double [ %2357, %2342 ], [ %2357, %383 ], [ %301, %378 ], [ %301, %290 ]
   br label %387
 
-387:                                              ; preds = %1788, %385
-  %388 = phi double [ %386, %385 ], [ %1789, %1788 ]
-  %389 = phi double [ %299, %385 ], [ %392, %1788 ]
+387:                                              ; preds = %2286, %385
+  %388 = phi double [ %386, %385 ], [ %2287, %2286 ]
+  %389 = phi double [ %299, %385 ], [ %392, %2286 ]
   br label %390
 
-390:                                              ; preds = %1741, %387
-  %391 = phi double [ %388, %387 ], [ %1742, %1741 ]
-  %392 = phi double [ %389, %387 ], [ %418, %1741 ]
+390:                                              ; preds = %2239, %387
+  %391 = phi double [ %388, %387 ], [ %2240, %2239 ]
+  %392 = phi double [ %389, %387 ], [ %418, %2239 ]
   %393 = load i64, ptr %163, align 8, !noalias !5
   %394 = icmp eq i64 %393, 0
   br i1 %394, label %395, label %396
 
 395:                                              ; preds = %390
   store double %391, ptr %300, align 8, !noalias !5
-  br label %2151
+  br label %2649
 
 396:                                              ; preds = %390
   %397 = add nsw i64 %393, -1
@@ -1048,7 +1048,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 406:                                              ; preds = %396
   store double %391, ptr %300, align 8, !noalias !5
-  br label %2151
+  br label %2649
 
 407:                                              ; preds = %396
   %408 = getelementptr i8, ptr %107, i64 16
@@ -1067,7 +1067,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %421 = fcmp ogt double %420, %392
   %422 = fcmp oeq double %418, %282
   %423 = select i1 %421, i1 true, i1 %422
-  br i1 %423, label %424, label %1790
+  br i1 %423, label %424, label %2288
 
 424:                                              ; preds = %407
   %425 = getelementptr i8, ptr %198, i64 8
@@ -1105,49 +1105,49 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 440:                                              ; preds = %437, %437, %435, %439
   %441 = phi i32 [ %438, %439 ], [ 0, %435 ], [ 0, %437 ], [ 0, %437 ]
-  switch i32 %441, label %1867 [
-    i32 -2, label %1862
-    i32 0, label %1862
+  switch i32 %441, label %2365 [
+    i32 -2, label %2360
+    i32 0, label %2360
   ], !prof !25
 
 442:                                              ; preds = %428
   %443 = call i64 @llvm.smax.i64(i64 %429, i64 0)
   br label %444
 
-444:                                              ; preds = %442, %1868
-  %445 = phi i64 [ 0, %442 ], [ %1870, %1868 ]
-  %446 = phi i64 [ %443, %442 ], [ %1869, %1868 ]
+444:                                              ; preds = %442, %2366
+  %445 = phi i64 [ 0, %442 ], [ %2368, %2366 ]
+  %446 = phi i64 [ %443, %442 ], [ %2367, %2366 ]
   %447 = icmp sgt i64 %446, 0
-  br i1 %447, label %1868, label %448
+  br i1 %447, label %2366, label %448
 
 448:                                              ; preds = %444, %458
-  %449 = phi i64 [ %1881, %458 ], [ 0, %444 ]
-  %450 = phi i64 [ %1880, %458 ], [ %443, %444 ]
+  %449 = phi i64 [ %2379, %458 ], [ 0, %444 ]
+  %450 = phi i64 [ %2378, %458 ], [ %443, %444 ]
   %451 = icmp sgt i64 %450, 0
-  br i1 %451, label %1879, label %460
+  br i1 %451, label %2377, label %460
 
-452:                                              ; preds = %1912
-  %453 = sext i32 %1910 to i64
+452:                                              ; preds = %2410
+  %453 = sext i32 %2408 to i64
   br label %460
 
-454:                                              ; preds = %1912, %1915
-  %455 = phi i64 [ %1917, %1915 ], [ 0, %1912 ]
-  %456 = phi i64 [ %1916, %1915 ], [ %443, %1912 ]
+454:                                              ; preds = %2410, %2413
+  %455 = phi i64 [ %2415, %2413 ], [ 0, %2410 ]
+  %456 = phi i64 [ %2414, %2413 ], [ %443, %2410 ]
   %457 = icmp sgt i64 %456, 0
-  br i1 %457, label %1915, label %458
+  br i1 %457, label %2413, label %458
 
 458:                                              ; preds = %454
-  %459 = load double, ptr %1885, align 8, !noalias !5
-  store double %459, ptr %1895, align 8, !noalias !5
+  %459 = load double, ptr %2383, align 8, !noalias !5
+  store double %459, ptr %2393, align 8, !noalias !5
   br label %448
 
-460:                                              ; preds = %448, %1862, %452
-  %461 = phi i64 [ %1866, %1862 ], [ %453, %452 ], [ 0, %448 ]
+460:                                              ; preds = %448, %2360, %452
+  %461 = phi i64 [ %2364, %2360 ], [ %453, %452 ], [ 0, %448 ]
   %462 = icmp slt i64 %461, 0
   br i1 %462, label %463, label %464
 
 463:                                              ; preds = %460
-  br label %2151
+  br label %2649
 
 464:                                              ; preds = %460
   store i64 0, ptr %425, align 8, !noalias !5
@@ -1166,2390 +1166,3031 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 471:                                              ; preds = %467
   %472 = load double, ptr %201, align 8, !noalias !5
   %473 = fcmp une double %417, %472
-  br i1 %473, label %474, label %788
+  br i1 %473, label %474, label %789
 
 474:                                              ; preds = %471, %467
   %475 = getelementptr i8, ptr %112, i64 40
   %476 = load i64, ptr %475, align 8, !noalias !5
   %477 = add nsw i64 %476, 1
   store i64 %477, ptr %475, align 8, !noalias !5
-  br label %478
+  %478 = call i64 @llvm.smax.i64(i64 %227, i64 0)
+  br label %479
 
-478:                                              ; preds = %486, %474
-  %479 = phi i64 [ 0, %474 ], [ %1937, %486 ]
-  %480 = phi i64 [ %284, %474 ], [ %1936, %486 ]
-  %481 = icmp sgt i64 %480, 0
-  br i1 %481, label %1935, label %512
+479:                                              ; preds = %487, %474
+  %480 = phi i64 [ 0, %474 ], [ %2435, %487 ]
+  %481 = phi i64 [ %478, %474 ], [ %2434, %487 ]
+  %482 = icmp sgt i64 %481, 0
+  br i1 %482, label %2433, label %513
 
-482:                                              ; preds = %1935, %1938
-  %483 = phi i64 [ 0, %1935 ], [ %1940, %1938 ]
-  %484 = phi i64 [ %284, %1935 ], [ %1939, %1938 ]
-  %485 = icmp sgt i64 %484, 0
-  br i1 %485, label %1938, label %486
+483:                                              ; preds = %2433, %2436
+  %484 = phi i64 [ 0, %2433 ], [ %2438, %2436 ]
+  %485 = phi i64 [ %478, %2433 ], [ %2437, %2436 ]
+  %486 = icmp sgt i64 %485, 0
+  br i1 %486, label %2436, label %487
 
-486:                                              ; preds = %482
-  %487 = icmp slt i64 %479, 0
-  %488 = select i1 %487, i64 %213, i64 0
-  %489 = add i64 %479, %488
-  %490 = select i1 %487, i64 %215, i64 0
-  %491 = mul i64 %489, %215
-  %492 = getelementptr double, ptr %216, i64 %491
-  %493 = getelementptr double, ptr %492, i64 %479
-  %494 = getelementptr double, ptr %493, i64 %490
-  %495 = load double, ptr %494, align 8, !noalias !5
-  %496 = fdiv double 0x400D1A48D83E731D, %417
-  %497 = fadd double %495, %496
-  store double %497, ptr %494, align 8, !noalias !5
-  %498 = select i1 %487, i64 %220, i64 0
-  %499 = add i64 %479, %498
-  %500 = select i1 %487, i64 %222, i64 0
-  %501 = mul i64 %499, %222
-  %502 = getelementptr { double, double }, ptr %223, i64 %501
-  %503 = getelementptr { double, double }, ptr %502, i64 %479
-  %504 = getelementptr { double, double }, ptr %503, i64 %500
-  %505 = load double, ptr %504, align 8, !noalias !5
-  %506 = getelementptr inbounds nuw i8, ptr %504, i64 8
-  %507 = load double, ptr %506, align 8, !noalias !5
-  %508 = fdiv double 0x400572DB93E0C672, %417
-  %509 = fdiv double 0xC0086747F2C3FCB6, %417
-  %510 = fadd double %505, %508
-  %511 = fadd double %507, %509
-  store double %510, ptr %504, align 8, !noalias !5
-  store double %511, ptr %506, align 8, !noalias !5
-  br label %478
+487:                                              ; preds = %483
+  %488 = icmp slt i64 %480, 0
+  %489 = select i1 %488, i64 %213, i64 0
+  %490 = add i64 %480, %489
+  %491 = select i1 %488, i64 %215, i64 0
+  %492 = mul i64 %490, %215
+  %493 = getelementptr double, ptr %216, i64 %492
+  %494 = getelementptr double, ptr %493, i64 %480
+  %495 = getelementptr double, ptr %494, i64 %491
+  %496 = load double, ptr %495, align 8, !noalias !5
+  %497 = fdiv double 0x400D1A48D83E731D, %417
+  %498 = fadd double %496, %497
+  store double %498, ptr %495, align 8, !noalias !5
+  %499 = select i1 %488, i64 %220, i64 0
+  %500 = add i64 %480, %499
+  %501 = select i1 %488, i64 %222, i64 0
+  %502 = mul i64 %500, %222
+  %503 = getelementptr { double, double }, ptr %223, i64 %502
+  %504 = getelementptr { double, double }, ptr %503, i64 %480
+  %505 = getelementptr { double, double }, ptr %504, i64 %501
+  %506 = load double, ptr %505, align 8, !noalias !5
+  %507 = getelementptr inbounds nuw i8, ptr %505, i64 8
+  %508 = load double, ptr %507, align 8, !noalias !5
+  %509 = fdiv double 0x400572DB93E0C672, %417
+  %510 = fdiv double 0xC0086747F2C3FCB6, %417
+  %511 = fadd double %506, %509
+  %512 = fadd double %508, %510
+  store double %511, ptr %505, align 8, !noalias !5
+  store double %512, ptr %507, align 8, !noalias !5
+  br label %479
 
-512:                                              ; preds = %478
-  %513 = call i64 @llvm.smax.i64(i64 %213, i64 0)
-  br label %514
+513:                                              ; preds = %479
+  %514 = call i64 @llvm.smax.i64(i64 %213, i64 0)
+  br label %515
 
-514:                                              ; preds = %538, %512
-  %515 = phi i64 [ 0, %512 ], [ %551, %538 ]
-  %516 = phi i64 [ %513, %512 ], [ %550, %538 ]
-  %517 = icmp sgt i64 %516, 0
-  br i1 %517, label %549, label %620
+515:                                              ; preds = %539, %513
+  %516 = phi i64 [ 0, %513 ], [ %552, %539 ]
+  %517 = phi i64 [ %514, %513 ], [ %551, %539 ]
+  %518 = icmp sgt i64 %517, 0
+  br i1 %518, label %550, label %621
 
-518:                                              ; preds = %564, %549
-  %519 = phi i64 [ %551, %549 ], [ %566, %564 ]
-  %520 = phi i64 [ %563, %549 ], [ %565, %564 ]
-  %521 = phi double [ %561, %549 ], [ %577, %564 ]
-  %522 = phi i64 [ %515, %549 ], [ %578, %564 ]
-  %523 = icmp sgt i64 %520, 0
-  br i1 %523, label %564, label %524
+519:                                              ; preds = %565, %550
+  %520 = phi i64 [ %552, %550 ], [ %567, %565 ]
+  %521 = phi i64 [ %564, %550 ], [ %566, %565 ]
+  %522 = phi double [ %562, %550 ], [ %578, %565 ]
+  %523 = phi i64 [ %516, %550 ], [ %579, %565 ]
+  %524 = icmp sgt i64 %521, 0
+  br i1 %524, label %565, label %525
 
-524:                                              ; preds = %518
-  %525 = select i1 %552, i64 %227, i64 0
-  %526 = getelementptr i64, ptr %228, i64 %515
-  %527 = getelementptr i64, ptr %526, i64 %525
-  store i64 %522, ptr %527, align 8, !noalias !34
-  %528 = fcmp ueq double %521, 0.000000e+00
-  br i1 %528, label %780, label %529
+525:                                              ; preds = %519
+  %526 = select i1 %553, i64 %227, i64 0
+  %527 = getelementptr i64, ptr %228, i64 %516
+  %528 = getelementptr i64, ptr %527, i64 %526
+  store i64 %523, ptr %528, align 8, !noalias !34
+  %529 = fcmp ueq double %522, 0.000000e+00
+  br i1 %529, label %781, label %530
 
-529:                                              ; preds = %524
-  %530 = icmp eq i64 %522, %515
-  br i1 %530, label %535, label %531
+530:                                              ; preds = %525
+  %531 = icmp eq i64 %523, %516
+  br i1 %531, label %536, label %532
 
-531:                                              ; preds = %529, %579
-  %532 = phi i64 [ %581, %579 ], [ 0, %529 ]
-  %533 = phi i64 [ %580, %579 ], [ %513, %529 ]
-  %534 = icmp sgt i64 %533, 0
-  br i1 %534, label %579, label %535
+532:                                              ; preds = %530, %580
+  %533 = phi i64 [ %582, %580 ], [ 0, %530 ]
+  %534 = phi i64 [ %581, %580 ], [ %514, %530 ]
+  %535 = icmp sgt i64 %534, 0
+  br i1 %535, label %580, label %536
 
-535:                                              ; preds = %531, %529
-  %536 = load double, ptr %559, align 8, !noalias !34
-  %537 = fdiv double 1.000000e+00, %536
-  br label %538
+536:                                              ; preds = %532, %530
+  %537 = load double, ptr %560, align 8, !noalias !34
+  %538 = fdiv double 1.000000e+00, %537
+  br label %539
 
-538:                                              ; preds = %548, %535
-  %539 = phi i64 [ %551, %535 ], [ %597, %548 ]
-  %540 = phi i64 [ %563, %535 ], [ %596, %548 ]
-  %541 = icmp sgt i64 %540, 0
-  br i1 %541, label %595, label %514
+539:                                              ; preds = %549, %536
+  %540 = phi i64 [ %552, %536 ], [ %598, %549 ]
+  %541 = phi i64 [ %564, %536 ], [ %597, %549 ]
+  %542 = icmp sgt i64 %541, 0
+  br i1 %542, label %596, label %515
 
-542:                                              ; preds = %595
-  %543 = fmul double %605, %537
-  store double %543, ptr %604, align 8, !noalias !34
-  br label %544
+543:                                              ; preds = %596
+  %544 = fmul double %606, %538
+  store double %544, ptr %605, align 8, !noalias !34
+  br label %545
 
-544:                                              ; preds = %607, %542
-  %545 = phi i64 [ %551, %542 ], [ %609, %607 ]
-  %546 = phi i64 [ %563, %542 ], [ %608, %607 ]
-  %547 = icmp sgt i64 %546, 0
-  br i1 %547, label %607, label %548
+545:                                              ; preds = %608, %543
+  %546 = phi i64 [ %552, %543 ], [ %610, %608 ]
+  %547 = phi i64 [ %564, %543 ], [ %609, %608 ]
+  %548 = icmp sgt i64 %547, 0
+  br i1 %548, label %608, label %549
 
-548:                                              ; preds = %595, %544
-  br label %538
+549:                                              ; preds = %596, %545
+  br label %539
 
-549:                                              ; preds = %514
-  %550 = add nsw i64 %516, -1
-  %551 = add i64 %515, 1
-  %552 = icmp slt i64 %515, 0
-  %553 = select i1 %552, i64 %213, i64 0
-  %554 = add i64 %515, %553
-  %555 = select i1 %552, i64 %215, i64 0
-  %556 = mul i64 %554, %215
-  %557 = getelementptr double, ptr %216, i64 %556
-  %558 = getelementptr double, ptr %557, i64 %515
-  %559 = getelementptr double, ptr %558, i64 %555
-  %560 = load double, ptr %559, align 8, !noalias !34
-  %561 = call double @llvm.fabs.f64(double %560)
-  %562 = sub i64 %213, %551
-  %563 = call i64 @llvm.smax.i64(i64 %562, i64 0)
-  br label %518
+550:                                              ; preds = %515
+  %551 = add nsw i64 %517, -1
+  %552 = add i64 %516, 1
+  %553 = icmp slt i64 %516, 0
+  %554 = select i1 %553, i64 %213, i64 0
+  %555 = add i64 %516, %554
+  %556 = select i1 %553, i64 %215, i64 0
+  %557 = mul i64 %555, %215
+  %558 = getelementptr double, ptr %216, i64 %557
+  %559 = getelementptr double, ptr %558, i64 %516
+  %560 = getelementptr double, ptr %559, i64 %556
+  %561 = load double, ptr %560, align 8, !noalias !34
+  %562 = call double @llvm.fabs.f64(double %561)
+  %563 = sub i64 %213, %552
+  %564 = call i64 @llvm.smax.i64(i64 %563, i64 0)
+  br label %519
 
-564:                                              ; preds = %518
-  %565 = add nsw i64 %520, -1
-  %566 = add i64 %519, 1
-  %567 = icmp slt i64 %519, 0
-  %568 = select i1 %567, i64 %213, i64 0
-  %569 = add i64 %519, %568
-  %570 = mul i64 %569, %215
-  %571 = getelementptr double, ptr %216, i64 %570
-  %572 = getelementptr double, ptr %571, i64 %515
-  %573 = getelementptr double, ptr %572, i64 %555
-  %574 = load double, ptr %573, align 8, !noalias !34
-  %575 = call double @llvm.fabs.f64(double %574)
-  %576 = fcmp ogt double %575, %521
-  %577 = select i1 %576, double %575, double %521
-  %578 = select i1 %576, i64 %519, i64 %522
-  br label %518
+565:                                              ; preds = %519
+  %566 = add nsw i64 %521, -1
+  %567 = add i64 %520, 1
+  %568 = icmp slt i64 %520, 0
+  %569 = select i1 %568, i64 %213, i64 0
+  %570 = add i64 %520, %569
+  %571 = mul i64 %570, %215
+  %572 = getelementptr double, ptr %216, i64 %571
+  %573 = getelementptr double, ptr %572, i64 %516
+  %574 = getelementptr double, ptr %573, i64 %556
+  %575 = load double, ptr %574, align 8, !noalias !34
+  %576 = call double @llvm.fabs.f64(double %575)
+  %577 = fcmp ogt double %576, %522
+  %578 = select i1 %577, double %576, double %522
+  %579 = select i1 %577, i64 %520, i64 %523
+  br label %519
 
-579:                                              ; preds = %531
-  %580 = add nsw i64 %533, -1
-  %581 = add i64 %532, 1
-  %582 = icmp slt i64 %522, 0
-  %583 = select i1 %582, i64 %213, i64 0
-  %584 = add i64 %522, %583
-  %585 = icmp slt i64 %532, 0
-  %586 = select i1 %585, i64 %215, i64 0
-  %587 = mul i64 %584, %215
-  %588 = getelementptr double, ptr %216, i64 %587
-  %589 = getelementptr double, ptr %588, i64 %532
-  %590 = getelementptr double, ptr %589, i64 %586
-  %591 = load double, ptr %590, align 8, !noalias !34
-  %592 = getelementptr double, ptr %557, i64 %532
-  %593 = getelementptr double, ptr %592, i64 %586
-  %594 = load double, ptr %593, align 8, !noalias !34
-  store double %591, ptr %593, align 8, !noalias !34
-  store double %594, ptr %590, align 8, !noalias !34
-  br label %531
+580:                                              ; preds = %532
+  %581 = add nsw i64 %534, -1
+  %582 = add i64 %533, 1
+  %583 = icmp slt i64 %523, 0
+  %584 = select i1 %583, i64 %213, i64 0
+  %585 = add i64 %523, %584
+  %586 = icmp slt i64 %533, 0
+  %587 = select i1 %586, i64 %215, i64 0
+  %588 = mul i64 %585, %215
+  %589 = getelementptr double, ptr %216, i64 %588
+  %590 = getelementptr double, ptr %589, i64 %533
+  %591 = getelementptr double, ptr %590, i64 %587
+  %592 = load double, ptr %591, align 8, !noalias !34
+  %593 = getelementptr double, ptr %558, i64 %533
+  %594 = getelementptr double, ptr %593, i64 %587
+  %595 = load double, ptr %594, align 8, !noalias !34
+  store double %592, ptr %594, align 8, !noalias !34
+  store double %595, ptr %591, align 8, !noalias !34
+  br label %532
 
-595:                                              ; preds = %538
-  %596 = add nsw i64 %540, -1
-  %597 = add i64 %539, 1
-  %598 = icmp slt i64 %539, 0
-  %599 = select i1 %598, i64 %213, i64 0
-  %600 = add i64 %539, %599
-  %601 = mul i64 %600, %215
-  %602 = getelementptr double, ptr %216, i64 %601
-  %603 = getelementptr double, ptr %602, i64 %515
-  %604 = getelementptr double, ptr %603, i64 %555
-  %605 = load double, ptr %604, align 8, !noalias !34
-  %606 = fcmp une double %605, 0.000000e+00
-  br i1 %606, label %542, label %548
+596:                                              ; preds = %539
+  %597 = add nsw i64 %541, -1
+  %598 = add i64 %540, 1
+  %599 = icmp slt i64 %540, 0
+  %600 = select i1 %599, i64 %213, i64 0
+  %601 = add i64 %540, %600
+  %602 = mul i64 %601, %215
+  %603 = getelementptr double, ptr %216, i64 %602
+  %604 = getelementptr double, ptr %603, i64 %516
+  %605 = getelementptr double, ptr %604, i64 %556
+  %606 = load double, ptr %605, align 8, !noalias !34
+  %607 = fcmp une double %606, 0.000000e+00
+  br i1 %607, label %543, label %549
 
-607:                                              ; preds = %544
-  %608 = add nsw i64 %546, -1
-  %609 = add i64 %545, 1
-  %610 = icmp slt i64 %545, 0
-  %611 = select i1 %610, i64 %215, i64 0
-  %612 = getelementptr double, ptr %602, i64 %545
-  %613 = getelementptr double, ptr %612, i64 %611
-  %614 = load double, ptr %613, align 8, !noalias !34
-  %615 = getelementptr double, ptr %557, i64 %545
-  %616 = getelementptr double, ptr %615, i64 %611
-  %617 = load double, ptr %616, align 8, !noalias !34
-  %618 = fmul double %543, %617
-  %619 = fsub double %614, %618
-  store double %619, ptr %613, align 8, !noalias !34
-  br label %544
+608:                                              ; preds = %545
+  %609 = add nsw i64 %547, -1
+  %610 = add i64 %546, 1
+  %611 = icmp slt i64 %546, 0
+  %612 = select i1 %611, i64 %215, i64 0
+  %613 = getelementptr double, ptr %603, i64 %546
+  %614 = getelementptr double, ptr %613, i64 %612
+  %615 = load double, ptr %614, align 8, !noalias !34
+  %616 = getelementptr double, ptr %558, i64 %546
+  %617 = getelementptr double, ptr %616, i64 %612
+  %618 = load double, ptr %617, align 8, !noalias !34
+  %619 = fmul double %544, %618
+  %620 = fsub double %615, %619
+  store double %620, ptr %614, align 8, !noalias !34
+  br label %545
 
-620:                                              ; preds = %514
-  %621 = call i64 @llvm.smax.i64(i64 %220, i64 0)
-  br label %622
+621:                                              ; preds = %515
+  %622 = call i64 @llvm.smax.i64(i64 %220, i64 0)
+  br label %623
 
-622:                                              ; preds = %670, %620
-  %623 = phi i64 [ 0, %620 ], [ %688, %670 ]
-  %624 = phi i64 [ %621, %620 ], [ %687, %670 ]
-  %625 = icmp sgt i64 %624, 0
-  br i1 %625, label %686, label %779
+623:                                              ; preds = %671, %621
+  %624 = phi i64 [ 0, %621 ], [ %689, %671 ]
+  %625 = phi i64 [ %622, %621 ], [ %688, %671 ]
+  %626 = icmp sgt i64 %625, 0
+  br i1 %626, label %687, label %780
 
-626:                                              ; preds = %703, %686
-  %627 = phi i64 [ %688, %686 ], [ %715, %703 ]
-  %628 = phi i64 [ %702, %686 ], [ %716, %703 ]
-  %629 = phi double [ %700, %686 ], [ %718, %703 ]
-  %630 = phi i64 [ %623, %686 ], [ %719, %703 ]
-  %631 = icmp sgt i64 %628, 0
-  br i1 %631, label %703, label %632
+627:                                              ; preds = %704, %687
+  %628 = phi i64 [ %689, %687 ], [ %716, %704 ]
+  %629 = phi i64 [ %703, %687 ], [ %717, %704 ]
+  %630 = phi double [ %701, %687 ], [ %719, %704 ]
+  %631 = phi i64 [ %624, %687 ], [ %720, %704 ]
+  %632 = icmp sgt i64 %629, 0
+  br i1 %632, label %704, label %633
 
-632:                                              ; preds = %626
-  %633 = select i1 %689, i64 %232, i64 0
-  %634 = getelementptr i64, ptr %233, i64 %623
-  %635 = getelementptr i64, ptr %634, i64 %633
-  store i64 %630, ptr %635, align 8, !noalias !37
-  %636 = fcmp ueq double %629, 0.000000e+00
-  br i1 %636, label %780, label %637
+633:                                              ; preds = %627
+  %634 = select i1 %690, i64 %232, i64 0
+  %635 = getelementptr i64, ptr %233, i64 %624
+  %636 = getelementptr i64, ptr %635, i64 %634
+  store i64 %631, ptr %636, align 8, !noalias !37
+  %637 = fcmp ueq double %630, 0.000000e+00
+  br i1 %637, label %781, label %638
 
-637:                                              ; preds = %632
-  %638 = icmp eq i64 %630, %623
-  br i1 %638, label %643, label %639
+638:                                              ; preds = %633
+  %639 = icmp eq i64 %631, %624
+  br i1 %639, label %644, label %640
 
-639:                                              ; preds = %637, %720
-  %640 = phi i64 [ %722, %720 ], [ 0, %637 ]
-  %641 = phi i64 [ %721, %720 ], [ %621, %637 ]
-  %642 = icmp sgt i64 %641, 0
-  br i1 %642, label %720, label %643
+640:                                              ; preds = %638, %721
+  %641 = phi i64 [ %723, %721 ], [ 0, %638 ]
+  %642 = phi i64 [ %722, %721 ], [ %622, %638 ]
+  %643 = icmp sgt i64 %642, 0
+  br i1 %643, label %721, label %644
 
-643:                                              ; preds = %639, %637
-  %644 = load double, ptr %696, align 8, !noalias !37
-  %645 = load double, ptr %698, align 8, !noalias !37
-  %646 = call double @llvm.fabs.f64(double %644)
+644:                                              ; preds = %640, %638
+  %645 = load double, ptr %697, align 8, !noalias !37
+  %646 = load double, ptr %699, align 8, !noalias !37
   %647 = call double @llvm.fabs.f64(double %645)
-  %648 = fcmp ult double %646, %647
-  br i1 %648, label %658, label %649
+  %648 = call double @llvm.fabs.f64(double %646)
+  %649 = fcmp ult double %647, %648
+  br i1 %649, label %659, label %650
 
-649:                                              ; preds = %643
-  %650 = fdiv double %645, %644
-  %651 = fmul double %645, %650
-  %652 = fadd double %644, %651
-  %653 = fmul double %650, 0.000000e+00
-  %654 = fadd double %653, 1.000000e+00
-  %655 = fdiv double %654, %652
-  %656 = fsub double 0.000000e+00, %650
-  %657 = fdiv double %656, %652
-  br label %667
+650:                                              ; preds = %644
+  %651 = fdiv double %646, %645
+  %652 = fmul double %646, %651
+  %653 = fadd double %645, %652
+  %654 = fmul double %651, 0.000000e+00
+  %655 = fadd double %654, 1.000000e+00
+  %656 = fdiv double %655, %653
+  %657 = fsub double 0.000000e+00, %651
+  %658 = fdiv double %657, %653
+  br label %668
 
-658:                                              ; preds = %643
-  %659 = fdiv double %644, %645
-  %660 = fmul double %644, %659
-  %661 = fadd double %660, %645
-  %662 = fadd double %659, 0.000000e+00
-  %663 = fdiv double %662, %661
-  %664 = fmul double %659, 0.000000e+00
-  %665 = fadd double %664, -1.000000e+00
-  %666 = fdiv double %665, %661
-  br label %667
+659:                                              ; preds = %644
+  %660 = fdiv double %645, %646
+  %661 = fmul double %645, %660
+  %662 = fadd double %661, %646
+  %663 = fadd double %660, 0.000000e+00
+  %664 = fdiv double %663, %662
+  %665 = fmul double %660, 0.000000e+00
+  %666 = fadd double %665, -1.000000e+00
+  %667 = fdiv double %666, %662
+  br label %668
 
-667:                                              ; preds = %658, %649
-  %668 = phi double [ %657, %649 ], [ %666, %658 ]
-  %669 = phi double [ %655, %649 ], [ %663, %658 ]
-  br label %670
+668:                                              ; preds = %659, %650
+  %669 = phi double [ %658, %650 ], [ %667, %659 ]
+  %670 = phi double [ %656, %650 ], [ %664, %659 ]
+  br label %671
 
-670:                                              ; preds = %685, %667
-  %671 = phi i64 [ %688, %667 ], [ %742, %685 ]
-  %672 = phi i64 [ %702, %667 ], [ %741, %685 ]
-  %673 = icmp sgt i64 %672, 0
-  br i1 %673, label %740, label %622
+671:                                              ; preds = %686, %668
+  %672 = phi i64 [ %689, %668 ], [ %743, %686 ]
+  %673 = phi i64 [ %703, %668 ], [ %742, %686 ]
+  %674 = icmp sgt i64 %673, 0
+  br i1 %674, label %741, label %623
 
-674:                                              ; preds = %740
-  %675 = fmul double %750, %668
-  %676 = fmul double %752, %669
-  %677 = fadd double %675, %676
-  %678 = fmul double %750, %669
-  %679 = fmul double %752, %668
-  %680 = fsub double %678, %679
-  store double %680, ptr %749, align 8, !noalias !37
-  store double %677, ptr %751, align 8, !noalias !37
-  br label %681
+675:                                              ; preds = %741
+  %676 = fmul double %751, %669
+  %677 = fmul double %753, %670
+  %678 = fadd double %676, %677
+  %679 = fmul double %751, %670
+  %680 = fmul double %753, %669
+  %681 = fsub double %679, %680
+  store double %681, ptr %750, align 8, !noalias !37
+  store double %678, ptr %752, align 8, !noalias !37
+  br label %682
 
-681:                                              ; preds = %756, %674
-  %682 = phi i64 [ %688, %674 ], [ %775, %756 ]
-  %683 = phi i64 [ %702, %674 ], [ %776, %756 ]
-  %684 = icmp sgt i64 %683, 0
-  br i1 %684, label %756, label %685
+682:                                              ; preds = %757, %675
+  %683 = phi i64 [ %689, %675 ], [ %776, %757 ]
+  %684 = phi i64 [ %703, %675 ], [ %777, %757 ]
+  %685 = icmp sgt i64 %684, 0
+  br i1 %685, label %757, label %686
 
-685:                                              ; preds = %740, %681
-  br label %670
+686:                                              ; preds = %741, %682
+  br label %671
 
-686:                                              ; preds = %622
-  %687 = add nsw i64 %624, -1
-  %688 = add i64 %623, 1
-  %689 = icmp slt i64 %623, 0
-  %690 = select i1 %689, i64 %220, i64 0
-  %691 = add i64 %623, %690
-  %692 = select i1 %689, i64 %222, i64 0
-  %693 = mul i64 %691, %222
-  %694 = getelementptr { double, double }, ptr %223, i64 %693
-  %695 = getelementptr { double, double }, ptr %694, i64 %623
-  %696 = getelementptr { double, double }, ptr %695, i64 %692
-  %697 = load double, ptr %696, align 8, !noalias !37
-  %698 = getelementptr inbounds nuw i8, ptr %696, i64 8
-  %699 = load double, ptr %698, align 8, !noalias !37
-  %700 = call double @hypot(double %697, double %699) #3, !noalias !41
-  %701 = sub i64 %220, %688
-  %702 = call i64 @llvm.smax.i64(i64 %701, i64 0)
-  br label %626
+687:                                              ; preds = %623
+  %688 = add nsw i64 %625, -1
+  %689 = add i64 %624, 1
+  %690 = icmp slt i64 %624, 0
+  %691 = select i1 %690, i64 %220, i64 0
+  %692 = add i64 %624, %691
+  %693 = select i1 %690, i64 %222, i64 0
+  %694 = mul i64 %692, %222
+  %695 = getelementptr { double, double }, ptr %223, i64 %694
+  %696 = getelementptr { double, double }, ptr %695, i64 %624
+  %697 = getelementptr { double, double }, ptr %696, i64 %693
+  %698 = load double, ptr %697, align 8, !noalias !37
+  %699 = getelementptr inbounds nuw i8, ptr %697, i64 8
+  %700 = load double, ptr %699, align 8, !noalias !37
+  %701 = call double @hypot(double %698, double %700) #3, !noalias !41
+  %702 = sub i64 %220, %689
+  %703 = call i64 @llvm.smax.i64(i64 %702, i64 0)
+  br label %627
 
-703:                                              ; preds = %626
-  %704 = icmp slt i64 %627, 0
-  %705 = select i1 %704, i64 %220, i64 0
-  %706 = add i64 %627, %705
-  %707 = mul i64 %706, %222
-  %708 = getelementptr { double, double }, ptr %223, i64 %707
-  %709 = getelementptr { double, double }, ptr %708, i64 %623
-  %710 = getelementptr { double, double }, ptr %709, i64 %692
-  %711 = load double, ptr %710, align 8, !noalias !37
-  %712 = getelementptr inbounds nuw i8, ptr %710, i64 8
-  %713 = load double, ptr %712, align 8, !noalias !37
-  %714 = call double @hypot(double %711, double %713) #3, !noalias !47
-  %715 = add i64 %627, 1
-  %716 = add nsw i64 %628, -1
-  %717 = fcmp ogt double %714, %629
-  %718 = select i1 %717, double %714, double %629
-  %719 = select i1 %717, i64 %627, i64 %630
-  br label %626
+704:                                              ; preds = %627
+  %705 = icmp slt i64 %628, 0
+  %706 = select i1 %705, i64 %220, i64 0
+  %707 = add i64 %628, %706
+  %708 = mul i64 %707, %222
+  %709 = getelementptr { double, double }, ptr %223, i64 %708
+  %710 = getelementptr { double, double }, ptr %709, i64 %624
+  %711 = getelementptr { double, double }, ptr %710, i64 %693
+  %712 = load double, ptr %711, align 8, !noalias !37
+  %713 = getelementptr inbounds nuw i8, ptr %711, i64 8
+  %714 = load double, ptr %713, align 8, !noalias !37
+  %715 = call double @hypot(double %712, double %714) #3, !noalias !47
+  %716 = add i64 %628, 1
+  %717 = add nsw i64 %629, -1
+  %718 = fcmp ogt double %715, %630
+  %719 = select i1 %718, double %715, double %630
+  %720 = select i1 %718, i64 %628, i64 %631
+  br label %627
 
-720:                                              ; preds = %639
-  %721 = add nsw i64 %641, -1
-  %722 = add i64 %640, 1
-  %723 = icmp slt i64 %630, 0
-  %724 = select i1 %723, i64 %220, i64 0
-  %725 = add i64 %630, %724
-  %726 = icmp slt i64 %640, 0
-  %727 = select i1 %726, i64 %222, i64 0
-  %728 = mul i64 %725, %222
-  %729 = getelementptr { double, double }, ptr %223, i64 %728
-  %730 = getelementptr { double, double }, ptr %729, i64 %640
-  %731 = getelementptr { double, double }, ptr %730, i64 %727
-  %732 = load double, ptr %731, align 8, !noalias !37
-  %733 = getelementptr inbounds nuw i8, ptr %731, i64 8
-  %734 = load double, ptr %733, align 8, !noalias !37
-  %735 = getelementptr { double, double }, ptr %694, i64 %640
-  %736 = getelementptr { double, double }, ptr %735, i64 %727
-  %737 = load double, ptr %736, align 8, !noalias !37
-  %738 = getelementptr inbounds nuw i8, ptr %736, i64 8
-  %739 = load double, ptr %738, align 8, !noalias !37
-  store double %732, ptr %736, align 8, !noalias !37
-  store double %734, ptr %738, align 8, !noalias !37
-  store double %737, ptr %731, align 8, !noalias !37
-  store double %739, ptr %733, align 8, !noalias !37
-  br label %639
+721:                                              ; preds = %640
+  %722 = add nsw i64 %642, -1
+  %723 = add i64 %641, 1
+  %724 = icmp slt i64 %631, 0
+  %725 = select i1 %724, i64 %220, i64 0
+  %726 = add i64 %631, %725
+  %727 = icmp slt i64 %641, 0
+  %728 = select i1 %727, i64 %222, i64 0
+  %729 = mul i64 %726, %222
+  %730 = getelementptr { double, double }, ptr %223, i64 %729
+  %731 = getelementptr { double, double }, ptr %730, i64 %641
+  %732 = getelementptr { double, double }, ptr %731, i64 %728
+  %733 = load double, ptr %732, align 8, !noalias !37
+  %734 = getelementptr inbounds nuw i8, ptr %732, i64 8
+  %735 = load double, ptr %734, align 8, !noalias !37
+  %736 = getelementptr { double, double }, ptr %695, i64 %641
+  %737 = getelementptr { double, double }, ptr %736, i64 %728
+  %738 = load double, ptr %737, align 8, !noalias !37
+  %739 = getelementptr inbounds nuw i8, ptr %737, i64 8
+  %740 = load double, ptr %739, align 8, !noalias !37
+  store double %733, ptr %737, align 8, !noalias !37
+  store double %735, ptr %739, align 8, !noalias !37
+  store double %738, ptr %732, align 8, !noalias !37
+  store double %740, ptr %734, align 8, !noalias !37
+  br label %640
 
-740:                                              ; preds = %670
-  %741 = add nsw i64 %672, -1
-  %742 = add i64 %671, 1
-  %743 = icmp slt i64 %671, 0
-  %744 = select i1 %743, i64 %220, i64 0
-  %745 = add i64 %671, %744
-  %746 = mul i64 %745, %222
-  %747 = getelementptr { double, double }, ptr %223, i64 %746
-  %748 = getelementptr { double, double }, ptr %747, i64 %623
-  %749 = getelementptr { double, double }, ptr %748, i64 %692
-  %750 = load double, ptr %749, align 8, !noalias !37
-  %751 = getelementptr inbounds nuw i8, ptr %749, i64 8
-  %752 = load double, ptr %751, align 8, !noalias !37
-  %753 = fcmp une double %750, 0.000000e+00
-  %754 = fcmp une double %752, 0.000000e+00
-  %755 = or i1 %753, %754
-  br i1 %755, label %674, label %685
+741:                                              ; preds = %671
+  %742 = add nsw i64 %673, -1
+  %743 = add i64 %672, 1
+  %744 = icmp slt i64 %672, 0
+  %745 = select i1 %744, i64 %220, i64 0
+  %746 = add i64 %672, %745
+  %747 = mul i64 %746, %222
+  %748 = getelementptr { double, double }, ptr %223, i64 %747
+  %749 = getelementptr { double, double }, ptr %748, i64 %624
+  %750 = getelementptr { double, double }, ptr %749, i64 %693
+  %751 = load double, ptr %750, align 8, !noalias !37
+  %752 = getelementptr inbounds nuw i8, ptr %750, i64 8
+  %753 = load double, ptr %752, align 8, !noalias !37
+  %754 = fcmp une double %751, 0.000000e+00
+  %755 = fcmp une double %753, 0.000000e+00
+  %756 = or i1 %754, %755
+  br i1 %756, label %675, label %686
 
-756:                                              ; preds = %681
-  %757 = icmp slt i64 %682, 0
-  %758 = select i1 %757, i64 %222, i64 0
-  %759 = getelementptr { double, double }, ptr %747, i64 %682
-  %760 = getelementptr { double, double }, ptr %759, i64 %758
-  %761 = load double, ptr %760, align 8, !noalias !37
-  %762 = getelementptr inbounds nuw i8, ptr %760, i64 8
-  %763 = load double, ptr %762, align 8, !noalias !37
-  %764 = getelementptr { double, double }, ptr %694, i64 %682
-  %765 = getelementptr { double, double }, ptr %764, i64 %758
-  %766 = load double, ptr %765, align 8, !noalias !37
-  %767 = getelementptr inbounds nuw i8, ptr %765, i64 8
-  %768 = load double, ptr %767, align 8, !noalias !37
-  %769 = fmul double %680, %768
-  %770 = fmul double %677, %766
-  %771 = fadd double %769, %770
-  %772 = fmul double %680, %766
-  %773 = fmul double %677, %768
-  %774 = fsub double %772, %773
-  %775 = add i64 %682, 1
-  %776 = add nsw i64 %683, -1
-  %777 = fsub double %761, %774
-  %778 = fsub double %763, %771
-  store double %777, ptr %760, align 8, !noalias !37
-  store double %778, ptr %762, align 8, !noalias !37
-  br label %681
+757:                                              ; preds = %682
+  %758 = icmp slt i64 %683, 0
+  %759 = select i1 %758, i64 %222, i64 0
+  %760 = getelementptr { double, double }, ptr %748, i64 %683
+  %761 = getelementptr { double, double }, ptr %760, i64 %759
+  %762 = load double, ptr %761, align 8, !noalias !37
+  %763 = getelementptr inbounds nuw i8, ptr %761, i64 8
+  %764 = load double, ptr %763, align 8, !noalias !37
+  %765 = getelementptr { double, double }, ptr %695, i64 %683
+  %766 = getelementptr { double, double }, ptr %765, i64 %759
+  %767 = load double, ptr %766, align 8, !noalias !37
+  %768 = getelementptr inbounds nuw i8, ptr %766, i64 8
+  %769 = load double, ptr %768, align 8, !noalias !37
+  %770 = fmul double %681, %769
+  %771 = fmul double %678, %767
+  %772 = fadd double %770, %771
+  %773 = fmul double %681, %767
+  %774 = fmul double %678, %769
+  %775 = fsub double %773, %774
+  %776 = add i64 %683, 1
+  %777 = add nsw i64 %684, -1
+  %778 = fsub double %762, %775
+  %779 = fsub double %764, %772
+  store double %778, ptr %761, align 8, !noalias !37
+  store double %779, ptr %763, align 8, !noalias !37
+  br label %682
 
-779:                                              ; preds = %622
+780:                                              ; preds = %623
   store i64 1, ptr %468, align 8, !noalias !5
   store double %417, ptr %201, align 8, !noalias !5
-  br label %788
+  br label %789
 
-780:                                              ; preds = %524, %632
-  %781 = load i64, ptr %400, align 8, !noalias !5
-  %782 = add nsw i64 %781, 1
-  %783 = fmul double %417, 5.000000e-01
-  %784 = getelementptr i8, ptr %112, i64 72
-  store i64 4, ptr %784, align 8, !noalias !5
-  store i64 %782, ptr %400, align 8, !noalias !5
-  %785 = getelementptr i8, ptr %198, i64 16
-  %786 = load i64, ptr %785, align 8, !noalias !5
-  %787 = sub nsw i64 1, %786
-  store i64 %787, ptr %425, align 8, !noalias !5
+781:                                              ; preds = %525, %633
+  %782 = load i64, ptr %400, align 8, !noalias !5
+  %783 = add nsw i64 %782, 1
+  %784 = fmul double %417, 5.000000e-01
+  %785 = getelementptr i8, ptr %112, i64 72
+  store i64 4, ptr %785, align 8, !noalias !5
+  store i64 %783, ptr %400, align 8, !noalias !5
+  %786 = getelementptr i8, ptr %198, i64 16
+  %787 = load i64, ptr %786, align 8, !noalias !5
+  %788 = sub nsw i64 1, %787
+  store i64 %788, ptr %425, align 8, !noalias !5
   store i64 0, ptr %468, align 8, !noalias !5
-  br label %1788
+  br label %2286
 
-788:                                              ; preds = %779, %471
-  %789 = getelementptr i8, ptr %201, i64 8
-  %790 = load double, ptr %789, align 8, !noalias !5
-  br label %791
+789:                                              ; preds = %780, %471
+  %790 = getelementptr i8, ptr %201, i64 8
+  %791 = load double, ptr %790, align 8, !noalias !5
+  br label %792
 
-791:                                              ; preds = %806, %788
-  %792 = phi i64 [ 0, %788 ], [ %1970, %806 ]
-  %793 = phi i64 [ 3, %788 ], [ %1969, %806 ]
-  %794 = icmp sgt i64 %793, 0
-  br i1 %794, label %1968, label %860
+792:                                              ; preds = %807, %789
+  %793 = phi i64 [ 0, %789 ], [ %2468, %807 ]
+  %794 = phi i64 [ 3, %789 ], [ %2467, %807 ]
+  %795 = icmp sgt i64 %794, 0
+  br i1 %795, label %2466, label %861
 
-795:                                              ; preds = %1968
-  %796 = icmp slt i64 %792, 0
-  %797 = add i64 %792, 3
-  %798 = select i1 %796, i64 %797, i64 %792
-  %799 = getelementptr double, ptr @0, i64 %798
-  %800 = load double, ptr %799, align 8, !noalias !5
-  %801 = fmul double %800, %417
-  %802 = fdiv double %801, %790
-  %803 = fadd double %802, 1.000000e+00
-  br label %804
+796:                                              ; preds = %2466
+  %797 = icmp slt i64 %793, 0
+  %798 = add i64 %793, 3
+  %799 = select i1 %797, i64 %798, i64 %793
+  %800 = getelementptr double, ptr @0, i64 %799
+  %801 = load double, ptr %800, align 8, !noalias !5
+  %802 = fmul double %801, %417
+  %803 = fdiv double %802, %791
+  %804 = fadd double %803, 1.000000e+00
+  br label %805
 
-804:                                              ; preds = %1968, %795
-  %805 = phi double [ %803, %795 ], [ 0.000000e+00, %1968 ]
-  br label %806
+805:                                              ; preds = %2466, %796
+  %806 = phi double [ %804, %796 ], [ 0.000000e+00, %2466 ]
+  br label %807
 
-806:                                              ; preds = %804, %850, %810
-  %807 = phi i64 [ 0, %804 ], [ %1974, %810 ], [ %1974, %850 ]
-  %808 = phi i64 [ %284, %804 ], [ %1973, %810 ], [ %1973, %850 ]
-  %809 = icmp sgt i64 %808, 0
-  br i1 %809, label %1972, label %791
+807:                                              ; preds = %805, %851, %811
+  %808 = phi i64 [ 0, %805 ], [ %2472, %811 ], [ %2472, %851 ]
+  %809 = phi i64 [ %284, %805 ], [ %2471, %811 ], [ %2471, %851 ]
+  %810 = icmp sgt i64 %809, 0
+  br i1 %810, label %2470, label %792
 
-810:                                              ; preds = %1972
-  %811 = fsub double 1.000000e+00, %805
-  %812 = icmp slt i64 %807, 0
-  %813 = select i1 %812, i64 %258, i64 0
-  %814 = shl i64 %258, 4
-  %815 = getelementptr i8, ptr %259, i64 %814
-  %816 = getelementptr double, ptr %815, i64 %807
-  %817 = getelementptr double, ptr %816, i64 %813
-  %818 = load double, ptr %817, align 8, !noalias !5
-  %819 = mul i64 %258, 24
-  %820 = getelementptr i8, ptr %259, i64 %819
-  %821 = getelementptr double, ptr %820, i64 %807
-  %822 = getelementptr double, ptr %821, i64 %813
-  %823 = load double, ptr %822, align 8, !noalias !5
-  %824 = fmul double %805, %823
-  %825 = fadd double %818, %824
-  %826 = fmul double %811, %825
-  %827 = getelementptr double, ptr %259, i64 %807
-  %828 = getelementptr double, ptr %827, i64 %813
-  %829 = load double, ptr %828, align 8, !noalias !5
-  %830 = getelementptr double, ptr %259, i64 %258
-  %831 = getelementptr double, ptr %830, i64 %807
-  %832 = getelementptr double, ptr %831, i64 %813
-  %833 = load double, ptr %832, align 8, !noalias !5
-  %834 = fadd double %833, %826
-  %835 = fmul double %805, %834
-  %836 = fadd double %829, %835
-  %837 = select i1 %812, i64 %66, i64 0
-  %838 = getelementptr double, ptr %67, i64 %807
-  %839 = getelementptr double, ptr %838, i64 %837
-  %840 = load double, ptr %839, align 8, !noalias !5
-  %841 = fsub double %836, %840
-  %842 = icmp slt i64 %792, 0
-  %843 = select i1 %842, i64 %237, i64 0
-  %844 = add i64 %792, %843
-  %845 = select i1 %812, i64 %239, i64 0
-  %846 = mul i64 %844, %239
-  %847 = getelementptr double, ptr %240, i64 %846
-  %848 = getelementptr double, ptr %847, i64 %807
-  %849 = getelementptr double, ptr %848, i64 %845
-  store double %841, ptr %849, align 8, !noalias !5
-  br label %806
+811:                                              ; preds = %2470
+  %812 = fsub double 1.000000e+00, %806
+  %813 = icmp slt i64 %808, 0
+  %814 = select i1 %813, i64 %258, i64 0
+  %815 = shl i64 %258, 4
+  %816 = getelementptr i8, ptr %259, i64 %815
+  %817 = getelementptr double, ptr %816, i64 %808
+  %818 = getelementptr double, ptr %817, i64 %814
+  %819 = load double, ptr %818, align 8, !noalias !5
+  %820 = mul i64 %258, 24
+  %821 = getelementptr i8, ptr %259, i64 %820
+  %822 = getelementptr double, ptr %821, i64 %808
+  %823 = getelementptr double, ptr %822, i64 %814
+  %824 = load double, ptr %823, align 8, !noalias !5
+  %825 = fmul double %806, %824
+  %826 = fadd double %819, %825
+  %827 = fmul double %812, %826
+  %828 = getelementptr double, ptr %259, i64 %808
+  %829 = getelementptr double, ptr %828, i64 %814
+  %830 = load double, ptr %829, align 8, !noalias !5
+  %831 = getelementptr double, ptr %259, i64 %258
+  %832 = getelementptr double, ptr %831, i64 %808
+  %833 = getelementptr double, ptr %832, i64 %814
+  %834 = load double, ptr %833, align 8, !noalias !5
+  %835 = fadd double %834, %827
+  %836 = fmul double %806, %835
+  %837 = fadd double %830, %836
+  %838 = select i1 %813, i64 %66, i64 0
+  %839 = getelementptr double, ptr %67, i64 %808
+  %840 = getelementptr double, ptr %839, i64 %838
+  %841 = load double, ptr %840, align 8, !noalias !5
+  %842 = fsub double %837, %841
+  %843 = icmp slt i64 %793, 0
+  %844 = select i1 %843, i64 %237, i64 0
+  %845 = add i64 %793, %844
+  %846 = select i1 %813, i64 %239, i64 0
+  %847 = mul i64 %845, %239
+  %848 = getelementptr double, ptr %240, i64 %847
+  %849 = getelementptr double, ptr %848, i64 %808
+  %850 = getelementptr double, ptr %849, i64 %846
+  store double %842, ptr %850, align 8, !noalias !5
+  br label %807
 
-850:                                              ; preds = %1972
-  %851 = icmp slt i64 %792, 0
-  %852 = select i1 %851, i64 %237, i64 0
-  %853 = add i64 %792, %852
-  %854 = icmp slt i64 %807, 0
-  %855 = select i1 %854, i64 %239, i64 0
-  %856 = mul i64 %853, %239
-  %857 = getelementptr double, ptr %240, i64 %856
-  %858 = getelementptr double, ptr %857, i64 %807
-  %859 = getelementptr double, ptr %858, i64 %855
-  store double 0.000000e+00, ptr %859, align 8, !noalias !5
-  br label %806
+851:                                              ; preds = %2470
+  %852 = icmp slt i64 %793, 0
+  %853 = select i1 %852, i64 %237, i64 0
+  %854 = add i64 %793, %853
+  %855 = icmp slt i64 %808, 0
+  %856 = select i1 %855, i64 %239, i64 0
+  %857 = mul i64 %854, %239
+  %858 = getelementptr double, ptr %240, i64 %857
+  %859 = getelementptr double, ptr %858, i64 %808
+  %860 = getelementptr double, ptr %859, i64 %856
+  store double 0.000000e+00, ptr %860, align 8, !noalias !5
+  br label %807
 
-860:                                              ; preds = %791, %864
-  %861 = phi i64 [ %1977, %864 ], [ 0, %791 ]
-  %862 = phi i64 [ %1976, %864 ], [ 3, %791 ]
-  %863 = icmp sgt i64 %862, 0
-  br i1 %863, label %1975, label %868
+861:                                              ; preds = %792, %865
+  %862 = phi i64 [ %2475, %865 ], [ 0, %792 ]
+  %863 = phi i64 [ %2474, %865 ], [ 3, %792 ]
+  %864 = icmp sgt i64 %863, 0
+  br i1 %864, label %2473, label %869
 
-864:                                              ; preds = %1975, %1978
-  %865 = phi i64 [ 0, %1975 ], [ %1980, %1978 ]
-  %866 = phi i64 [ %284, %1975 ], [ %1979, %1978 ]
-  %867 = icmp sgt i64 %866, 0
-  br i1 %867, label %1978, label %860
+865:                                              ; preds = %2473, %2476
+  %866 = phi i64 [ 0, %2473 ], [ %2478, %2476 ]
+  %867 = phi i64 [ %284, %2473 ], [ %2477, %2476 ]
+  %868 = icmp sgt i64 %867, 0
+  br i1 %868, label %2476, label %861
 
-868:                                              ; preds = %860
+869:                                              ; preds = %861
+  %870 = fmul double %298, %288
   store ptr null, ptr %14, align 8, !noalias !53
-  %869 = load i64, ptr %118, align 8, !noalias !53
-  br label %870
+  %871 = load i64, ptr %118, align 8, !noalias !53
+  %872 = getelementptr i8, ptr %198, i64 40
+  %873 = load i64, ptr %872, align 8, !noalias !53
+  %874 = icmp sgt i64 %873, 0
+  %875 = select i1 %874, i64 10, i64 6
+  br label %876
 
-870:                                              ; preds = %1043, %868
-  %871 = phi i64 [ 0, %868 ], [ %1048, %1043 ]
-  %872 = phi i64 [ 6, %868 ], [ %1049, %1043 ]
-  %873 = phi double [ -1.000000e+00, %868 ], [ %985, %1043 ]
-  %874 = phi double [ 0.000000e+00, %868 ], [ %1026, %1043 ]
-  %875 = icmp sgt i64 %872, 0
-  br i1 %875, label %1044, label %1047
+876:                                              ; preds = %1308, %869
+  %877 = phi i64 [ 0, %869 ], [ %1318, %1308 ]
+  %878 = phi i64 [ %875, %869 ], [ %1319, %1308 ]
+  %879 = phi double [ -1.000000e+00, %869 ], [ %1166, %1308 ]
+  %880 = phi double [ 0.000000e+00, %869 ], [ %1207, %1308 ]
+  %881 = phi i64 [ 0, %869 ], [ %1227, %1308 ]
+  %882 = icmp sgt i64 %878, 0
+  br i1 %882, label %1314, label %1317
 
-876:                                              ; preds = %1077, %1047
-  %877 = phi i64 [ %1054, %1077 ], [ 0, %1047 ]
-  %878 = phi i64 [ %1053, %1077 ], [ 3, %1047 ]
-  %879 = icmp sgt i64 %878, 0
-  br i1 %879, label %1052, label %914
+883:                                              ; preds = %1317
+  %884 = icmp sgt i64 %1321, 5
+  %885 = icmp eq i64 %881, 0
+  %886 = and i1 %884, %885
+  br i1 %886, label %1309, label %887
 
-880:                                              ; preds = %1056, %1052
-  %881 = phi i64 [ 0, %1052 ], [ %1058, %1056 ]
-  %882 = phi i64 [ %1055, %1052 ], [ %1057, %1056 ]
-  %883 = icmp sgt i64 %882, 0
-  br i1 %883, label %1056, label %884
+887:                                              ; preds = %1347, %883
+  %888 = phi i64 [ %1324, %1347 ], [ 0, %883 ]
+  %889 = phi i64 [ %1323, %1347 ], [ 3, %883 ]
+  %890 = icmp sgt i64 %889, 0
+  br i1 %890, label %1322, label %925
 
-884:                                              ; preds = %880
-  %885 = getelementptr i8, ptr %112, i64 24
-  %886 = load i64, ptr %885, align 8, !noalias !53
-  %887 = add nsw i64 %886, 1
-  store i64 %887, ptr %885, align 8, !noalias !53
-  %888 = icmp slt i64 %877, 0
-  %889 = add i64 %877, 3
-  %890 = select i1 %888, i64 %889, i64 %877
-  %891 = getelementptr double, ptr @4, i64 %890
-  %892 = load double, ptr %891, align 8, !noalias !53
-  %893 = fmul double %417, %892
-  %894 = fadd double %392, %893
-  %895 = mul nsw i64 %877, %869
-  %896 = shl i64 %895, 3
-  %897 = add i64 %896, %249
+891:                                              ; preds = %1326, %1322
+  %892 = phi i64 [ 0, %1322 ], [ %1328, %1326 ]
+  %893 = phi i64 [ %1325, %1322 ], [ %1327, %1326 ]
+  %894 = icmp sgt i64 %893, 0
+  br i1 %894, label %1326, label %895
+
+895:                                              ; preds = %891
+  %896 = getelementptr i8, ptr %112, i64 24
+  %897 = load i64, ptr %896, align 8, !noalias !53
+  %898 = add nsw i64 %897, 1
+  store i64 %898, ptr %896, align 8, !noalias !53
+  %899 = icmp slt i64 %888, 0
+  %900 = add i64 %888, 3
+  %901 = select i1 %899, i64 %900, i64 %888
+  %902 = getelementptr double, ptr @4, i64 %901
+  %903 = load double, ptr %902, align 8, !noalias !53
+  %904 = fmul double %417, %903
+  %905 = fadd double %392, %904
+  %906 = mul nsw i64 %888, %871
+  %907 = shl i64 %906, 3
+  %908 = add i64 %907, %249
   store ptr null, ptr %12, align 8, !noalias !57
   store ptr null, ptr %13, align 8, !noalias !57
-  store double %894, ptr %35, align 8, !noalias !57
-  %898 = icmp sgt i64 %47, 0
-  br i1 %898, label %899, label %902
+  store double %905, ptr %35, align 8, !noalias !57
+  %909 = icmp sgt i64 %47, 0
+  br i1 %909, label %910, label %913
 
-899:                                              ; preds = %884
+910:                                              ; preds = %895
   store ptr null, ptr %12, align 8, !noalias !57
-  %900 = call fastcc i32 @_sample(ptr nonnull %12, ptr %40, i64 %39, ptr %50, i64 %47, i64 %49, ptr %55, i64 %54, ptr %62, i64 %59, i64 %61, double %894) #3
-  switch i32 %900, label %901 [
-    i32 -2, label %902
-    i32 0, label %902
+  %911 = call fastcc i32 @_sample(ptr nonnull %12, ptr %40, i64 %39, ptr %50, i64 %47, i64 %49, ptr %55, i64 %54, ptr %62, i64 %59, i64 %61, double %905) #3
+  switch i32 %911, label %912 [
+    i32 -2, label %913
+    i32 0, label %913
   ], !prof !25
 
-901:                                              ; preds = %899
-  br label %902
+912:                                              ; preds = %910
+  br label %913
 
-902:                                              ; preds = %899, %899, %884, %901
-  %903 = phi i32 [ %900, %901 ], [ 0, %884 ], [ 0, %899 ], [ 0, %899 ]
-  switch i32 %903, label %909 [
-    i32 -2, label %904
-    i32 0, label %904
+913:                                              ; preds = %910, %910, %895, %912
+  %914 = phi i32 [ %911, %912 ], [ 0, %895 ], [ 0, %910 ], [ 0, %910 ]
+  switch i32 %914, label %920 [
+    i32 -2, label %915
+    i32 0, label %915
   ], !prof !25
 
-904:                                              ; preds = %902, %902
-  %905 = load i64, ptr %32, align 8, !noalias !64
-  %906 = inttoptr i64 %905 to ptr
-  %907 = inttoptr i64 %897 to ptr
-  %908 = call i32 %906(ptr nonnull %35, ptr %77, ptr %40, ptr %43, ptr %907) #3, !noalias !64
-  br label %909
+915:                                              ; preds = %913, %913
+  %916 = load i64, ptr %32, align 8, !noalias !64
+  %917 = inttoptr i64 %916 to ptr
+  %918 = inttoptr i64 %908 to ptr
+  %919 = call i32 %917(ptr nonnull %35, ptr %77, ptr %40, ptr %43, ptr %918) #3, !noalias !64
+  br label %920
 
-909:                                              ; preds = %902, %904
-  %910 = phi i32 [ %908, %904 ], [ 0, %902 ]
-  %911 = phi i32 [ 0, %904 ], [ %903, %902 ]
-  switch i32 %911, label %1368 [
-    i32 -2, label %1077
-    i32 0, label %1077
+920:                                              ; preds = %913, %915
+  %921 = phi i32 [ %919, %915 ], [ 0, %913 ]
+  %922 = phi i32 [ 0, %915 ], [ %914, %913 ]
+  switch i32 %922, label %1866 [
+    i32 -2, label %1347
+    i32 0, label %1347
   ], !prof !25
 
-912:                                              ; preds = %1077
-  %913 = sext i32 %910 to i64
-  br label %1368
+923:                                              ; preds = %1347
+  %924 = sext i32 %921 to i64
+  br label %1866
 
-914:                                              ; preds = %876
-  %915 = call i64 @llvm.smax.i64(i64 %869, i64 0)
-  br label %916
+925:                                              ; preds = %887
+  %926 = call i64 @llvm.smax.i64(i64 %871, i64 0)
+  br label %927
 
-916:                                              ; preds = %920, %914
-  %917 = phi i64 [ 0, %914 ], [ %921, %920 ]
-  %918 = phi i64 [ %915, %914 ], [ %922, %920 ]
-  %919 = icmp sgt i64 %918, 0
-  br i1 %919, label %1079, label %974
+927:                                              ; preds = %931, %925
+  %928 = phi i64 [ 0, %925 ], [ %932, %931 ]
+  %929 = phi i64 [ %926, %925 ], [ %933, %931 ]
+  %930 = icmp sgt i64 %929, 0
+  br i1 %930, label %1349, label %985
 
-920:                                              ; preds = %1079
-  %921 = add i64 %917, 1
-  %922 = add nsw i64 %918, -1
-  %923 = fmul double %1084, 0x4010B70201A79C46
-  %924 = fmul double %1088, 0x3FD4F8C15DA84E86
-  %925 = fadd double %923, %924
-  %926 = fmul double %1094, 0x3FE0BF7FF59D56EF
-  %927 = fadd double %925, %926
-  %928 = fdiv double 0x400D1A48D83E731D, %417
-  %929 = select i1 %1080, i64 %246, i64 0
-  %930 = getelementptr double, ptr %247, i64 %917
-  %931 = getelementptr double, ptr %930, i64 %929
-  %932 = load double, ptr %931, align 8, !noalias !53
-  %933 = fmul double %928, %932
-  %934 = fsub double %927, %933
-  %935 = select i1 %1080, i64 %263, i64 0
-  %936 = getelementptr double, ptr %264, i64 %917
-  %937 = getelementptr double, ptr %936, i64 %935
-  store double %934, ptr %937, align 8, !noalias !53
-  %938 = load double, ptr %1083, align 8, !noalias !53
-  %939 = fmul double %938, 0xC010B70201A79C46
-  %940 = load double, ptr %1087, align 8, !noalias !53
-  %941 = fmul double %940, 0xBFD4F8C15DA84E86
-  %942 = fadd double %939, %941
-  %943 = load double, ptr %1093, align 8, !noalias !53
-  %944 = fmul double %943, 0x3FDE810014C55221
-  %945 = fadd double %942, %944
-  %946 = fmul double %938, 0x3FE017885A24A7F2
-  %947 = fmul double %940, 0xC004934E6FCAA598
-  %948 = fadd double %946, %947
-  %949 = fmul double %943, 0x3FE312C0CF7BDFD1
-  %950 = fadd double %948, %949
-  %951 = fdiv double 0x400572DB93E0C672, %417
-  %952 = fdiv double 0xC0086747F2C3FCB6, %417
-  %953 = getelementptr double, ptr %247, i64 %246
-  %954 = getelementptr double, ptr %953, i64 %917
-  %955 = getelementptr double, ptr %954, i64 %929
-  %956 = load double, ptr %955, align 8, !noalias !53
-  %957 = shl i64 %246, 4
-  %958 = getelementptr i8, ptr %247, i64 %957
-  %959 = getelementptr double, ptr %958, i64 %917
-  %960 = getelementptr double, ptr %959, i64 %929
-  %961 = load double, ptr %960, align 8, !noalias !53
-  %962 = fmul double %951, %961
-  %963 = fmul double %952, %956
-  %964 = fadd double %962, %963
-  %965 = fmul double %951, %956
-  %966 = fmul double %952, %961
-  %967 = fsub double %965, %966
-  %968 = fsub double %945, %967
-  %969 = fsub double %950, %964
-  %970 = select i1 %1080, i64 %268, i64 0
-  %971 = getelementptr { double, double }, ptr %269, i64 %917
-  %972 = getelementptr { double, double }, ptr %971, i64 %970
-  store double %968, ptr %972, align 8, !noalias !53
-  %973 = getelementptr inbounds nuw i8, ptr %972, i64 8
-  store double %969, ptr %973, align 8, !noalias !53
-  br label %916
+931:                                              ; preds = %1349
+  %932 = add i64 %928, 1
+  %933 = add nsw i64 %929, -1
+  %934 = fmul double %1354, 0x4010B70201A79C46
+  %935 = fmul double %1358, 0x3FD4F8C15DA84E86
+  %936 = fadd double %934, %935
+  %937 = fmul double %1364, 0x3FE0BF7FF59D56EF
+  %938 = fadd double %936, %937
+  %939 = fdiv double 0x400D1A48D83E731D, %417
+  %940 = select i1 %1350, i64 %246, i64 0
+  %941 = getelementptr double, ptr %247, i64 %928
+  %942 = getelementptr double, ptr %941, i64 %940
+  %943 = load double, ptr %942, align 8, !noalias !53
+  %944 = fmul double %939, %943
+  %945 = fsub double %938, %944
+  %946 = select i1 %1350, i64 %263, i64 0
+  %947 = getelementptr double, ptr %264, i64 %928
+  %948 = getelementptr double, ptr %947, i64 %946
+  store double %945, ptr %948, align 8, !noalias !53
+  %949 = load double, ptr %1353, align 8, !noalias !53
+  %950 = fmul double %949, 0xC010B70201A79C46
+  %951 = load double, ptr %1357, align 8, !noalias !53
+  %952 = fmul double %951, 0xBFD4F8C15DA84E86
+  %953 = fadd double %950, %952
+  %954 = load double, ptr %1363, align 8, !noalias !53
+  %955 = fmul double %954, 0x3FDE810014C55221
+  %956 = fadd double %953, %955
+  %957 = fmul double %949, 0x3FE017885A24A7F2
+  %958 = fmul double %951, 0xC004934E6FCAA598
+  %959 = fadd double %957, %958
+  %960 = fmul double %954, 0x3FE312C0CF7BDFD1
+  %961 = fadd double %959, %960
+  %962 = fdiv double 0x400572DB93E0C672, %417
+  %963 = fdiv double 0xC0086747F2C3FCB6, %417
+  %964 = getelementptr double, ptr %247, i64 %246
+  %965 = getelementptr double, ptr %964, i64 %928
+  %966 = getelementptr double, ptr %965, i64 %940
+  %967 = load double, ptr %966, align 8, !noalias !53
+  %968 = shl i64 %246, 4
+  %969 = getelementptr i8, ptr %247, i64 %968
+  %970 = getelementptr double, ptr %969, i64 %928
+  %971 = getelementptr double, ptr %970, i64 %940
+  %972 = load double, ptr %971, align 8, !noalias !53
+  %973 = fmul double %962, %972
+  %974 = fmul double %963, %967
+  %975 = fadd double %973, %974
+  %976 = fmul double %962, %967
+  %977 = fmul double %963, %972
+  %978 = fsub double %976, %977
+  %979 = fsub double %956, %978
+  %980 = fsub double %961, %975
+  %981 = select i1 %1350, i64 %268, i64 0
+  %982 = getelementptr { double, double }, ptr %269, i64 %928
+  %983 = getelementptr { double, double }, ptr %982, i64 %981
+  store double %979, ptr %983, align 8, !noalias !53
+  %984 = getelementptr inbounds nuw i8, ptr %983, i64 8
+  store double %980, ptr %984, align 8, !noalias !53
+  br label %927
 
-974:                                              ; preds = %916
+985:                                              ; preds = %927
   store ptr null, ptr %14, align 8, !noalias !53
-  %975 = call fastcc i32 @solve(ptr nonnull %14, ptr %216, i64 %213, i64 %215, ptr %228, i64 %227, ptr %264, i64 %263) #3, !noalias !53
-  switch i32 %975, label %1368 [
-    i32 -2, label %1098
-    i32 0, label %1098
+  %986 = call fastcc i32 @solve(ptr nonnull %14, ptr %216, i64 %213, i64 %215, ptr %228, i64 %227, ptr %264, i64 %263) #3, !noalias !53
+  switch i32 %986, label %1866 [
+    i32 -2, label %1368
+    i32 0, label %1368
   ], !prof !25
 
-976:                                              ; preds = %1133, %1268
-  %977 = phi i64 [ %1270, %1268 ], [ 0, %1133 ]
-  %978 = phi i64 [ %1269, %1268 ], [ %915, %1133 ]
-  %979 = phi double [ %1305, %1268 ], [ 0.000000e+00, %1133 ]
-  %980 = icmp sgt i64 %978, 0
-  br i1 %980, label %1268, label %981
+987:                                              ; preds = %1538
+  %988 = call i64 @llvm.smax.i64(i64 %213, i64 0)
+  br label %989
 
-981:                                              ; preds = %976
-  %982 = mul nsw i64 %869, 3
-  %983 = sitofp i64 %982 to double
-  %984 = fdiv double %979, %983
-  %985 = call double @sqrt(double %984), !noalias !53
-  %986 = fcmp ogt double %873, 0.000000e+00
-  br i1 %986, label %987, label %1025
+989:                                              ; preds = %1002, %987
+  %990 = phi i64 [ 0, %987 ], [ %1048, %1002 ]
+  %991 = phi i64 [ %988, %987 ], [ %1047, %1002 ]
+  %992 = icmp sgt i64 %991, 0
+  br i1 %992, label %1046, label %1003
 
-987:                                              ; preds = %981
-  %988 = fdiv double %985, %873
-  %989 = sub nsw i64 5, %1051
-  %990 = icmp sgt i64 %1051, 5
-  %991 = add nsw i64 %1051, -5
-  %992 = select i1 %990, i64 %991, i64 %989
-  %993 = icmp samesign ugt i64 %992, 65536
-  br i1 %993, label %994, label %997
+993:                                              ; preds = %1046
+  %994 = mul nsw i64 %990, %873
+  %995 = add nsw i64 %213, %994
+  %996 = mul nsw i64 %1053, %873
+  %997 = add nsw i64 %213, %996
+  br label %998
 
-994:                                              ; preds = %987
-  %995 = sitofp i64 %989 to double
-  %996 = call double @llvm.pow.f64(double %988, double %995)
-  br label %1016
+998:                                              ; preds = %1055, %993
+  %999 = phi i64 [ 0, %993 ], [ %1057, %1055 ]
+  %1000 = phi i64 [ %873, %993 ], [ %1056, %1055 ]
+  %1001 = icmp sgt i64 %1000, 0
+  br i1 %1001, label %1055, label %1002
 
-997:                                              ; preds = %987
-  %998 = icmp eq i64 %992, 0
-  br i1 %998, label %1010, label %999
+1002:                                             ; preds = %1046, %998
+  br label %989
 
-999:                                              ; preds = %999, %997
-  %1000 = phi double [ %1006, %999 ], [ 1.000000e+00, %997 ]
-  %1001 = phi double [ %1008, %999 ], [ %988, %997 ]
-  %1002 = phi i64 [ %1007, %999 ], [ %992, %997 ]
-  %1003 = and i64 %1002, 1
-  %1004 = icmp eq i64 %1003, 0
-  %1005 = fmul double %1000, %1001
-  %1006 = select i1 %1004, double %1000, double %1005
-  %1007 = lshr i64 %1002, 1
-  %1008 = fmul double %1001, %1001
-  %1009 = icmp eq i64 %1007, 0
-  br i1 %1009, label %1010, label %999
+1003:                                             ; preds = %989, %1007
+  %1004 = phi i64 [ %1072, %1007 ], [ 0, %989 ]
+  %1005 = phi i64 [ %1071, %1007 ], [ %988, %989 ]
+  %1006 = icmp sgt i64 %1005, 0
+  br i1 %1006, label %1070, label %1015
 
-1010:                                             ; preds = %999, %997
-  %1011 = phi double [ %1006, %999 ], [ 1.000000e+00, %997 ]
-  br i1 %990, label %1012, label %1016
+1007:                                             ; preds = %1070, %1011
+  %1008 = phi i64 [ 0, %1070 ], [ %1076, %1011 ]
+  %1009 = phi i64 [ %1073, %1070 ], [ %1075, %1011 ]
+  %1010 = icmp sgt i64 %1009, 0
+  br i1 %1010, label %1074, label %1003
 
-1012:                                             ; preds = %1010
-  %1013 = fcmp oeq double %1011, 0.000000e+00
-  br i1 %1013, label %1016, label %1014, !prof !0
+1011:                                             ; preds = %1091, %1074
+  %1012 = phi i64 [ 0, %1074 ], [ %1093, %1091 ]
+  %1013 = phi i64 [ %873, %1074 ], [ %1092, %1091 ]
+  %1014 = icmp sgt i64 %1013, 0
+  br i1 %1014, label %1091, label %1007
 
-1014:                                             ; preds = %1012
-  %1015 = fdiv double 1.000000e+00, %1011
-  br label %1016
+1015:                                             ; preds = %1003
+  %1016 = icmp ugt i64 %213, -9223372036854775808
+  %1017 = select i1 %1016, i64 0, i64 %213
+  br label %1018
 
-1016:                                             ; preds = %1012, %1010, %994, %1014
-  %1017 = phi double [ 0.000000e+00, %1012 ], [ %996, %994 ], [ %1011, %1010 ], [ %1015, %1014 ]
-  %1018 = phi i1 [ false, %1012 ], [ true, %994 ], [ true, %1010 ], [ true, %1014 ]
-  %1019 = phi i32 [ 1, %1012 ], [ 0, %994 ], [ 0, %1010 ], [ 0, %1014 ]
-  br i1 %1018, label %1306, label %1368, !prof !65
+1018:                                             ; preds = %1042, %1015
+  %1019 = phi i64 [ %213, %1015 ], [ %1021, %1042 ]
+  %1020 = phi i64 [ %1017, %1015 ], [ %1109, %1042 ]
+  %1021 = add i64 %1019, -1
+  %1022 = icmp sgt i64 %1020, 0
+  br i1 %1022, label %1108, label %1539
 
-1020:                                             ; preds = %1306
-  %1021 = fsub double 1.000000e+00, %988
-  %1022 = fdiv double %1017, %1021
-  %1023 = fmul double %1022, %985
-  %1024 = fcmp ogt double %1023, %298
-  br i1 %1024, label %1368, label %1025
+1023:                                             ; preds = %1108, %1027
+  %1024 = phi i64 [ %1019, %1108 ], [ %1116, %1027 ]
+  %1025 = phi i64 [ %1113, %1108 ], [ %1115, %1027 ]
+  %1026 = icmp sgt i64 %1025, 0
+  br i1 %1026, label %1114, label %1031
 
-1025:                                             ; preds = %1020, %981
-  %1026 = phi double [ %988, %1020 ], [ %874, %981 ]
+1027:                                             ; preds = %1129, %1114
+  %1028 = phi i64 [ 0, %1114 ], [ %1131, %1129 ]
+  %1029 = phi i64 [ %873, %1114 ], [ %1130, %1129 ]
+  %1030 = icmp sgt i64 %1029, 0
+  br i1 %1030, label %1129, label %1023
+
+1031:                                             ; preds = %1023
+  %1032 = icmp slt i64 %1021, 0
+  %1033 = select i1 %1032, i64 %213, i64 0
+  %1034 = add i64 %1021, %1033
+  %1035 = select i1 %1032, i64 %215, i64 0
+  %1036 = mul i64 %1034, %215
+  %1037 = getelementptr double, ptr %216, i64 %1036
+  %1038 = getelementptr double, ptr %1037, i64 %1021
+  %1039 = getelementptr double, ptr %1038, i64 %1035
+  %1040 = load double, ptr %1039, align 8, !noalias !65
+  %1041 = fdiv double 1.000000e+00, %1040
+  br label %1042
+
+1042:                                             ; preds = %1146, %1031
+  %1043 = phi i64 [ 0, %1031 ], [ %1148, %1146 ]
+  %1044 = phi i64 [ %873, %1031 ], [ %1147, %1146 ]
+  %1045 = icmp sgt i64 %1044, 0
+  br i1 %1045, label %1146, label %1018
+
+1046:                                             ; preds = %989
+  %1047 = add nsw i64 %991, -1
+  %1048 = add i64 %990, 1
+  %1049 = icmp slt i64 %990, 0
+  %1050 = select i1 %1049, i64 %227, i64 0
+  %1051 = getelementptr i64, ptr %228, i64 %990
+  %1052 = getelementptr i64, ptr %1051, i64 %1050
+  %1053 = load i64, ptr %1052, align 8, !noalias !65
+  %1054 = icmp eq i64 %1053, %990
+  br i1 %1054, label %1002, label %993
+
+1055:                                             ; preds = %998
+  %1056 = add nsw i64 %1000, -1
+  %1057 = add i64 %999, 1
+  %1058 = add nsw i64 %997, %999
+  %1059 = icmp slt i64 %1058, 0
+  %1060 = select i1 %1059, i64 %263, i64 0
+  %1061 = getelementptr double, ptr %264, i64 %1058
+  %1062 = getelementptr double, ptr %1061, i64 %1060
+  %1063 = load double, ptr %1062, align 8, !noalias !65
+  %1064 = add nsw i64 %995, %999
+  %1065 = icmp slt i64 %1064, 0
+  %1066 = select i1 %1065, i64 %263, i64 0
+  %1067 = getelementptr double, ptr %264, i64 %1064
+  %1068 = getelementptr double, ptr %1067, i64 %1066
+  %1069 = load double, ptr %1068, align 8, !noalias !65
+  store double %1063, ptr %1068, align 8, !noalias !65
+  store double %1069, ptr %1062, align 8, !noalias !65
+  br label %998
+
+1070:                                             ; preds = %1003
+  %1071 = add nsw i64 %1005, -1
+  %1072 = add i64 %1004, 1
+  %1073 = call i64 @llvm.smax.i64(i64 %1004, i64 0)
+  br label %1007
+
+1074:                                             ; preds = %1007
+  %1075 = add nsw i64 %1009, -1
+  %1076 = add i64 %1008, 1
+  %1077 = icmp slt i64 %1004, 0
+  %1078 = select i1 %1077, i64 %213, i64 0
+  %1079 = add i64 %1004, %1078
+  %1080 = icmp slt i64 %1008, 0
+  %1081 = select i1 %1080, i64 %215, i64 0
+  %1082 = mul i64 %1079, %215
+  %1083 = getelementptr double, ptr %216, i64 %1082
+  %1084 = getelementptr double, ptr %1083, i64 %1008
+  %1085 = getelementptr double, ptr %1084, i64 %1081
+  %1086 = load double, ptr %1085, align 8, !noalias !65
+  %1087 = mul nsw i64 %1004, %873
+  %1088 = add nsw i64 %213, %1087
+  %1089 = mul nsw i64 %1008, %873
+  %1090 = add nsw i64 %213, %1089
+  br label %1011
+
+1091:                                             ; preds = %1011
+  %1092 = add nsw i64 %1013, -1
+  %1093 = add i64 %1012, 1
+  %1094 = add nsw i64 %1088, %1012
+  %1095 = icmp slt i64 %1094, 0
+  %1096 = select i1 %1095, i64 %263, i64 0
+  %1097 = getelementptr double, ptr %264, i64 %1094
+  %1098 = getelementptr double, ptr %1097, i64 %1096
+  %1099 = load double, ptr %1098, align 8, !noalias !65
+  %1100 = add nsw i64 %1090, %1012
+  %1101 = icmp slt i64 %1100, 0
+  %1102 = select i1 %1101, i64 %263, i64 0
+  %1103 = getelementptr double, ptr %264, i64 %1100
+  %1104 = getelementptr double, ptr %1103, i64 %1102
+  %1105 = load double, ptr %1104, align 8, !noalias !65
+  %1106 = fmul double %1086, %1105
+  %1107 = fsub double %1099, %1106
+  store double %1107, ptr %1098, align 8, !noalias !65
+  br label %1011
+
+1108:                                             ; preds = %1018
+  %1109 = add nsw i64 %1020, -1
+  %1110 = mul nsw i64 %1021, %873
+  %1111 = add nsw i64 %213, %1110
+  %1112 = sub i64 %213, %1019
+  %1113 = call i64 @llvm.smax.i64(i64 %1112, i64 0)
+  br label %1023
+
+1114:                                             ; preds = %1023
+  %1115 = add nsw i64 %1025, -1
+  %1116 = add i64 %1024, 1
+  %1117 = icmp slt i64 %1021, 0
+  %1118 = select i1 %1117, i64 %213, i64 0
+  %1119 = add i64 %1021, %1118
+  %1120 = icmp slt i64 %1024, 0
+  %1121 = select i1 %1120, i64 %215, i64 0
+  %1122 = mul i64 %1119, %215
+  %1123 = getelementptr double, ptr %216, i64 %1122
+  %1124 = getelementptr double, ptr %1123, i64 %1024
+  %1125 = getelementptr double, ptr %1124, i64 %1121
+  %1126 = load double, ptr %1125, align 8, !noalias !65
+  %1127 = mul nsw i64 %1024, %873
+  %1128 = add nsw i64 %213, %1127
   br label %1027
 
-1027:                                             ; preds = %1031, %1025
-  %1028 = phi i64 [ 0, %1025 ], [ %1310, %1031 ]
-  %1029 = phi i64 [ %915, %1025 ], [ %1309, %1031 ]
-  %1030 = icmp sgt i64 %1029, 0
-  br i1 %1030, label %1308, label %1035
-
-1031:                                             ; preds = %1338, %1308
-  %1032 = phi i64 [ 0, %1308 ], [ %1340, %1338 ]
-  %1033 = phi i64 [ 3, %1308 ], [ %1339, %1338 ]
-  %1034 = icmp sgt i64 %1033, 0
-  br i1 %1034, label %1338, label %1027
-
-1035:                                             ; preds = %1027
-  %1036 = fcmp oeq double %985, 0.000000e+00
-  br i1 %1036, label %1368, label %1037
-
-1037:                                             ; preds = %1035
-  br i1 %986, label %1038, label %1043
-
-1038:                                             ; preds = %1037
-  %1039 = fsub double 1.000000e+00, %1026
-  %1040 = fdiv double %1026, %1039
-  %1041 = fmul double %1040, %985
-  %1042 = fcmp olt double %1041, %298
-  br i1 %1042, label %1368, label %1043
-
-1043:                                             ; preds = %1038, %1037
-  br label %870
-
-1044:                                             ; preds = %870
-  %1045 = add nsw i64 %872, -1
-  %1046 = add i64 %871, 1
-  br label %1047
-
-1047:                                             ; preds = %1044, %870
-  %1048 = phi i64 [ %1046, %1044 ], [ %871, %870 ]
-  %1049 = phi i64 [ %1045, %1044 ], [ %872, %870 ]
-  %1050 = phi i64 [ %1046, %1044 ], [ 1, %870 ]
-  %1051 = phi i64 [ %871, %1044 ], [ 0, %870 ]
-  br i1 %875, label %876, label %1368
-
-1052:                                             ; preds = %876
-  %1053 = add nsw i64 %878, -1
-  %1054 = add i64 %877, 1
-  %1055 = call i64 @llvm.smax.i64(i64 %869, i64 0)
-  br label %880
-
-1056:                                             ; preds = %880
-  %1057 = add nsw i64 %882, -1
-  %1058 = add i64 %881, 1
-  %1059 = icmp slt i64 %881, 0
-  %1060 = select i1 %1059, i64 %66, i64 0
-  %1061 = getelementptr double, ptr %67, i64 %881
-  %1062 = getelementptr double, ptr %1061, i64 %1060
-  %1063 = load double, ptr %1062, align 8, !noalias !53
-  %1064 = icmp slt i64 %877, 0
-  %1065 = select i1 %1064, i64 %237, i64 0
-  %1066 = add i64 %877, %1065
-  %1067 = select i1 %1059, i64 %239, i64 0
-  %1068 = mul i64 %1066, %239
-  %1069 = getelementptr double, ptr %240, i64 %1068
-  %1070 = getelementptr double, ptr %1069, i64 %881
-  %1071 = getelementptr double, ptr %1070, i64 %1067
-  %1072 = load double, ptr %1071, align 8, !noalias !53
-  %1073 = fadd double %1063, %1072
-  %1074 = select i1 %1059, i64 %76, i64 0
-  %1075 = getelementptr double, ptr %77, i64 %881
-  %1076 = getelementptr double, ptr %1075, i64 %1074
-  store double %1073, ptr %1076, align 8, !noalias !53
-  br label %880
-
-1077:                                             ; preds = %909, %909
-  %1078 = icmp eq i32 %910, 0
-  br i1 %1078, label %876, label %912
-
-1079:                                             ; preds = %916
-  %1080 = icmp slt i64 %917, 0
-  %1081 = select i1 %1080, i64 %251, i64 0
-  %1082 = getelementptr double, ptr %252, i64 %917
-  %1083 = getelementptr double, ptr %1082, i64 %1081
-  %1084 = load double, ptr %1083, align 8, !noalias !53
-  %1085 = getelementptr double, ptr %252, i64 %251
-  %1086 = getelementptr double, ptr %1085, i64 %917
-  %1087 = getelementptr double, ptr %1086, i64 %1081
-  %1088 = load double, ptr %1087, align 8, !noalias !53
-  %1089 = fadd double %1084, %1088
-  %1090 = shl i64 %251, 4
-  %1091 = getelementptr i8, ptr %252, i64 %1090
-  %1092 = getelementptr double, ptr %1091, i64 %917
-  %1093 = getelementptr double, ptr %1092, i64 %1081
-  %1094 = load double, ptr %1093, align 8, !noalias !53
-  %1095 = fadd double %1089, %1094
-  %1096 = fsub double %1095, %1095
-  %1097 = fcmp ord double %1096, 0.000000e+00
-  br i1 %1097, label %920, label %1368
-
-1098:                                             ; preds = %974, %974
-  %1099 = call i64 @llvm.smax.i64(i64 %220, i64 0)
-  br label %1100
-
-1100:                                             ; preds = %1118, %1098
-  %1101 = phi i64 [ 0, %1098 ], [ %1183, %1118 ]
-  %1102 = phi i64 [ %1099, %1098 ], [ %1182, %1118 ]
-  %1103 = icmp sgt i64 %1102, 0
-  br i1 %1103, label %1181, label %1119
-
-1104:                                             ; preds = %1181
-  %1105 = icmp slt i64 %1188, 0
-  %1106 = select i1 %1105, i64 %268, i64 0
-  %1107 = getelementptr { double, double }, ptr %269, i64 %1188
-  %1108 = getelementptr { double, double }, ptr %1107, i64 %1106
-  %1109 = load double, ptr %1108, align 8, !noalias !66
-  %1110 = getelementptr inbounds nuw i8, ptr %1108, i64 8
-  %1111 = load double, ptr %1110, align 8, !noalias !66
-  %1112 = select i1 %1184, i64 %268, i64 0
-  %1113 = getelementptr { double, double }, ptr %269, i64 %1101
-  %1114 = getelementptr { double, double }, ptr %1113, i64 %1112
-  %1115 = load double, ptr %1114, align 8, !noalias !66
-  %1116 = getelementptr inbounds nuw i8, ptr %1114, i64 8
-  %1117 = load double, ptr %1116, align 8, !noalias !66
-  store double %1109, ptr %1114, align 8, !noalias !66
-  store double %1111, ptr %1116, align 8, !noalias !66
-  store double %1115, ptr %1108, align 8, !noalias !66
-  store double %1117, ptr %1110, align 8, !noalias !66
-  br label %1118
-
-1118:                                             ; preds = %1181, %1104
-  br label %1100
-
-1119:                                             ; preds = %1100, %1129
-  %1120 = phi i64 [ %1192, %1129 ], [ 0, %1100 ]
-  %1121 = phi i64 [ %1191, %1129 ], [ %1099, %1100 ]
-  %1122 = icmp sgt i64 %1121, 0
-  br i1 %1122, label %1190, label %1130
-
-1123:                                             ; preds = %1201, %1190
-  %1124 = phi i64 [ 0, %1190 ], [ %1225, %1201 ]
-  %1125 = phi i64 [ %1200, %1190 ], [ %1226, %1201 ]
-  %1126 = phi double [ %1199, %1190 ], [ %1228, %1201 ]
-  %1127 = phi double [ %1197, %1190 ], [ %1227, %1201 ]
-  %1128 = icmp sgt i64 %1125, 0
-  br i1 %1128, label %1201, label %1129
-
-1129:                                             ; preds = %1123
-  store double %1127, ptr %1196, align 8, !noalias !66
-  store double %1126, ptr %1198, align 8, !noalias !66
-  br label %1119
-
-1130:                                             ; preds = %1119
-  %1131 = icmp ugt i64 %220, -9223372036854775808
-  %1132 = select i1 %1131, i64 0, i64 %220
-  br label %1133
-
-1133:                                             ; preds = %1178, %1130
-  %1134 = phi i64 [ %220, %1130 ], [ %1136, %1178 ]
-  %1135 = phi i64 [ %1132, %1130 ], [ %1230, %1178 ]
-  %1136 = add i64 %1134, -1
-  %1137 = icmp sgt i64 %1135, 0
-  br i1 %1137, label %1229, label %976
-
-1138:                                             ; preds = %1240, %1229
-  %1139 = phi i64 [ %1134, %1229 ], [ %1264, %1240 ]
-  %1140 = phi i64 [ %1239, %1229 ], [ %1265, %1240 ]
-  %1141 = phi double [ %1237, %1229 ], [ %1267, %1240 ]
-  %1142 = phi double [ %1235, %1229 ], [ %1266, %1240 ]
-  %1143 = icmp sgt i64 %1140, 0
-  br i1 %1143, label %1240, label %1144
-
-1144:                                             ; preds = %1138
-  %1145 = select i1 %1231, i64 %220, i64 0
-  %1146 = add i64 %1136, %1145
-  %1147 = select i1 %1231, i64 %222, i64 0
-  %1148 = mul i64 %1146, %222
-  %1149 = getelementptr { double, double }, ptr %223, i64 %1148
-  %1150 = getelementptr { double, double }, ptr %1149, i64 %1136
-  %1151 = getelementptr { double, double }, ptr %1150, i64 %1147
-  %1152 = load double, ptr %1151, align 8, !noalias !66
-  %1153 = getelementptr inbounds nuw i8, ptr %1151, i64 8
-  %1154 = load double, ptr %1153, align 8, !noalias !66
-  %1155 = call double @llvm.fabs.f64(double %1152)
-  %1156 = call double @llvm.fabs.f64(double %1154)
-  %1157 = fcmp ult double %1155, %1156
-  br i1 %1157, label %1168, label %1158
-
-1158:                                             ; preds = %1144
-  %1159 = fdiv double %1154, %1152
-  %1160 = fmul double %1154, %1159
-  %1161 = fadd double %1152, %1160
-  %1162 = fmul double %1141, %1159
-  %1163 = fadd double %1142, %1162
-  %1164 = fdiv double %1163, %1161
-  %1165 = fmul double %1142, %1159
-  %1166 = fsub double %1141, %1165
-  %1167 = fdiv double %1166, %1161
-  br label %1178
-
-1168:                                             ; preds = %1144
-  %1169 = fdiv double %1152, %1154
-  %1170 = fmul double %1152, %1169
-  %1171 = fadd double %1170, %1154
-  %1172 = fmul double %1142, %1169
-  %1173 = fadd double %1172, %1141
-  %1174 = fdiv double %1173, %1171
-  %1175 = fmul double %1141, %1169
-  %1176 = fsub double %1175, %1142
-  %1177 = fdiv double %1176, %1171
-  br label %1178
-
-1178:                                             ; preds = %1168, %1158
-  %1179 = phi double [ %1167, %1158 ], [ %1177, %1168 ]
-  %1180 = phi double [ %1164, %1158 ], [ %1174, %1168 ]
-  store double %1180, ptr %1234, align 8, !noalias !66
-  store double %1179, ptr %1236, align 8, !noalias !66
-  br label %1133
-
-1181:                                             ; preds = %1100
-  %1182 = add nsw i64 %1102, -1
-  %1183 = add i64 %1101, 1
-  %1184 = icmp slt i64 %1101, 0
-  %1185 = select i1 %1184, i64 %232, i64 0
-  %1186 = getelementptr i64, ptr %233, i64 %1101
-  %1187 = getelementptr i64, ptr %1186, i64 %1185
-  %1188 = load i64, ptr %1187, align 8, !noalias !66
-  %1189 = icmp eq i64 %1188, %1101
-  br i1 %1189, label %1118, label %1104
-
-1190:                                             ; preds = %1119
-  %1191 = add nsw i64 %1121, -1
-  %1192 = add i64 %1120, 1
-  %1193 = icmp slt i64 %1120, 0
-  %1194 = select i1 %1193, i64 %268, i64 0
-  %1195 = getelementptr { double, double }, ptr %269, i64 %1120
-  %1196 = getelementptr { double, double }, ptr %1195, i64 %1194
-  %1197 = load double, ptr %1196, align 8, !noalias !66
-  %1198 = getelementptr inbounds nuw i8, ptr %1196, i64 8
-  %1199 = load double, ptr %1198, align 8, !noalias !66
-  %1200 = call i64 @llvm.smax.i64(i64 %1120, i64 0)
-  br label %1123
-
-1201:                                             ; preds = %1123
-  %1202 = select i1 %1193, i64 %220, i64 0
-  %1203 = add i64 %1120, %1202
-  %1204 = icmp slt i64 %1124, 0
-  %1205 = select i1 %1204, i64 %222, i64 0
-  %1206 = mul i64 %1203, %222
-  %1207 = getelementptr { double, double }, ptr %223, i64 %1206
-  %1208 = getelementptr { double, double }, ptr %1207, i64 %1124
-  %1209 = getelementptr { double, double }, ptr %1208, i64 %1205
-  %1210 = load double, ptr %1209, align 8, !noalias !66
-  %1211 = getelementptr inbounds nuw i8, ptr %1209, i64 8
-  %1212 = load double, ptr %1211, align 8, !noalias !66
-  %1213 = select i1 %1204, i64 %268, i64 0
-  %1214 = getelementptr { double, double }, ptr %269, i64 %1124
-  %1215 = getelementptr { double, double }, ptr %1214, i64 %1213
-  %1216 = load double, ptr %1215, align 8, !noalias !66
-  %1217 = getelementptr inbounds nuw i8, ptr %1215, i64 8
-  %1218 = load double, ptr %1217, align 8, !noalias !66
-  %1219 = fmul double %1210, %1218
-  %1220 = fmul double %1212, %1216
-  %1221 = fadd double %1219, %1220
-  %1222 = fmul double %1210, %1216
-  %1223 = fmul double %1212, %1218
-  %1224 = fsub double %1222, %1223
-  %1225 = add i64 %1124, 1
-  %1226 = add nsw i64 %1125, -1
-  %1227 = fsub double %1127, %1224
-  %1228 = fsub double %1126, %1221
-  br label %1123
-
-1229:                                             ; preds = %1133
-  %1230 = add nsw i64 %1135, -1
-  %1231 = icmp slt i64 %1136, 0
-  %1232 = select i1 %1231, i64 %268, i64 0
-  %1233 = getelementptr { double, double }, ptr %269, i64 %1136
-  %1234 = getelementptr { double, double }, ptr %1233, i64 %1232
-  %1235 = load double, ptr %1234, align 8, !noalias !66
-  %1236 = getelementptr inbounds nuw i8, ptr %1234, i64 8
-  %1237 = load double, ptr %1236, align 8, !noalias !66
-  %1238 = sub i64 %220, %1134
-  %1239 = call i64 @llvm.smax.i64(i64 %1238, i64 0)
-  br label %1138
-
-1240:                                             ; preds = %1138
-  %1241 = select i1 %1231, i64 %220, i64 0
-  %1242 = add i64 %1136, %1241
-  %1243 = icmp slt i64 %1139, 0
-  %1244 = select i1 %1243, i64 %222, i64 0
-  %1245 = mul i64 %1242, %222
-  %1246 = getelementptr { double, double }, ptr %223, i64 %1245
-  %1247 = getelementptr { double, double }, ptr %1246, i64 %1139
-  %1248 = getelementptr { double, double }, ptr %1247, i64 %1244
-  %1249 = load double, ptr %1248, align 8, !noalias !66
-  %1250 = getelementptr inbounds nuw i8, ptr %1248, i64 8
-  %1251 = load double, ptr %1250, align 8, !noalias !66
-  %1252 = select i1 %1243, i64 %268, i64 0
-  %1253 = getelementptr { double, double }, ptr %269, i64 %1139
-  %1254 = getelementptr { double, double }, ptr %1253, i64 %1252
-  %1255 = load double, ptr %1254, align 8, !noalias !66
-  %1256 = getelementptr inbounds nuw i8, ptr %1254, i64 8
-  %1257 = load double, ptr %1256, align 8, !noalias !66
-  %1258 = fmul double %1249, %1257
-  %1259 = fmul double %1251, %1255
-  %1260 = fadd double %1258, %1259
-  %1261 = fmul double %1249, %1255
-  %1262 = fmul double %1251, %1257
-  %1263 = fsub double %1261, %1262
-  %1264 = add i64 %1139, 1
-  %1265 = add nsw i64 %1140, -1
-  %1266 = fsub double %1142, %1263
-  %1267 = fsub double %1141, %1260
-  br label %1138
-
-1268:                                             ; preds = %976
-  %1269 = add nsw i64 %978, -1
-  %1270 = add i64 %977, 1
-  %1271 = icmp slt i64 %977, 0
-  %1272 = select i1 %1271, i64 %101, i64 0
-  %1273 = getelementptr double, ptr %102, i64 %977
-  %1274 = getelementptr double, ptr %1273, i64 %1272
-  %1275 = load double, ptr %1274, align 8, !noalias !53
-  %1276 = select i1 %1271, i64 %96, i64 0
-  %1277 = getelementptr double, ptr %97, i64 %977
-  %1278 = getelementptr double, ptr %1277, i64 %1276
-  %1279 = load double, ptr %1278, align 8, !noalias !53
-  %1280 = select i1 %1271, i64 %66, i64 0
-  %1281 = getelementptr double, ptr %67, i64 %977
-  %1282 = getelementptr double, ptr %1281, i64 %1280
-  %1283 = load double, ptr %1282, align 8, !noalias !53
-  %1284 = call double @llvm.fabs.f64(double %1283)
-  %1285 = fmul double %1279, %1284
-  %1286 = fadd double %1275, %1285
-  %1287 = select i1 %1271, i64 %263, i64 0
-  %1288 = getelementptr double, ptr %264, i64 %977
-  %1289 = getelementptr double, ptr %1288, i64 %1287
-  %1290 = load double, ptr %1289, align 8, !noalias !53
-  %1291 = fdiv double %1290, %1286
-  %1292 = select i1 %1271, i64 %268, i64 0
-  %1293 = getelementptr { double, double }, ptr %269, i64 %977
-  %1294 = getelementptr { double, double }, ptr %1293, i64 %1292
-  %1295 = load double, ptr %1294, align 8, !noalias !53
-  %1296 = fdiv double %1295, %1286
-  %1297 = getelementptr inbounds nuw i8, ptr %1294, i64 8
-  %1298 = load double, ptr %1297, align 8, !noalias !53
-  %1299 = fdiv double %1298, %1286
-  %1300 = fmul double %1291, %1291
-  %1301 = fmul double %1296, %1296
-  %1302 = fadd double %1300, %1301
-  %1303 = fmul double %1299, %1299
-  %1304 = fadd double %1302, %1303
-  %1305 = fadd double %979, %1304
-  br label %976
-
-1306:                                             ; preds = %1016
-  %1307 = fcmp ult double %988, 1.000000e+00
-  br i1 %1307, label %1020, label %1368
-
-1308:                                             ; preds = %1027
-  %1309 = add nsw i64 %1029, -1
-  %1310 = add i64 %1028, 1
-  %1311 = icmp slt i64 %1028, 0
-  %1312 = select i1 %1311, i64 %246, i64 0
-  %1313 = getelementptr double, ptr %247, i64 %1028
-  %1314 = getelementptr double, ptr %1313, i64 %1312
-  %1315 = load double, ptr %1314, align 8, !noalias !53
-  %1316 = select i1 %1311, i64 %263, i64 0
-  %1317 = getelementptr double, ptr %264, i64 %1028
-  %1318 = getelementptr double, ptr %1317, i64 %1316
-  %1319 = load double, ptr %1318, align 8, !noalias !53
-  %1320 = fadd double %1315, %1319
-  store double %1320, ptr %1314, align 8, !noalias !53
-  %1321 = getelementptr double, ptr %247, i64 %246
-  %1322 = getelementptr double, ptr %1321, i64 %1028
-  %1323 = getelementptr double, ptr %1322, i64 %1312
-  %1324 = load double, ptr %1323, align 8, !noalias !53
-  %1325 = select i1 %1311, i64 %268, i64 0
-  %1326 = getelementptr { double, double }, ptr %269, i64 %1028
-  %1327 = getelementptr { double, double }, ptr %1326, i64 %1325
-  %1328 = load double, ptr %1327, align 8, !noalias !53
-  %1329 = fadd double %1324, %1328
-  store double %1329, ptr %1323, align 8, !noalias !53
-  %1330 = shl i64 %246, 4
-  %1331 = getelementptr i8, ptr %247, i64 %1330
-  %1332 = getelementptr double, ptr %1331, i64 %1028
-  %1333 = getelementptr double, ptr %1332, i64 %1312
-  %1334 = load double, ptr %1333, align 8, !noalias !53
-  %1335 = getelementptr inbounds nuw i8, ptr %1327, i64 8
-  %1336 = load double, ptr %1335, align 8, !noalias !53
-  %1337 = fadd double %1334, %1336
-  store double %1337, ptr %1333, align 8, !noalias !53
-  br label %1031
-
-1338:                                             ; preds = %1031
-  %1339 = add nsw i64 %1033, -1
-  %1340 = add i64 %1032, 1
-  %1341 = icmp slt i64 %1032, 0
-  %1342 = add i64 %1032, 3
-  %1343 = select i1 %1341, i64 %1342, i64 %1032
-  %1344 = mul i64 %1343, 24
-  %1345 = getelementptr i8, ptr @5, i64 %1344
-  %1346 = load double, ptr %1345, align 8, !noalias !53
-  %1347 = load double, ptr %1314, align 8, !noalias !53
-  %1348 = fmul double %1346, %1347
-  %1349 = getelementptr i8, ptr @6, i64 %1344
-  %1350 = getelementptr i8, ptr %1349, i64 8
-  %1351 = load double, ptr %1350, align 8, !noalias !53
-  %1352 = load double, ptr %1323, align 8, !noalias !53
-  %1353 = fmul double %1351, %1352
-  %1354 = fadd double %1348, %1353
-  %1355 = getelementptr i8, ptr @7, i64 %1344
-  %1356 = getelementptr i8, ptr %1355, i64 16
-  %1357 = load double, ptr %1356, align 8, !noalias !53
-  %1358 = load double, ptr %1333, align 8, !noalias !53
-  %1359 = fmul double %1357, %1358
-  %1360 = fadd double %1354, %1359
-  %1361 = select i1 %1341, i64 %237, i64 0
-  %1362 = add i64 %1032, %1361
-  %1363 = select i1 %1311, i64 %239, i64 0
-  %1364 = mul i64 %1362, %239
-  %1365 = getelementptr double, ptr %240, i64 %1364
-  %1366 = getelementptr double, ptr %1365, i64 %1028
-  %1367 = getelementptr double, ptr %1366, i64 %1363
-  store double %1360, ptr %1367, align 8, !noalias !53
-  br label %1031
-
-1368:                                             ; preds = %1016, %974, %909, %1047, %1035, %1038, %1020, %1306, %1079, %912
-  %1369 = phi double [ %874, %1047 ], [ 0.000000e+00, %912 ], [ %988, %1020 ], [ 0.000000e+00, %909 ], [ %1026, %1035 ], [ 0.000000e+00, %974 ], [ 0x7FF0000000000000, %1079 ], [ %988, %1306 ], [ %1026, %1038 ], [ 0.000000e+00, %1016 ]
-  %1370 = phi i64 [ 6, %1047 ], [ %1051, %912 ], [ %1050, %1020 ], [ 0, %909 ], [ %1050, %1035 ], [ 0, %974 ], [ %1051, %1079 ], [ %1050, %1306 ], [ %1050, %1038 ], [ 0, %1016 ]
-  %1371 = phi i1 [ true, %1047 ], [ true, %912 ], [ true, %1020 ], [ true, %909 ], [ false, %1035 ], [ true, %974 ], [ true, %1079 ], [ true, %1306 ], [ false, %1038 ], [ true, %1016 ]
-  %1372 = phi i64 [ 0, %1047 ], [ %913, %912 ], [ 0, %1020 ], [ 0, %909 ], [ 0, %1035 ], [ 0, %974 ], [ 0, %1079 ], [ 0, %1306 ], [ 0, %1038 ], [ 0, %1016 ]
-  %1373 = phi i32 [ 0, %1047 ], [ 0, %912 ], [ 0, %1020 ], [ %911, %909 ], [ 0, %1035 ], [ %975, %974 ], [ 0, %1079 ], [ 0, %1306 ], [ 0, %1038 ], [ %1019, %1016 ]
-  switch i32 %1373, label %2021 [
-    i32 -2, label %2019
-    i32 0, label %2019
-  ], !prof !25
-
-1374:                                             ; preds = %2019
-  br label %2151
-
-1375:                                             ; preds = %2019
-  br i1 %1371, label %1763, label %1376
-
-1376:                                             ; preds = %1375, %2022
-  %1377 = phi i64 [ %2024, %2022 ], [ 0, %1375 ]
-  %1378 = phi i64 [ %2023, %2022 ], [ %284, %1375 ]
-  %1379 = icmp sgt i64 %1378, 0
-  br i1 %1379, label %2022, label %1380
-
-1380:                                             ; preds = %1376
-  %1381 = getelementptr i8, ptr %198, i64 32
-  %1382 = load i64, ptr %1381, align 8, !noalias !5
-  %1383 = icmp ne i64 %1382, 1
-  store ptr null, ptr %6, align 8, !noalias !70
-  store double 0.000000e+00, ptr %7, align 8, !noalias !70
-  store ptr null, ptr %8, align 8, !noalias !70
-  store ptr null, ptr %9, align 8, !noalias !70
-  store double 0.000000e+00, ptr %10, align 8, !noalias !70
-  store ptr null, ptr %11, align 8, !noalias !70
-  %1384 = load i64, ptr %118, align 8, !noalias !70
-  %1385 = call i64 @llvm.smax.i64(i64 %1384, i64 0)
-  br label %1386
-
-1386:                                             ; preds = %1421, %1380
-  %1387 = phi i64 [ 0, %1380 ], [ %1423, %1421 ]
-  %1388 = phi i64 [ %1385, %1380 ], [ %1422, %1421 ]
-  %1389 = icmp sgt i64 %1388, 0
-  br i1 %1389, label %1421, label %1390
-
-1390:                                             ; preds = %1386
-  store ptr null, ptr %6, align 8, !noalias !70
-  %1391 = call fastcc i32 @solve(ptr nonnull %6, ptr %216, i64 %213, i64 %215, ptr %228, i64 %227, ptr %264, i64 %263) #3, !noalias !70
-  switch i32 %1391, label %1499 [
-    i32 -2, label %1455
-    i32 0, label %1455
-  ], !prof !25
-
-1392:                                             ; preds = %1458, %1461
-  %1393 = phi i64 [ %1463, %1461 ], [ 0, %1458 ]
-  %1394 = phi i64 [ %1462, %1461 ], [ %1385, %1458 ]
-  %1395 = icmp sgt i64 %1394, 0
-  br i1 %1395, label %1461, label %1396
-
-1396:                                             ; preds = %1392
-  %1397 = getelementptr i8, ptr %112, i64 24
-  %1398 = load i64, ptr %1397, align 8, !noalias !70
-  %1399 = add nsw i64 %1398, 1
-  store i64 %1399, ptr %1397, align 8, !noalias !70
-  store ptr null, ptr %4, align 8, !noalias !74
-  store ptr null, ptr %5, align 8, !noalias !74
-  store double %392, ptr %35, align 8, !noalias !74
-  %1400 = icmp sgt i64 %47, 0
-  br i1 %1400, label %1401, label %1404
-
-1401:                                             ; preds = %1396
-  store ptr null, ptr %4, align 8, !noalias !74
-  %1402 = call fastcc i32 @_sample(ptr nonnull %4, ptr %40, i64 %39, ptr %50, i64 %47, i64 %49, ptr %55, i64 %54, ptr %62, i64 %59, i64 %61, double %392) #3
-  switch i32 %1402, label %1403 [
-    i32 -2, label %1404
-    i32 0, label %1404
-  ], !prof !25
-
-1403:                                             ; preds = %1401
-  br label %1404
-
-1404:                                             ; preds = %1401, %1401, %1396, %1403
-  %1405 = phi i32 [ %1402, %1403 ], [ 0, %1396 ], [ 0, %1401 ], [ 0, %1401 ]
-  switch i32 %1405, label %1410 [
-    i32 -2, label %1406
-    i32 0, label %1406
-  ], !prof !25
-
-1406:                                             ; preds = %1404, %1404
-  %1407 = load i64, ptr %32, align 8, !noalias !81
-  %1408 = inttoptr i64 %1407 to ptr
-  %1409 = call i32 %1408(ptr nonnull %35, ptr %77, ptr %40, ptr %43, ptr %252) #3, !noalias !81
-  br label %1410
-
-1410:                                             ; preds = %1404, %1406
-  %1411 = phi i32 [ %1409, %1406 ], [ 0, %1404 ]
-  %1412 = phi i32 [ 0, %1406 ], [ %1405, %1404 ]
-  switch i32 %1412, label %1499 [
-    i32 -2, label %1477
-    i32 0, label %1477
-  ], !prof !25
-
-1413:                                             ; preds = %1477
-  %1414 = sext i32 %1411 to i64
-  br label %1499
-
-1415:                                             ; preds = %1477, %1479
-  %1416 = phi i64 [ %1481, %1479 ], [ 0, %1477 ]
-  %1417 = phi i64 [ %1480, %1479 ], [ %1385, %1477 ]
-  %1418 = icmp sgt i64 %1417, 0
-  br i1 %1418, label %1479, label %1419
-
-1419:                                             ; preds = %1415
-  store ptr null, ptr %9, align 8, !noalias !70
-  %1420 = call fastcc i32 @solve(ptr nonnull %9, ptr %216, i64 %213, i64 %215, ptr %228, i64 %227, ptr %264, i64 %263) #3, !noalias !70
-  switch i32 %1420, label %1499 [
-    i32 -2, label %1495
-    i32 0, label %1495
-  ], !prof !25
-
-1421:                                             ; preds = %1386
-  %1422 = add nsw i64 %1388, -1
-  %1423 = add i64 %1387, 1
-  %1424 = icmp slt i64 %1387, 0
-  %1425 = select i1 %1424, i64 %239, i64 0
-  %1426 = getelementptr double, ptr %240, i64 %1387
-  %1427 = getelementptr double, ptr %1426, i64 %1425
-  %1428 = load double, ptr %1427, align 8, !noalias !70
-  %1429 = fmul double %1428, 0xC02418FD8BAFFE05
-  %1430 = getelementptr double, ptr %240, i64 %239
-  %1431 = getelementptr double, ptr %1430, i64 %1387
-  %1432 = getelementptr double, ptr %1431, i64 %1425
-  %1433 = load double, ptr %1432, align 8, !noalias !70
-  %1434 = fmul double %1433, 0x3FF61D41B2D54580
-  %1435 = fadd double %1429, %1434
-  %1436 = shl i64 %239, 4
-  %1437 = getelementptr i8, ptr %240, i64 %1436
-  %1438 = getelementptr double, ptr %1437, i64 %1387
-  %1439 = getelementptr double, ptr %1438, i64 %1425
-  %1440 = load double, ptr %1439, align 8, !noalias !70
-  %1441 = fmul double %1440, 0xBFD5555555555555
-  %1442 = fadd double %1435, %1441
-  %1443 = fdiv double %1442, %417
-  %1444 = select i1 %1424, i64 %273, i64 0
-  %1445 = getelementptr double, ptr %274, i64 %1387
-  %1446 = getelementptr double, ptr %1445, i64 %1444
-  store double %1443, ptr %1446, align 8, !noalias !70
-  %1447 = select i1 %1424, i64 %86, i64 0
-  %1448 = getelementptr double, ptr %87, i64 %1387
-  %1449 = getelementptr double, ptr %1448, i64 %1447
-  %1450 = load double, ptr %1449, align 8, !noalias !70
-  %1451 = fadd double %1450, %1443
-  %1452 = select i1 %1424, i64 %263, i64 0
-  %1453 = getelementptr double, ptr %264, i64 %1387
-  %1454 = getelementptr double, ptr %1453, i64 %1452
-  store double %1451, ptr %1454, align 8, !noalias !70
-  br label %1386
-
-1455:                                             ; preds = %1390, %1390
-  store double 0.000000e+00, ptr %7, align 8, !noalias !70
-  %1456 = call fastcc i32 @norm(ptr nonnull %7, i64 %263, ptr %264, i64 %263, ptr %67, i64 %66, ptr %72, i64 %71, ptr nonnull %97, i64 %96, ptr %102, i64 %101) #3
-  %1457 = load double, ptr %7, align 8, !noalias !70
-  switch i32 %1456, label %1499 [
-    i32 -2, label %1458
-    i32 0, label %1458
-  ], !prof !25
-
-1458:                                             ; preds = %1455, %1455
-  %1459 = fcmp olt double %1457, 1.000000e+00
-  %1460 = select i1 %1459, i1 true, i1 %1383
-  br i1 %1460, label %1499, label %1392
-
-1461:                                             ; preds = %1392
-  %1462 = add nsw i64 %1394, -1
-  %1463 = add i64 %1393, 1
-  %1464 = icmp slt i64 %1393, 0
-  %1465 = select i1 %1464, i64 %66, i64 0
-  %1466 = getelementptr double, ptr %67, i64 %1393
-  %1467 = getelementptr double, ptr %1466, i64 %1465
-  %1468 = load double, ptr %1467, align 8, !noalias !70
-  %1469 = select i1 %1464, i64 %263, i64 0
-  %1470 = getelementptr double, ptr %264, i64 %1393
-  %1471 = getelementptr double, ptr %1470, i64 %1469
-  %1472 = load double, ptr %1471, align 8, !noalias !70
-  %1473 = fadd double %1468, %1472
-  %1474 = select i1 %1464, i64 %76, i64 0
-  %1475 = getelementptr double, ptr %77, i64 %1393
-  %1476 = getelementptr double, ptr %1475, i64 %1474
-  store double %1473, ptr %1476, align 8, !noalias !70
-  br label %1392
-
-1477:                                             ; preds = %1410, %1410
-  %1478 = icmp eq i32 %1411, 0
-  br i1 %1478, label %1415, label %1413
-
-1479:                                             ; preds = %1415
-  %1480 = add nsw i64 %1417, -1
-  %1481 = add i64 %1416, 1
-  %1482 = icmp slt i64 %1416, 0
-  %1483 = select i1 %1482, i64 %251, i64 0
-  %1484 = getelementptr double, ptr %252, i64 %1416
-  %1485 = getelementptr double, ptr %1484, i64 %1483
-  %1486 = load double, ptr %1485, align 8, !noalias !70
-  %1487 = select i1 %1482, i64 %273, i64 0
-  %1488 = getelementptr double, ptr %274, i64 %1416
-  %1489 = getelementptr double, ptr %1488, i64 %1487
-  %1490 = load double, ptr %1489, align 8, !noalias !70
-  %1491 = fadd double %1486, %1490
-  %1492 = select i1 %1482, i64 %263, i64 0
-  %1493 = getelementptr double, ptr %264, i64 %1416
-  %1494 = getelementptr double, ptr %1493, i64 %1492
-  store double %1491, ptr %1494, align 8, !noalias !70
-  br label %1415
-
-1495:                                             ; preds = %1419, %1419
-  store double 0.000000e+00, ptr %10, align 8, !noalias !70
-  %1496 = call fastcc i32 @norm(ptr nonnull %10, i64 %263, ptr %264, i64 %263, ptr %67, i64 %66, ptr %72, i64 %71, ptr nonnull %97, i64 %96, ptr %102, i64 %101) #3
-  switch i32 %1496, label %1499 [
-    i32 -2, label %1497
-    i32 0, label %1497
-  ], !prof !25
-
-1497:                                             ; preds = %1495, %1495
-  %1498 = load double, ptr %10, align 8, !noalias !70
-  br label %1499
-
-1499:                                             ; preds = %1495, %1419, %1410, %1455, %1390, %1458, %1413, %1497
-  %1500 = phi double [ %1457, %1458 ], [ 0.000000e+00, %1390 ], [ %1457, %1413 ], [ 0.000000e+00, %1455 ], [ 0.000000e+00, %1410 ], [ 0.000000e+00, %1419 ], [ %1498, %1497 ], [ 0.000000e+00, %1495 ]
-  %1501 = phi i64 [ 0, %1458 ], [ 0, %1390 ], [ %1414, %1413 ], [ 0, %1455 ], [ 0, %1410 ], [ 0, %1419 ], [ 0, %1497 ], [ 0, %1495 ]
-  %1502 = phi i32 [ 0, %1458 ], [ %1391, %1390 ], [ 0, %1413 ], [ %1456, %1455 ], [ %1412, %1410 ], [ %1420, %1419 ], [ 0, %1497 ], [ %1496, %1495 ]
-  switch i32 %1502, label %2042 [
-    i32 -2, label %2040
-    i32 0, label %2040
-  ], !prof !25
-
-1503:                                             ; preds = %2040
-  br label %2151
-
-1504:                                             ; preds = %2040
-  %1505 = add nsw i64 %1370, 12
-  %1506 = sitofp i64 %1505 to double
-  %1507 = fdiv double 0x4027666666666667, %1506
-  %1508 = fcmp olt double %1500, 1.000000e-10
-  %1509 = select i1 %1508, double 1.000000e-10, double %1500
-  %1510 = call double @llvm.pow.f64(double %1509, double -2.500000e-01)
-  %1511 = icmp eq i64 %1501, 0
-  %1512 = fcmp olt double %1500, 1.000000e+00
-  %1513 = select i1 %1511, i1 %1512, i1 false
-  br i1 %1513, label %1514, label %1746
-
-1514:                                             ; preds = %1504
-  br i1 %277, label %1515, label %1522
-
-1515:                                             ; preds = %1514
-  %1516 = getelementptr i8, ptr %159, i64 56
-  %1517 = load i64, ptr %1516, align 8, !noalias !5
-  %1518 = inttoptr i64 %1517 to ptr
-  %1519 = call i64 %1518(i64 %0, double %418, i64 %69) #3, !noalias !5
-  %1520 = icmp eq i64 %1519, 0
-  br i1 %1520, label %1522, label %1521
-
-1521:                                             ; preds = %1515
-  store double %417, ptr %300, align 8, !noalias !5
-  br label %2151
-
-1522:                                             ; preds = %1515, %1514
-  %1523 = load i64, ptr %398, align 8, !noalias !5
-  %1524 = add nsw i64 %1523, 1
-  store i64 %1524, ptr %398, align 8, !noalias !5
-  %1525 = getelementptr i8, ptr %107, i64 24
-  %1526 = load double, ptr %1525, align 8, !noalias !5
-  %1527 = fcmp ogt double %1526, 0.000000e+00
-  br i1 %1527, label %1528, label %1538
-
-1528:                                             ; preds = %1522
-  %1529 = getelementptr i8, ptr %107, i64 32
-  %1530 = load double, ptr %1529, align 8, !noalias !5
-  %1531 = fdiv double %417, %1530
-  %1532 = fdiv double %1526, %1509
-  %1533 = call double @llvm.pow.f64(double %1532, double 2.500000e-01)
-  %1534 = fmul double %1531, %1533
-  %1535 = fcmp olt double %1534, 1.000000e+00
-  %1536 = select i1 %1535, double %1534, double 1.000000e+00
-  %1537 = fmul double %1510, %1536
-  br label %1538
-
-1538:                                             ; preds = %1528, %1522
-  %1539 = phi double [ %1537, %1528 ], [ %1510, %1522 ]
-  %1540 = fmul double %1507, %1539
-  %1541 = fcmp olt double %1540, 1.000000e+01
-  %1542 = select i1 %1541, double %1540, double 1.000000e+01
-  store double %418, ptr %107, align 8, !noalias !5
-  %1543 = getelementptr i8, ptr %107, i64 32
-  store double %417, ptr %1543, align 8, !noalias !5
-  store double %1509, ptr %1525, align 8, !noalias !5
-  br label %1544
-
-1544:                                             ; preds = %1548, %1538
-  %1545 = phi i64 [ 0, %1538 ], [ %2045, %1548 ]
-  %1546 = phi i64 [ %284, %1538 ], [ %2044, %1548 ]
-  %1547 = icmp sgt i64 %1546, 0
-  br i1 %1547, label %2043, label %1552
-
-1548:                                             ; preds = %2043, %2100
-  %1549 = phi i64 [ 0, %2043 ], [ %2102, %2100 ]
-  %1550 = phi i64 [ 3, %2043 ], [ %2101, %2100 ]
+1129:                                             ; preds = %1027
+  %1130 = add nsw i64 %1029, -1
+  %1131 = add i64 %1028, 1
+  %1132 = add nsw i64 %1111, %1028
+  %1133 = icmp slt i64 %1132, 0
+  %1134 = select i1 %1133, i64 %263, i64 0
+  %1135 = getelementptr double, ptr %264, i64 %1132
+  %1136 = getelementptr double, ptr %1135, i64 %1134
+  %1137 = load double, ptr %1136, align 8, !noalias !65
+  %1138 = add nsw i64 %1128, %1028
+  %1139 = icmp slt i64 %1138, 0
+  %1140 = select i1 %1139, i64 %263, i64 0
+  %1141 = getelementptr double, ptr %264, i64 %1138
+  %1142 = getelementptr double, ptr %1141, i64 %1140
+  %1143 = load double, ptr %1142, align 8, !noalias !65
+  %1144 = fmul double %1126, %1143
+  %1145 = fsub double %1137, %1144
+  store double %1145, ptr %1136, align 8, !noalias !65
+  br label %1027
+
+1146:                                             ; preds = %1042
+  %1147 = add nsw i64 %1044, -1
+  %1148 = add i64 %1043, 1
+  %1149 = add nsw i64 %1111, %1043
+  %1150 = icmp slt i64 %1149, 0
+  %1151 = select i1 %1150, i64 %263, i64 0
+  %1152 = getelementptr double, ptr %264, i64 %1149
+  %1153 = getelementptr double, ptr %1152, i64 %1151
+  %1154 = load double, ptr %1153, align 8, !noalias !65
+  %1155 = fmul double %1154, %1041
+  store double %1155, ptr %1153, align 8, !noalias !65
+  br label %1042
+
+1156:                                             ; preds = %1565, %1538
+  br label %1157
+
+1157:                                             ; preds = %1763, %1156
+  %1158 = phi i64 [ 0, %1156 ], [ %1765, %1763 ]
+  %1159 = phi i64 [ %926, %1156 ], [ %1764, %1763 ]
+  %1160 = phi double [ 0.000000e+00, %1156 ], [ %1800, %1763 ]
+  %1161 = icmp sgt i64 %1159, 0
+  br i1 %1161, label %1763, label %1162
+
+1162:                                             ; preds = %1157
+  %1163 = mul nsw i64 %871, 3
+  %1164 = sitofp i64 %1163 to double
+  %1165 = fdiv double %1160, %1164
+  %1166 = call double @sqrt(double %1165), !noalias !53
+  %1167 = fcmp ogt double %879, 0.000000e+00
+  %1168 = and i1 %1167, %885
+  br i1 %1168, label %1169, label %1206
+
+1169:                                             ; preds = %1162
+  %1170 = fdiv double %1166, %879
+  %1171 = sub nsw i64 5, %1321
+  %1172 = add nsw i64 %1321, -5
+  %1173 = select i1 %884, i64 %1172, i64 %1171
+  %1174 = icmp samesign ugt i64 %1173, 65536
+  br i1 %1174, label %1175, label %1178
+
+1175:                                             ; preds = %1169
+  %1176 = sitofp i64 %1171 to double
+  %1177 = call double @llvm.pow.f64(double %1170, double %1176)
+  br label %1197
+
+1178:                                             ; preds = %1169
+  %1179 = icmp eq i64 %1173, 0
+  br i1 %1179, label %1191, label %1180
+
+1180:                                             ; preds = %1180, %1178
+  %1181 = phi double [ %1187, %1180 ], [ 1.000000e+00, %1178 ]
+  %1182 = phi double [ %1189, %1180 ], [ %1170, %1178 ]
+  %1183 = phi i64 [ %1188, %1180 ], [ %1173, %1178 ]
+  %1184 = and i64 %1183, 1
+  %1185 = icmp eq i64 %1184, 0
+  %1186 = fmul double %1181, %1182
+  %1187 = select i1 %1185, double %1181, double %1186
+  %1188 = lshr i64 %1183, 1
+  %1189 = fmul double %1182, %1182
+  %1190 = icmp eq i64 %1188, 0
+  br i1 %1190, label %1191, label %1180
+
+1191:                                             ; preds = %1180, %1178
+  %1192 = phi double [ %1187, %1180 ], [ 1.000000e+00, %1178 ]
+  br i1 %884, label %1193, label %1197
+
+1193:                                             ; preds = %1191
+  %1194 = fcmp oeq double %1192, 0.000000e+00
+  br i1 %1194, label %1197, label %1195, !prof !0
+
+1195:                                             ; preds = %1193
+  %1196 = fdiv double 1.000000e+00, %1192
+  br label %1197
+
+1197:                                             ; preds = %1193, %1191, %1175, %1195
+  %1198 = phi double [ 0.000000e+00, %1193 ], [ %1177, %1175 ], [ %1192, %1191 ], [ %1196, %1195 ]
+  %1199 = phi i1 [ false, %1193 ], [ true, %1175 ], [ true, %1191 ], [ true, %1195 ]
+  %1200 = phi i32 [ 1, %1193 ], [ 0, %1175 ], [ 0, %1191 ], [ 0, %1195 ]
+  br i1 %1199, label %1801, label %1866, !prof !68
+
+1201:                                             ; preds = %1801
+  %1202 = fsub double 1.000000e+00, %1170
+  %1203 = fdiv double %1198, %1202
+  %1204 = fmul double %1203, %1166
+  %1205 = fcmp ogt double %1204, %298
+  br i1 %1205, label %1866, label %1206
+
+1206:                                             ; preds = %1201, %1162
+  %1207 = phi double [ %1170, %1201 ], [ %880, %1162 ]
+  br label %1208
+
+1208:                                             ; preds = %1212, %1206
+  %1209 = phi i64 [ 0, %1206 ], [ %1805, %1212 ]
+  %1210 = phi i64 [ %926, %1206 ], [ %1804, %1212 ]
+  %1211 = icmp sgt i64 %1210, 0
+  br i1 %1211, label %1803, label %1216
+
+1212:                                             ; preds = %1833, %1803
+  %1213 = phi i64 [ 0, %1803 ], [ %1835, %1833 ]
+  %1214 = phi i64 [ 3, %1803 ], [ %1834, %1833 ]
+  %1215 = icmp sgt i64 %1214, 0
+  br i1 %1215, label %1833, label %1208
+
+1216:                                             ; preds = %1208
+  br i1 %885, label %1217, label %1226
+
+1217:                                             ; preds = %1216
+  %1218 = fcmp oeq double %1166, 0.000000e+00
+  br i1 %1218, label %1225, label %1219
+
+1219:                                             ; preds = %1217
+  br i1 %1167, label %1220, label %1226
+
+1220:                                             ; preds = %1219
+  %1221 = fsub double 1.000000e+00, %1207
+  %1222 = fdiv double %1207, %1221
+  %1223 = fmul double %1222, %1166
+  %1224 = fcmp olt double %1223, %298
+  br i1 %1224, label %1225, label %1226
+
+1225:                                             ; preds = %1220, %1217
+  br label %1226
+
+1226:                                             ; preds = %1225, %1220, %1219, %1216
+  %1227 = phi i64 [ %1320, %1225 ], [ 0, %1220 ], [ 0, %1219 ], [ %881, %1216 ]
+  %1228 = icmp sgt i64 %1227, 0
+  br i1 %1228, label %1229, label %1308
+
+1229:                                             ; preds = %1226
+  %1230 = icmp eq i64 %873, 0
+  br i1 %1230, label %1309, label %1231
+
+1231:                                             ; preds = %1229
+  %1232 = load i64, ptr %872, align 8, !noalias !69
+  %1233 = call i64 @llvm.smax.i64(i64 %1232, i64 0)
+  br label %1234
+
+1234:                                             ; preds = %1252, %1231
+  %1235 = phi i64 [ 0, %1231 ], [ %1256, %1252 ]
+  %1236 = phi i64 [ %1233, %1231 ], [ %1255, %1252 ]
+  %1237 = phi double [ 0.000000e+00, %1231 ], [ %1253, %1252 ]
+  %1238 = icmp sgt i64 %1236, 0
+  br i1 %1238, label %1254, label %1863
+
+1239:                                             ; preds = %1258, %1254
+  %1240 = phi i64 [ 0, %1254 ], [ %1260, %1258 ]
+  %1241 = phi i64 [ %1257, %1254 ], [ %1259, %1258 ]
+  %1242 = phi double [ 0.000000e+00, %1254 ], [ %1282, %1258 ]
+  %1243 = phi double [ 0.000000e+00, %1254 ], [ %1307, %1258 ]
+  %1244 = icmp sgt i64 %1241, 0
+  br i1 %1244, label %1258, label %1245
+
+1245:                                             ; preds = %1239
+  %1246 = fmul reassoc nsz contract double %1237, %1243
+  %1247 = fcmp reassoc nsz contract ogt double %1242, %1246
+  br i1 %1247, label %1248, label %1252
+
+1248:                                             ; preds = %1245
+  %1249 = fcmp reassoc nsz contract ogt double %1243, 0.000000e+00
+  %1250 = fdiv reassoc nsz contract double %1242, %1243
+  %1251 = select i1 %1249, double %1250, double 1.000000e+00
+  br label %1252
+
+1252:                                             ; preds = %1248, %1245
+  %1253 = phi double [ %1251, %1248 ], [ %1237, %1245 ]
+  br label %1234
+
+1254:                                             ; preds = %1234
+  %1255 = add nsw i64 %1236, -1
+  %1256 = add i64 %1235, 1
+  %1257 = call i64 @llvm.smax.i64(i64 %227, i64 0)
+  br label %1239
+
+1258:                                             ; preds = %1239
+  %1259 = add nsw i64 %1241, -1
+  %1260 = add i64 %1240, 1
+  %1261 = mul nsw i64 %1240, %1232
+  %1262 = add nsw i64 %227, %1261
+  %1263 = add nsw i64 %1262, %1235
+  %1264 = icmp slt i64 %1263, 0
+  %1265 = select i1 %1264, i64 %263, i64 0
+  %1266 = getelementptr double, ptr %264, i64 %1263
+  %1267 = getelementptr double, ptr %1266, i64 %1265
+  %1268 = load double, ptr %1267, align 8, !noalias !69
+  %1269 = fmul reassoc nsz contract double %1268, %1268
+  %1270 = select i1 %1264, i64 %268, i64 0
+  %1271 = getelementptr { double, double }, ptr %269, i64 %1263
+  %1272 = getelementptr { double, double }, ptr %1271, i64 %1270
+  %1273 = load double, ptr %1272, align 8, !noalias !69
+  %1274 = getelementptr inbounds nuw i8, ptr %1272, i64 8
+  %1275 = load double, ptr %1274, align 8, !noalias !69
+  %1276 = call double @hypot(double %1273, double %1275) #3, !noalias !73
+  %1277 = load double, ptr %1272, align 8, !noalias !69
+  %1278 = load double, ptr %1274, align 8, !noalias !69
+  %1279 = call double @hypot(double %1277, double %1278) #3, !noalias !79
+  %1280 = fmul reassoc nsz contract double %1276, %1279
+  %1281 = fadd reassoc nsz contract double %1269, %1280
+  %1282 = fadd reassoc nsz contract double %1242, %1281
+  %1283 = select i1 %1264, i64 %66, i64 0
+  %1284 = getelementptr double, ptr %67, i64 %1263
+  %1285 = getelementptr double, ptr %1284, i64 %1283
+  %1286 = load double, ptr %1285, align 8, !noalias !69
+  %1287 = fmul reassoc nsz contract double %1286, %1286
+  %1288 = fadd reassoc nsz contract double %1243, %1287
+  %1289 = select i1 %1264, i64 %246, i64 0
+  %1290 = getelementptr double, ptr %247, i64 %1263
+  %1291 = getelementptr double, ptr %1290, i64 %1289
+  %1292 = load double, ptr %1291, align 8, !noalias !69
+  %1293 = fmul reassoc nsz contract double %1292, %1292
+  %1294 = getelementptr double, ptr %247, i64 %246
+  %1295 = getelementptr double, ptr %1294, i64 %1263
+  %1296 = getelementptr double, ptr %1295, i64 %1289
+  %1297 = load double, ptr %1296, align 8, !noalias !69
+  %1298 = fmul reassoc nsz contract double %1297, %1297
+  %1299 = fadd reassoc nsz contract double %1293, %1298
+  %1300 = shl i64 %246, 4
+  %1301 = getelementptr i8, ptr %247, i64 %1300
+  %1302 = getelementptr double, ptr %1301, i64 %1263
+  %1303 = getelementptr double, ptr %1302, i64 %1289
+  %1304 = load double, ptr %1303, align 8, !noalias !69
+  %1305 = fmul reassoc nsz contract double %1304, %1304
+  %1306 = fadd reassoc nsz contract double %1299, %1305
+  %1307 = fadd reassoc nsz contract double %1288, %1306
+  br label %1239
+
+1308:                                             ; preds = %1863, %1226
+  br label %876
+
+1309:                                             ; preds = %1863, %1317, %1229, %883
+  %1310 = phi double [ %880, %1317 ], [ %880, %883 ], [ %1207, %1863 ], [ %1207, %1229 ]
+  %1311 = phi i64 [ %881, %1317 ], [ 0, %883 ], [ %1227, %1863 ], [ %1227, %1229 ]
+  %1312 = icmp slt i64 %1311, 1
+  %1313 = select i1 %1312, i64 6, i64 %1311
+  br label %1866
+
+1314:                                             ; preds = %876
+  %1315 = add nsw i64 %878, -1
+  %1316 = add i64 %877, 1
+  br label %1317
+
+1317:                                             ; preds = %1314, %876
+  %1318 = phi i64 [ %1316, %1314 ], [ %877, %876 ]
+  %1319 = phi i64 [ %1315, %1314 ], [ %878, %876 ]
+  %1320 = phi i64 [ %1316, %1314 ], [ 1, %876 ]
+  %1321 = phi i64 [ %877, %1314 ], [ 0, %876 ]
+  br i1 %882, label %883, label %1309
+
+1322:                                             ; preds = %887
+  %1323 = add nsw i64 %889, -1
+  %1324 = add i64 %888, 1
+  %1325 = call i64 @llvm.smax.i64(i64 %871, i64 0)
+  br label %891
+
+1326:                                             ; preds = %891
+  %1327 = add nsw i64 %893, -1
+  %1328 = add i64 %892, 1
+  %1329 = icmp slt i64 %892, 0
+  %1330 = select i1 %1329, i64 %66, i64 0
+  %1331 = getelementptr double, ptr %67, i64 %892
+  %1332 = getelementptr double, ptr %1331, i64 %1330
+  %1333 = load double, ptr %1332, align 8, !noalias !53
+  %1334 = icmp slt i64 %888, 0
+  %1335 = select i1 %1334, i64 %237, i64 0
+  %1336 = add i64 %888, %1335
+  %1337 = select i1 %1329, i64 %239, i64 0
+  %1338 = mul i64 %1336, %239
+  %1339 = getelementptr double, ptr %240, i64 %1338
+  %1340 = getelementptr double, ptr %1339, i64 %892
+  %1341 = getelementptr double, ptr %1340, i64 %1337
+  %1342 = load double, ptr %1341, align 8, !noalias !53
+  %1343 = fadd double %1333, %1342
+  %1344 = select i1 %1329, i64 %76, i64 0
+  %1345 = getelementptr double, ptr %77, i64 %892
+  %1346 = getelementptr double, ptr %1345, i64 %1344
+  store double %1343, ptr %1346, align 8, !noalias !53
+  br label %891
+
+1347:                                             ; preds = %920, %920
+  %1348 = icmp eq i32 %921, 0
+  br i1 %1348, label %887, label %923
+
+1349:                                             ; preds = %927
+  %1350 = icmp slt i64 %928, 0
+  %1351 = select i1 %1350, i64 %251, i64 0
+  %1352 = getelementptr double, ptr %252, i64 %928
+  %1353 = getelementptr double, ptr %1352, i64 %1351
+  %1354 = load double, ptr %1353, align 8, !noalias !53
+  %1355 = getelementptr double, ptr %252, i64 %251
+  %1356 = getelementptr double, ptr %1355, i64 %928
+  %1357 = getelementptr double, ptr %1356, i64 %1351
+  %1358 = load double, ptr %1357, align 8, !noalias !53
+  %1359 = fadd double %1354, %1358
+  %1360 = shl i64 %251, 4
+  %1361 = getelementptr i8, ptr %252, i64 %1360
+  %1362 = getelementptr double, ptr %1361, i64 %928
+  %1363 = getelementptr double, ptr %1362, i64 %1351
+  %1364 = load double, ptr %1363, align 8, !noalias !53
+  %1365 = fadd double %1359, %1364
+  %1366 = fsub double %1365, %1365
+  %1367 = fcmp ord double %1366, 0.000000e+00
+  br i1 %1367, label %931, label %1866
+
+1368:                                             ; preds = %985, %985
+  %1369 = call i64 @llvm.smax.i64(i64 %220, i64 0)
+  br label %1370
+
+1370:                                             ; preds = %1388, %1368
+  %1371 = phi i64 [ 0, %1368 ], [ %1453, %1388 ]
+  %1372 = phi i64 [ %1369, %1368 ], [ %1452, %1388 ]
+  %1373 = icmp sgt i64 %1372, 0
+  br i1 %1373, label %1451, label %1389
+
+1374:                                             ; preds = %1451
+  %1375 = icmp slt i64 %1458, 0
+  %1376 = select i1 %1375, i64 %268, i64 0
+  %1377 = getelementptr { double, double }, ptr %269, i64 %1458
+  %1378 = getelementptr { double, double }, ptr %1377, i64 %1376
+  %1379 = load double, ptr %1378, align 8, !noalias !85
+  %1380 = getelementptr inbounds nuw i8, ptr %1378, i64 8
+  %1381 = load double, ptr %1380, align 8, !noalias !85
+  %1382 = select i1 %1454, i64 %268, i64 0
+  %1383 = getelementptr { double, double }, ptr %269, i64 %1371
+  %1384 = getelementptr { double, double }, ptr %1383, i64 %1382
+  %1385 = load double, ptr %1384, align 8, !noalias !85
+  %1386 = getelementptr inbounds nuw i8, ptr %1384, i64 8
+  %1387 = load double, ptr %1386, align 8, !noalias !85
+  store double %1379, ptr %1384, align 8, !noalias !85
+  store double %1381, ptr %1386, align 8, !noalias !85
+  store double %1385, ptr %1378, align 8, !noalias !85
+  store double %1387, ptr %1380, align 8, !noalias !85
+  br label %1388
+
+1388:                                             ; preds = %1451, %1374
+  br label %1370
+
+1389:                                             ; preds = %1370, %1399
+  %1390 = phi i64 [ %1462, %1399 ], [ 0, %1370 ]
+  %1391 = phi i64 [ %1461, %1399 ], [ %1369, %1370 ]
+  %1392 = icmp sgt i64 %1391, 0
+  br i1 %1392, label %1460, label %1400
+
+1393:                                             ; preds = %1471, %1460
+  %1394 = phi i64 [ 0, %1460 ], [ %1495, %1471 ]
+  %1395 = phi i64 [ %1470, %1460 ], [ %1496, %1471 ]
+  %1396 = phi double [ %1469, %1460 ], [ %1498, %1471 ]
+  %1397 = phi double [ %1467, %1460 ], [ %1497, %1471 ]
+  %1398 = icmp sgt i64 %1395, 0
+  br i1 %1398, label %1471, label %1399
+
+1399:                                             ; preds = %1393
+  store double %1397, ptr %1466, align 8, !noalias !85
+  store double %1396, ptr %1468, align 8, !noalias !85
+  br label %1389
+
+1400:                                             ; preds = %1389
+  %1401 = icmp ugt i64 %220, -9223372036854775808
+  %1402 = select i1 %1401, i64 0, i64 %220
+  br label %1403
+
+1403:                                             ; preds = %1448, %1400
+  %1404 = phi i64 [ %220, %1400 ], [ %1406, %1448 ]
+  %1405 = phi i64 [ %1402, %1400 ], [ %1500, %1448 ]
+  %1406 = add i64 %1404, -1
+  %1407 = icmp sgt i64 %1405, 0
+  br i1 %1407, label %1499, label %1538
+
+1408:                                             ; preds = %1510, %1499
+  %1409 = phi i64 [ %1404, %1499 ], [ %1534, %1510 ]
+  %1410 = phi i64 [ %1509, %1499 ], [ %1535, %1510 ]
+  %1411 = phi double [ %1507, %1499 ], [ %1537, %1510 ]
+  %1412 = phi double [ %1505, %1499 ], [ %1536, %1510 ]
+  %1413 = icmp sgt i64 %1410, 0
+  br i1 %1413, label %1510, label %1414
+
+1414:                                             ; preds = %1408
+  %1415 = select i1 %1501, i64 %220, i64 0
+  %1416 = add i64 %1406, %1415
+  %1417 = select i1 %1501, i64 %222, i64 0
+  %1418 = mul i64 %1416, %222
+  %1419 = getelementptr { double, double }, ptr %223, i64 %1418
+  %1420 = getelementptr { double, double }, ptr %1419, i64 %1406
+  %1421 = getelementptr { double, double }, ptr %1420, i64 %1417
+  %1422 = load double, ptr %1421, align 8, !noalias !85
+  %1423 = getelementptr inbounds nuw i8, ptr %1421, i64 8
+  %1424 = load double, ptr %1423, align 8, !noalias !85
+  %1425 = call double @llvm.fabs.f64(double %1422)
+  %1426 = call double @llvm.fabs.f64(double %1424)
+  %1427 = fcmp ult double %1425, %1426
+  br i1 %1427, label %1438, label %1428
+
+1428:                                             ; preds = %1414
+  %1429 = fdiv double %1424, %1422
+  %1430 = fmul double %1424, %1429
+  %1431 = fadd double %1422, %1430
+  %1432 = fmul double %1411, %1429
+  %1433 = fadd double %1412, %1432
+  %1434 = fdiv double %1433, %1431
+  %1435 = fmul double %1412, %1429
+  %1436 = fsub double %1411, %1435
+  %1437 = fdiv double %1436, %1431
+  br label %1448
+
+1438:                                             ; preds = %1414
+  %1439 = fdiv double %1422, %1424
+  %1440 = fmul double %1422, %1439
+  %1441 = fadd double %1440, %1424
+  %1442 = fmul double %1412, %1439
+  %1443 = fadd double %1442, %1411
+  %1444 = fdiv double %1443, %1441
+  %1445 = fmul double %1411, %1439
+  %1446 = fsub double %1445, %1412
+  %1447 = fdiv double %1446, %1441
+  br label %1448
+
+1448:                                             ; preds = %1438, %1428
+  %1449 = phi double [ %1437, %1428 ], [ %1447, %1438 ]
+  %1450 = phi double [ %1434, %1428 ], [ %1444, %1438 ]
+  store double %1450, ptr %1504, align 8, !noalias !85
+  store double %1449, ptr %1506, align 8, !noalias !85
+  br label %1403
+
+1451:                                             ; preds = %1370
+  %1452 = add nsw i64 %1372, -1
+  %1453 = add i64 %1371, 1
+  %1454 = icmp slt i64 %1371, 0
+  %1455 = select i1 %1454, i64 %232, i64 0
+  %1456 = getelementptr i64, ptr %233, i64 %1371
+  %1457 = getelementptr i64, ptr %1456, i64 %1455
+  %1458 = load i64, ptr %1457, align 8, !noalias !85
+  %1459 = icmp eq i64 %1458, %1371
+  br i1 %1459, label %1388, label %1374
+
+1460:                                             ; preds = %1389
+  %1461 = add nsw i64 %1391, -1
+  %1462 = add i64 %1390, 1
+  %1463 = icmp slt i64 %1390, 0
+  %1464 = select i1 %1463, i64 %268, i64 0
+  %1465 = getelementptr { double, double }, ptr %269, i64 %1390
+  %1466 = getelementptr { double, double }, ptr %1465, i64 %1464
+  %1467 = load double, ptr %1466, align 8, !noalias !85
+  %1468 = getelementptr inbounds nuw i8, ptr %1466, i64 8
+  %1469 = load double, ptr %1468, align 8, !noalias !85
+  %1470 = call i64 @llvm.smax.i64(i64 %1390, i64 0)
+  br label %1393
+
+1471:                                             ; preds = %1393
+  %1472 = select i1 %1463, i64 %220, i64 0
+  %1473 = add i64 %1390, %1472
+  %1474 = icmp slt i64 %1394, 0
+  %1475 = select i1 %1474, i64 %222, i64 0
+  %1476 = mul i64 %1473, %222
+  %1477 = getelementptr { double, double }, ptr %223, i64 %1476
+  %1478 = getelementptr { double, double }, ptr %1477, i64 %1394
+  %1479 = getelementptr { double, double }, ptr %1478, i64 %1475
+  %1480 = load double, ptr %1479, align 8, !noalias !85
+  %1481 = getelementptr inbounds nuw i8, ptr %1479, i64 8
+  %1482 = load double, ptr %1481, align 8, !noalias !85
+  %1483 = select i1 %1474, i64 %268, i64 0
+  %1484 = getelementptr { double, double }, ptr %269, i64 %1394
+  %1485 = getelementptr { double, double }, ptr %1484, i64 %1483
+  %1486 = load double, ptr %1485, align 8, !noalias !85
+  %1487 = getelementptr inbounds nuw i8, ptr %1485, i64 8
+  %1488 = load double, ptr %1487, align 8, !noalias !85
+  %1489 = fmul double %1480, %1488
+  %1490 = fmul double %1482, %1486
+  %1491 = fadd double %1489, %1490
+  %1492 = fmul double %1480, %1486
+  %1493 = fmul double %1482, %1488
+  %1494 = fsub double %1492, %1493
+  %1495 = add i64 %1394, 1
+  %1496 = add nsw i64 %1395, -1
+  %1497 = fsub double %1397, %1494
+  %1498 = fsub double %1396, %1491
+  br label %1393
+
+1499:                                             ; preds = %1403
+  %1500 = add nsw i64 %1405, -1
+  %1501 = icmp slt i64 %1406, 0
+  %1502 = select i1 %1501, i64 %268, i64 0
+  %1503 = getelementptr { double, double }, ptr %269, i64 %1406
+  %1504 = getelementptr { double, double }, ptr %1503, i64 %1502
+  %1505 = load double, ptr %1504, align 8, !noalias !85
+  %1506 = getelementptr inbounds nuw i8, ptr %1504, i64 8
+  %1507 = load double, ptr %1506, align 8, !noalias !85
+  %1508 = sub i64 %220, %1404
+  %1509 = call i64 @llvm.smax.i64(i64 %1508, i64 0)
+  br label %1408
+
+1510:                                             ; preds = %1408
+  %1511 = select i1 %1501, i64 %220, i64 0
+  %1512 = add i64 %1406, %1511
+  %1513 = icmp slt i64 %1409, 0
+  %1514 = select i1 %1513, i64 %222, i64 0
+  %1515 = mul i64 %1512, %222
+  %1516 = getelementptr { double, double }, ptr %223, i64 %1515
+  %1517 = getelementptr { double, double }, ptr %1516, i64 %1409
+  %1518 = getelementptr { double, double }, ptr %1517, i64 %1514
+  %1519 = load double, ptr %1518, align 8, !noalias !85
+  %1520 = getelementptr inbounds nuw i8, ptr %1518, i64 8
+  %1521 = load double, ptr %1520, align 8, !noalias !85
+  %1522 = select i1 %1513, i64 %268, i64 0
+  %1523 = getelementptr { double, double }, ptr %269, i64 %1409
+  %1524 = getelementptr { double, double }, ptr %1523, i64 %1522
+  %1525 = load double, ptr %1524, align 8, !noalias !85
+  %1526 = getelementptr inbounds nuw i8, ptr %1524, i64 8
+  %1527 = load double, ptr %1526, align 8, !noalias !85
+  %1528 = fmul double %1519, %1527
+  %1529 = fmul double %1521, %1525
+  %1530 = fadd double %1528, %1529
+  %1531 = fmul double %1519, %1525
+  %1532 = fmul double %1521, %1527
+  %1533 = fsub double %1531, %1532
+  %1534 = add i64 %1409, 1
+  %1535 = add nsw i64 %1410, -1
+  %1536 = fsub double %1412, %1533
+  %1537 = fsub double %1411, %1530
+  br label %1408
+
+1538:                                             ; preds = %1403
+  br i1 %874, label %987, label %1156
+
+1539:                                             ; preds = %1018, %1552
+  %1540 = phi i64 [ %1620, %1552 ], [ 0, %1018 ]
+  %1541 = phi i64 [ %1619, %1552 ], [ %1369, %1018 ]
+  %1542 = icmp sgt i64 %1541, 0
+  br i1 %1542, label %1618, label %1553
+
+1543:                                             ; preds = %1618
+  %1544 = mul nsw i64 %1540, %873
+  %1545 = add nsw i64 %220, %1544
+  %1546 = mul nsw i64 %1625, %873
+  %1547 = add nsw i64 %220, %1546
+  br label %1548
+
+1548:                                             ; preds = %1627, %1543
+  %1549 = phi i64 [ 0, %1543 ], [ %1629, %1627 ]
+  %1550 = phi i64 [ %873, %1543 ], [ %1628, %1627 ]
   %1551 = icmp sgt i64 %1550, 0
-  br i1 %1551, label %2100, label %1544
+  br i1 %1551, label %1627, label %1552
 
-1552:                                             ; preds = %1544
-  store double %417, ptr %789, align 8, !noalias !5
-  %1553 = getelementptr i8, ptr %162, i64 8
-  %1554 = load i64, ptr %1553, align 8, !noalias !5
-  %1555 = icmp sgt i64 %1554, 0
-  br i1 %1555, label %1565, label %1556
+1552:                                             ; preds = %1618, %1548
+  br label %1539
 
-1556:                                             ; preds = %1552
-  %1557 = getelementptr i8, ptr %112, i64 48
-  %1558 = load i64, ptr %1557, align 8, !noalias !5
-  %1559 = icmp slt i64 %1558, 0
-  %1560 = select i1 %1559, i64 %116, i64 0
-  %1561 = getelementptr double, ptr %117, i64 %1558
-  %1562 = getelementptr double, ptr %1561, i64 %1560
-  %1563 = load double, ptr %1562, align 8, !noalias !5
-  %1564 = fcmp ugt double %1563, %418
-  br i1 %1564, label %1701, label %1572
+1553:                                             ; preds = %1539, %1557
+  %1554 = phi i64 [ %1648, %1557 ], [ 0, %1539 ]
+  %1555 = phi i64 [ %1647, %1557 ], [ %1369, %1539 ]
+  %1556 = icmp sgt i64 %1555, 0
+  br i1 %1556, label %1646, label %1565
 
-1565:                                             ; preds = %1552
-  %1566 = getelementptr i8, ptr %162, i64 16
-  %1567 = load i64, ptr %1566, align 8, !noalias !5
-  %1568 = inttoptr i64 %1567 to ptr
-  %1569 = call i64 %1568(i64 %0, double %392, double %417) #3, !noalias !5
-  %1570 = getelementptr i8, ptr %107, i64 48
-  %1571 = load double, ptr %1570, align 8, !noalias !5
-  br label %1572
+1557:                                             ; preds = %1646, %1561
+  %1558 = phi i64 [ 0, %1646 ], [ %1652, %1561 ]
+  %1559 = phi i64 [ %1649, %1646 ], [ %1651, %1561 ]
+  %1560 = icmp sgt i64 %1559, 0
+  br i1 %1560, label %1650, label %1553
 
-1572:                                             ; preds = %1556, %1565
-  %1573 = phi double [ %1571, %1565 ], [ 1.000000e+00, %1556 ]
-  %1574 = phi i64 [ %1569, %1565 ], [ 0, %1556 ]
-  %1575 = fcmp oeq double %1573, 1.000000e+00
-  br i1 %1575, label %1576, label %1578
+1561:                                             ; preds = %1669, %1650
+  %1562 = phi i64 [ 0, %1650 ], [ %1692, %1669 ]
+  %1563 = phi i64 [ %873, %1650 ], [ %1693, %1669 ]
+  %1564 = icmp sgt i64 %1563, 0
+  br i1 %1564, label %1669, label %1557
 
-1576:                                             ; preds = %1572
-  %1577 = load double, ptr %107, align 8, !noalias !5
-  br label %1581
+1565:                                             ; preds = %1553, %1614
+  %1566 = phi i64 [ %1568, %1614 ], [ %220, %1553 ]
+  %1567 = phi i64 [ %1697, %1614 ], [ %1402, %1553 ]
+  %1568 = add i64 %1566, -1
+  %1569 = icmp sgt i64 %1567, 0
+  br i1 %1569, label %1696, label %1156
 
-1578:                                             ; preds = %1572
-  %1579 = fmul double %1573, %417
-  %1580 = fadd double %392, %1579
-  br label %1581
+1570:                                             ; preds = %1696, %1574
+  %1571 = phi i64 [ %1566, %1696 ], [ %1704, %1574 ]
+  %1572 = phi i64 [ %1701, %1696 ], [ %1703, %1574 ]
+  %1573 = icmp sgt i64 %1572, 0
+  br i1 %1573, label %1702, label %1578
 
-1581:                                             ; preds = %1578, %1576
-  %1582 = phi double [ %1577, %1576 ], [ %1580, %1578 ]
-  %1583 = load i64, ptr %118, align 8, !noalias !5
-  %1584 = load i64, ptr %159, align 8, !noalias !5
-  %1585 = icmp eq i64 %1584, 1
-  %1586 = getelementptr i8, ptr %112, i64 48
-  %1587 = load i64, ptr %1586, align 8, !noalias !5
-  %1588 = icmp slt i64 %1587, %116
-  br i1 %1588, label %1589, label %1626
+1574:                                             ; preds = %1719, %1702
+  %1575 = phi i64 [ 0, %1702 ], [ %1742, %1719 ]
+  %1576 = phi i64 [ %873, %1702 ], [ %1743, %1719 ]
+  %1577 = icmp sgt i64 %1576, 0
+  br i1 %1577, label %1719, label %1570
 
-1589:                                             ; preds = %1581
-  %1590 = icmp slt i64 %1587, 0
-  %1591 = select i1 %1590, i64 %116, i64 0
-  %1592 = getelementptr double, ptr %117, i64 %1587
-  %1593 = getelementptr double, ptr %1592, i64 %1591
-  %1594 = load double, ptr %1593, align 8, !noalias !5
-  %1595 = fcmp ugt double %1594, %1582
-  br i1 %1595, label %1626, label %1596
+1578:                                             ; preds = %1570
+  %1579 = icmp slt i64 %1568, 0
+  %1580 = select i1 %1579, i64 %220, i64 0
+  %1581 = add i64 %1568, %1580
+  %1582 = select i1 %1579, i64 %222, i64 0
+  %1583 = mul i64 %1581, %222
+  %1584 = getelementptr { double, double }, ptr %223, i64 %1583
+  %1585 = getelementptr { double, double }, ptr %1584, i64 %1568
+  %1586 = getelementptr { double, double }, ptr %1585, i64 %1582
+  %1587 = load double, ptr %1586, align 8, !noalias !89
+  %1588 = getelementptr inbounds nuw i8, ptr %1586, i64 8
+  %1589 = load double, ptr %1588, align 8, !noalias !89
+  %1590 = call double @llvm.fabs.f64(double %1587)
+  %1591 = call double @llvm.fabs.f64(double %1589)
+  %1592 = fcmp ult double %1590, %1591
+  br i1 %1592, label %1602, label %1593
 
-1596:                                             ; preds = %1589, %1619
-  %1597 = phi i64 [ %1617, %1619 ], [ %1587, %1589 ]
-  %1598 = icmp slt i64 %1597, 0
-  %1599 = select i1 %1598, i64 %116, i64 0
-  %1600 = getelementptr double, ptr %117, i64 %1597
-  %1601 = getelementptr double, ptr %1600, i64 %1599
-  %1602 = load double, ptr %1601, align 8, !noalias !5
-  %1603 = fsub double %1602, %392
-  %1604 = fdiv double %1603, %417
-  %1605 = mul nsw i64 %1597, %1583
-  %1606 = shl i64 %1605, 3
-  %1607 = add i64 %1606, %1
-  %1608 = call i64 @llvm.smax.i64(i64 %81, i64 0)
-  br label %2117
+1593:                                             ; preds = %1578
+  %1594 = fdiv double %1589, %1587
+  %1595 = fmul double %1589, %1594
+  %1596 = fadd double %1587, %1595
+  %1597 = fmul double %1594, 0.000000e+00
+  %1598 = fadd double %1597, 1.000000e+00
+  %1599 = fdiv double %1598, %1596
+  %1600 = fsub double 0.000000e+00, %1594
+  %1601 = fdiv double %1600, %1596
+  br label %1611
 
-1609:                                             ; preds = %2121
-  %1610 = getelementptr i8, ptr %159, i64 56
-  %1611 = load i64, ptr %1610, align 8, !noalias !5
-  %1612 = load double, ptr %1601, align 8, !noalias !5
-  %1613 = inttoptr i64 %1611 to ptr
-  %1614 = call i64 %1613(i64 %0, double %1612, i64 %1607) #3, !noalias !5
-  %1615 = icmp eq i64 %1614, 0
-  br i1 %1615, label %1616, label %1628
+1602:                                             ; preds = %1578
+  %1603 = fdiv double %1587, %1589
+  %1604 = fmul double %1587, %1603
+  %1605 = fadd double %1604, %1589
+  %1606 = fadd double %1603, 0.000000e+00
+  %1607 = fdiv double %1606, %1605
+  %1608 = fmul double %1603, 0.000000e+00
+  %1609 = fadd double %1608, -1.000000e+00
+  %1610 = fdiv double %1609, %1605
+  br label %1611
 
-1616:                                             ; preds = %2121, %1609
-  %1617 = add nsw i64 %1597, 1
-  %1618 = icmp slt i64 %1617, %116
-  br i1 %1618, label %1619, label %1626
+1611:                                             ; preds = %1602, %1593
+  %1612 = phi double [ %1601, %1593 ], [ %1610, %1602 ]
+  %1613 = phi double [ %1599, %1593 ], [ %1607, %1602 ]
+  br label %1614
 
-1619:                                             ; preds = %1616
-  %1620 = icmp slt i64 %1597, -1
-  %1621 = select i1 %1620, i64 %116, i64 0
-  %1622 = getelementptr double, ptr %117, i64 %1617
-  %1623 = getelementptr double, ptr %1622, i64 %1621
-  %1624 = load double, ptr %1623, align 8, !noalias !5
-  %1625 = fcmp ugt double %1624, %1582
-  br i1 %1625, label %1626, label %1596
+1614:                                             ; preds = %1746, %1611
+  %1615 = phi i64 [ 0, %1611 ], [ %1761, %1746 ]
+  %1616 = phi i64 [ %873, %1611 ], [ %1762, %1746 ]
+  %1617 = icmp sgt i64 %1616, 0
+  br i1 %1617, label %1746, label %1565
 
-1626:                                             ; preds = %1619, %1616, %1589, %1581
-  %1627 = phi i64 [ %1617, %1619 ], [ %1617, %1616 ], [ %1587, %1589 ], [ %1587, %1581 ]
-  store i64 %1627, ptr %1586, align 8, !noalias !5
-  br label %1628
+1618:                                             ; preds = %1539
+  %1619 = add nsw i64 %1541, -1
+  %1620 = add i64 %1540, 1
+  %1621 = icmp slt i64 %1540, 0
+  %1622 = select i1 %1621, i64 %232, i64 0
+  %1623 = getelementptr i64, ptr %233, i64 %1540
+  %1624 = getelementptr i64, ptr %1623, i64 %1622
+  %1625 = load i64, ptr %1624, align 8, !noalias !89
+  %1626 = icmp eq i64 %1625, %1540
+  br i1 %1626, label %1552, label %1543
 
-1628:                                             ; preds = %1609, %1626
-  %1629 = phi i1 [ true, %1626 ], [ false, %1609 ]
-  %1630 = phi i64 [ 0, %1626 ], [ %1614, %1609 ]
-  %1631 = icmp ne i64 %1574, 0
-  %1632 = select i1 %1629, i1 %1631, i1 false
-  %1633 = fcmp olt double %1573, 1.000000e+00
-  %1634 = and i1 %1632, %1633
-  br i1 %1634, label %1635, label %1674
+1627:                                             ; preds = %1548
+  %1628 = add nsw i64 %1550, -1
+  %1629 = add i64 %1549, 1
+  %1630 = add nsw i64 %1547, %1549
+  %1631 = icmp slt i64 %1630, 0
+  %1632 = select i1 %1631, i64 %268, i64 0
+  %1633 = getelementptr { double, double }, ptr %269, i64 %1630
+  %1634 = getelementptr { double, double }, ptr %1633, i64 %1632
+  %1635 = load double, ptr %1634, align 8, !noalias !89
+  %1636 = getelementptr inbounds nuw i8, ptr %1634, i64 8
+  %1637 = load double, ptr %1636, align 8, !noalias !89
+  %1638 = add nsw i64 %1545, %1549
+  %1639 = icmp slt i64 %1638, 0
+  %1640 = select i1 %1639, i64 %268, i64 0
+  %1641 = getelementptr { double, double }, ptr %269, i64 %1638
+  %1642 = getelementptr { double, double }, ptr %1641, i64 %1640
+  %1643 = load double, ptr %1642, align 8, !noalias !89
+  %1644 = getelementptr inbounds nuw i8, ptr %1642, i64 8
+  %1645 = load double, ptr %1644, align 8, !noalias !89
+  store double %1635, ptr %1642, align 8, !noalias !89
+  store double %1637, ptr %1644, align 8, !noalias !89
+  store double %1643, ptr %1634, align 8, !noalias !89
+  store double %1645, ptr %1636, align 8, !noalias !89
+  br label %1548
 
-1635:                                             ; preds = %1628
-  %1636 = call i64 @llvm.smax.i64(i64 %81, i64 0)
-  br label %1637
+1646:                                             ; preds = %1553
+  %1647 = add nsw i64 %1555, -1
+  %1648 = add i64 %1554, 1
+  %1649 = call i64 @llvm.smax.i64(i64 %1554, i64 0)
+  br label %1557
 
-1637:                                             ; preds = %1635, %1662
-  %1638 = phi i64 [ 0, %1635 ], [ %1664, %1662 ]
-  %1639 = phi i64 [ %1636, %1635 ], [ %1663, %1662 ]
-  %1640 = icmp sgt i64 %1639, 0
-  br i1 %1640, label %1662, label %1641
+1650:                                             ; preds = %1557
+  %1651 = add nsw i64 %1559, -1
+  %1652 = add i64 %1558, 1
+  %1653 = icmp slt i64 %1554, 0
+  %1654 = select i1 %1653, i64 %220, i64 0
+  %1655 = add i64 %1554, %1654
+  %1656 = icmp slt i64 %1558, 0
+  %1657 = select i1 %1656, i64 %222, i64 0
+  %1658 = mul i64 %1655, %222
+  %1659 = getelementptr { double, double }, ptr %223, i64 %1658
+  %1660 = getelementptr { double, double }, ptr %1659, i64 %1558
+  %1661 = getelementptr { double, double }, ptr %1660, i64 %1657
+  %1662 = load double, ptr %1661, align 8, !noalias !89
+  %1663 = getelementptr inbounds nuw i8, ptr %1661, i64 8
+  %1664 = load double, ptr %1663, align 8, !noalias !89
+  %1665 = mul nsw i64 %1554, %873
+  %1666 = add nsw i64 %220, %1665
+  %1667 = mul nsw i64 %1558, %873
+  %1668 = add nsw i64 %220, %1667
+  br label %1561
 
-1641:                                             ; preds = %1637
-  %1642 = getelementptr i8, ptr %29, i64 24
-  %1643 = load i64, ptr %1642, align 8, !noalias !82
-  %1644 = getelementptr i8, ptr %32, i64 16
-  %1645 = load i64, ptr %1644, align 8, !noalias !82
-  call fastcc void @pydy_nested(i64 %74, i64 %64, i64 %89, i64 %66, i64 %1643, i64 %79, i64 %1645) #3, !noalias !82
-  %1646 = call i64 @llvm.smax.i64(i64 %71, i64 0)
-  br label %1647
+1669:                                             ; preds = %1561
+  %1670 = add nsw i64 %1666, %1562
+  %1671 = icmp slt i64 %1670, 0
+  %1672 = select i1 %1671, i64 %268, i64 0
+  %1673 = getelementptr { double, double }, ptr %269, i64 %1670
+  %1674 = getelementptr { double, double }, ptr %1673, i64 %1672
+  %1675 = load double, ptr %1674, align 8, !noalias !89
+  %1676 = getelementptr inbounds nuw i8, ptr %1674, i64 8
+  %1677 = load double, ptr %1676, align 8, !noalias !89
+  %1678 = add nsw i64 %1668, %1562
+  %1679 = icmp slt i64 %1678, 0
+  %1680 = select i1 %1679, i64 %268, i64 0
+  %1681 = getelementptr { double, double }, ptr %269, i64 %1678
+  %1682 = getelementptr { double, double }, ptr %1681, i64 %1680
+  %1683 = load double, ptr %1682, align 8, !noalias !89
+  %1684 = getelementptr inbounds nuw i8, ptr %1682, i64 8
+  %1685 = load double, ptr %1684, align 8, !noalias !89
+  %1686 = fmul double %1662, %1685
+  %1687 = fmul double %1664, %1683
+  %1688 = fadd double %1686, %1687
+  %1689 = fmul double %1662, %1683
+  %1690 = fmul double %1664, %1685
+  %1691 = fsub double %1689, %1690
+  %1692 = add i64 %1562, 1
+  %1693 = add nsw i64 %1563, -1
+  %1694 = fsub double %1675, %1691
+  %1695 = fsub double %1677, %1688
+  store double %1694, ptr %1674, align 8, !noalias !89
+  store double %1695, ptr %1676, align 8, !noalias !89
+  br label %1561
 
-1647:                                             ; preds = %1651, %1641
-  %1648 = phi i64 [ 0, %1641 ], [ %1653, %1651 ]
-  %1649 = phi i64 [ %1646, %1641 ], [ %1652, %1651 ]
-  %1650 = icmp sgt i64 %1649, 0
-  br i1 %1650, label %1651, label %2133
+1696:                                             ; preds = %1565
+  %1697 = add nsw i64 %1567, -1
+  %1698 = mul nsw i64 %1568, %873
+  %1699 = add nsw i64 %220, %1698
+  %1700 = sub i64 %220, %1566
+  %1701 = call i64 @llvm.smax.i64(i64 %1700, i64 0)
+  br label %1570
 
-1651:                                             ; preds = %1647
-  %1652 = add nsw i64 %1649, -1
-  %1653 = add i64 %1648, 1
-  %1654 = icmp slt i64 %1648, 0
-  %1655 = select i1 %1654, i64 %76, i64 0
-  %1656 = getelementptr double, ptr %77, i64 %1648
-  %1657 = getelementptr double, ptr %1656, i64 %1655
-  %1658 = load double, ptr %1657, align 8, !noalias !86
-  %1659 = select i1 %1654, i64 %71, i64 0
-  %1660 = getelementptr double, ptr %72, i64 %1648
-  %1661 = getelementptr double, ptr %1660, i64 %1659
-  store double %1658, ptr %1661, align 8, !noalias !86
-  br label %1647
+1702:                                             ; preds = %1570
+  %1703 = add nsw i64 %1572, -1
+  %1704 = add i64 %1571, 1
+  %1705 = icmp slt i64 %1568, 0
+  %1706 = select i1 %1705, i64 %220, i64 0
+  %1707 = add i64 %1568, %1706
+  %1708 = icmp slt i64 %1571, 0
+  %1709 = select i1 %1708, i64 %222, i64 0
+  %1710 = mul i64 %1707, %222
+  %1711 = getelementptr { double, double }, ptr %223, i64 %1710
+  %1712 = getelementptr { double, double }, ptr %1711, i64 %1571
+  %1713 = getelementptr { double, double }, ptr %1712, i64 %1709
+  %1714 = load double, ptr %1713, align 8, !noalias !89
+  %1715 = getelementptr inbounds nuw i8, ptr %1713, i64 8
+  %1716 = load double, ptr %1715, align 8, !noalias !89
+  %1717 = mul nsw i64 %1571, %873
+  %1718 = add nsw i64 %220, %1717
+  br label %1574
 
-1662:                                             ; preds = %1637
-  %1663 = add nsw i64 %1639, -1
-  %1664 = add i64 %1638, 1
-  %1665 = icmp slt i64 %1638, 0
-  %1666 = select i1 %1665, i64 %81, i64 0
-  %1667 = getelementptr double, ptr %82, i64 %1638
-  %1668 = getelementptr double, ptr %1667, i64 %1666
-  store double %1573, ptr %1668, align 8, !noalias !82
-  br label %1637
+1719:                                             ; preds = %1574
+  %1720 = add nsw i64 %1699, %1575
+  %1721 = icmp slt i64 %1720, 0
+  %1722 = select i1 %1721, i64 %268, i64 0
+  %1723 = getelementptr { double, double }, ptr %269, i64 %1720
+  %1724 = getelementptr { double, double }, ptr %1723, i64 %1722
+  %1725 = load double, ptr %1724, align 8, !noalias !89
+  %1726 = getelementptr inbounds nuw i8, ptr %1724, i64 8
+  %1727 = load double, ptr %1726, align 8, !noalias !89
+  %1728 = add nsw i64 %1718, %1575
+  %1729 = icmp slt i64 %1728, 0
+  %1730 = select i1 %1729, i64 %268, i64 0
+  %1731 = getelementptr { double, double }, ptr %269, i64 %1728
+  %1732 = getelementptr { double, double }, ptr %1731, i64 %1730
+  %1733 = load double, ptr %1732, align 8, !noalias !89
+  %1734 = getelementptr inbounds nuw i8, ptr %1732, i64 8
+  %1735 = load double, ptr %1734, align 8, !noalias !89
+  %1736 = fmul double %1714, %1735
+  %1737 = fmul double %1716, %1733
+  %1738 = fadd double %1736, %1737
+  %1739 = fmul double %1714, %1733
+  %1740 = fmul double %1716, %1735
+  %1741 = fsub double %1739, %1740
+  %1742 = add i64 %1575, 1
+  %1743 = add nsw i64 %1576, -1
+  %1744 = fsub double %1725, %1741
+  %1745 = fsub double %1727, %1738
+  store double %1744, ptr %1724, align 8, !noalias !89
+  store double %1745, ptr %1726, align 8, !noalias !89
+  br label %1574
 
-1669:                                             ; preds = %2133
-  %1670 = getelementptr i8, ptr %159, i64 56
-  %1671 = load i64, ptr %1670, align 8, !noalias !5
-  %1672 = inttoptr i64 %1671 to ptr
-  %1673 = call i64 %1672(i64 %0, double %1582, i64 %69) #3, !noalias !5
-  br label %1674
+1746:                                             ; preds = %1614
+  %1747 = add nsw i64 %1699, %1615
+  %1748 = icmp slt i64 %1747, 0
+  %1749 = select i1 %1748, i64 %268, i64 0
+  %1750 = getelementptr { double, double }, ptr %269, i64 %1747
+  %1751 = getelementptr { double, double }, ptr %1750, i64 %1749
+  %1752 = load double, ptr %1751, align 8, !noalias !89
+  %1753 = getelementptr inbounds nuw i8, ptr %1751, i64 8
+  %1754 = load double, ptr %1753, align 8, !noalias !89
+  %1755 = fmul double %1752, %1612
+  %1756 = fmul double %1754, %1613
+  %1757 = fadd double %1755, %1756
+  %1758 = fmul double %1752, %1613
+  %1759 = fmul double %1754, %1612
+  %1760 = fsub double %1758, %1759
+  %1761 = add i64 %1615, 1
+  %1762 = add nsw i64 %1616, -1
+  store double %1760, ptr %1751, align 8, !noalias !89
+  store double %1757, ptr %1753, align 8, !noalias !89
+  br label %1614
 
-1674:                                             ; preds = %2133, %1669, %1628
-  %1675 = phi i64 [ %1673, %1669 ], [ 0, %2133 ], [ %1630, %1628 ]
-  %1676 = icmp eq i64 %1675, 0
-  br i1 %1676, label %1678, label %1677
+1763:                                             ; preds = %1157
+  %1764 = add nsw i64 %1159, -1
+  %1765 = add i64 %1158, 1
+  %1766 = icmp slt i64 %1158, 0
+  %1767 = select i1 %1766, i64 %101, i64 0
+  %1768 = getelementptr double, ptr %102, i64 %1158
+  %1769 = getelementptr double, ptr %1768, i64 %1767
+  %1770 = load double, ptr %1769, align 8, !noalias !53
+  %1771 = select i1 %1766, i64 %96, i64 0
+  %1772 = getelementptr double, ptr %97, i64 %1158
+  %1773 = getelementptr double, ptr %1772, i64 %1771
+  %1774 = load double, ptr %1773, align 8, !noalias !53
+  %1775 = select i1 %1766, i64 %66, i64 0
+  %1776 = getelementptr double, ptr %67, i64 %1158
+  %1777 = getelementptr double, ptr %1776, i64 %1775
+  %1778 = load double, ptr %1777, align 8, !noalias !53
+  %1779 = call double @llvm.fabs.f64(double %1778)
+  %1780 = fmul double %1774, %1779
+  %1781 = fadd double %1770, %1780
+  %1782 = select i1 %1766, i64 %263, i64 0
+  %1783 = getelementptr double, ptr %264, i64 %1158
+  %1784 = getelementptr double, ptr %1783, i64 %1782
+  %1785 = load double, ptr %1784, align 8, !noalias !53
+  %1786 = fdiv double %1785, %1781
+  %1787 = select i1 %1766, i64 %268, i64 0
+  %1788 = getelementptr { double, double }, ptr %269, i64 %1158
+  %1789 = getelementptr { double, double }, ptr %1788, i64 %1787
+  %1790 = load double, ptr %1789, align 8, !noalias !53
+  %1791 = fdiv double %1790, %1781
+  %1792 = getelementptr inbounds nuw i8, ptr %1789, i64 8
+  %1793 = load double, ptr %1792, align 8, !noalias !53
+  %1794 = fdiv double %1793, %1781
+  %1795 = fmul double %1786, %1786
+  %1796 = fmul double %1791, %1791
+  %1797 = fadd double %1795, %1796
+  %1798 = fmul double %1794, %1794
+  %1799 = fadd double %1797, %1798
+  %1800 = fadd double %1160, %1799
+  br label %1157
 
-1677:                                             ; preds = %1674
+1801:                                             ; preds = %1197
+  %1802 = fcmp ult double %1170, 1.000000e+00
+  br i1 %1802, label %1201, label %1866
+
+1803:                                             ; preds = %1208
+  %1804 = add nsw i64 %1210, -1
+  %1805 = add i64 %1209, 1
+  %1806 = icmp slt i64 %1209, 0
+  %1807 = select i1 %1806, i64 %246, i64 0
+  %1808 = getelementptr double, ptr %247, i64 %1209
+  %1809 = getelementptr double, ptr %1808, i64 %1807
+  %1810 = load double, ptr %1809, align 8, !noalias !53
+  %1811 = select i1 %1806, i64 %263, i64 0
+  %1812 = getelementptr double, ptr %264, i64 %1209
+  %1813 = getelementptr double, ptr %1812, i64 %1811
+  %1814 = load double, ptr %1813, align 8, !noalias !53
+  %1815 = fadd double %1810, %1814
+  store double %1815, ptr %1809, align 8, !noalias !53
+  %1816 = getelementptr double, ptr %247, i64 %246
+  %1817 = getelementptr double, ptr %1816, i64 %1209
+  %1818 = getelementptr double, ptr %1817, i64 %1807
+  %1819 = load double, ptr %1818, align 8, !noalias !53
+  %1820 = select i1 %1806, i64 %268, i64 0
+  %1821 = getelementptr { double, double }, ptr %269, i64 %1209
+  %1822 = getelementptr { double, double }, ptr %1821, i64 %1820
+  %1823 = load double, ptr %1822, align 8, !noalias !53
+  %1824 = fadd double %1819, %1823
+  store double %1824, ptr %1818, align 8, !noalias !53
+  %1825 = shl i64 %246, 4
+  %1826 = getelementptr i8, ptr %247, i64 %1825
+  %1827 = getelementptr double, ptr %1826, i64 %1209
+  %1828 = getelementptr double, ptr %1827, i64 %1807
+  %1829 = load double, ptr %1828, align 8, !noalias !53
+  %1830 = getelementptr inbounds nuw i8, ptr %1822, i64 8
+  %1831 = load double, ptr %1830, align 8, !noalias !53
+  %1832 = fadd double %1829, %1831
+  store double %1832, ptr %1828, align 8, !noalias !53
+  br label %1212
+
+1833:                                             ; preds = %1212
+  %1834 = add nsw i64 %1214, -1
+  %1835 = add i64 %1213, 1
+  %1836 = icmp slt i64 %1213, 0
+  %1837 = add i64 %1213, 3
+  %1838 = select i1 %1836, i64 %1837, i64 %1213
+  %1839 = mul i64 %1838, 24
+  %1840 = getelementptr i8, ptr @5, i64 %1839
+  %1841 = load double, ptr %1840, align 8, !noalias !53
+  %1842 = load double, ptr %1809, align 8, !noalias !53
+  %1843 = fmul double %1841, %1842
+  %1844 = getelementptr i8, ptr @6, i64 %1839
+  %1845 = getelementptr i8, ptr %1844, i64 8
+  %1846 = load double, ptr %1845, align 8, !noalias !53
+  %1847 = load double, ptr %1818, align 8, !noalias !53
+  %1848 = fmul double %1846, %1847
+  %1849 = fadd double %1843, %1848
+  %1850 = getelementptr i8, ptr @7, i64 %1839
+  %1851 = getelementptr i8, ptr %1850, i64 16
+  %1852 = load double, ptr %1851, align 8, !noalias !53
+  %1853 = load double, ptr %1828, align 8, !noalias !53
+  %1854 = fmul double %1852, %1853
+  %1855 = fadd double %1849, %1854
+  %1856 = select i1 %1836, i64 %237, i64 0
+  %1857 = add i64 %1213, %1856
+  %1858 = select i1 %1806, i64 %239, i64 0
+  %1859 = mul i64 %1857, %239
+  %1860 = getelementptr double, ptr %240, i64 %1859
+  %1861 = getelementptr double, ptr %1860, i64 %1209
+  %1862 = getelementptr double, ptr %1861, i64 %1858
+  store double %1855, ptr %1862, align 8, !noalias !53
+  br label %1212
+
+1863:                                             ; preds = %1234
+  %1864 = fmul double %870, %870
+  %1865 = fcmp ugt double %1237, %1864
+  br i1 %1865, label %1308, label %1309
+
+1866:                                             ; preds = %1197, %985, %920, %1201, %1801, %1349, %923, %1309
+  %1867 = phi double [ %1310, %1309 ], [ %1170, %1201 ], [ 0.000000e+00, %923 ], [ 0x7FF0000000000000, %1349 ], [ 0.000000e+00, %920 ], [ 0.000000e+00, %985 ], [ %1170, %1801 ], [ 0.000000e+00, %1197 ]
+  %1868 = phi i64 [ %1313, %1309 ], [ %1320, %1201 ], [ %1321, %923 ], [ %1321, %1349 ], [ 0, %920 ], [ 0, %985 ], [ %1320, %1801 ], [ 0, %1197 ]
+  %1869 = phi i1 [ %1312, %1309 ], [ true, %1201 ], [ true, %923 ], [ true, %1349 ], [ true, %920 ], [ true, %985 ], [ true, %1801 ], [ true, %1197 ]
+  %1870 = phi i64 [ 0, %1309 ], [ 0, %1201 ], [ %924, %923 ], [ 0, %1349 ], [ 0, %920 ], [ 0, %985 ], [ 0, %1801 ], [ 0, %1197 ]
+  %1871 = phi i32 [ 0, %1309 ], [ 0, %1201 ], [ 0, %923 ], [ 0, %1349 ], [ %922, %920 ], [ %986, %985 ], [ 0, %1801 ], [ %1200, %1197 ]
+  switch i32 %1871, label %2519 [
+    i32 -2, label %2517
+    i32 0, label %2517
+  ], !prof !25
+
+1872:                                             ; preds = %2517
+  br label %2649
+
+1873:                                             ; preds = %2517
+  br i1 %1869, label %2261, label %1874
+
+1874:                                             ; preds = %1873, %2520
+  %1875 = phi i64 [ %2522, %2520 ], [ 0, %1873 ]
+  %1876 = phi i64 [ %2521, %2520 ], [ %284, %1873 ]
+  %1877 = icmp sgt i64 %1876, 0
+  br i1 %1877, label %2520, label %1878
+
+1878:                                             ; preds = %1874
+  %1879 = getelementptr i8, ptr %198, i64 32
+  %1880 = load i64, ptr %1879, align 8, !noalias !5
+  %1881 = icmp ne i64 %1880, 1
+  store ptr null, ptr %6, align 8, !noalias !93
+  store double 0.000000e+00, ptr %7, align 8, !noalias !93
+  store ptr null, ptr %8, align 8, !noalias !93
+  store ptr null, ptr %9, align 8, !noalias !93
+  store double 0.000000e+00, ptr %10, align 8, !noalias !93
+  store ptr null, ptr %11, align 8, !noalias !93
+  %1882 = load i64, ptr %118, align 8, !noalias !93
+  %1883 = call i64 @llvm.smax.i64(i64 %1882, i64 0)
+  br label %1884
+
+1884:                                             ; preds = %1919, %1878
+  %1885 = phi i64 [ 0, %1878 ], [ %1921, %1919 ]
+  %1886 = phi i64 [ %1883, %1878 ], [ %1920, %1919 ]
+  %1887 = icmp sgt i64 %1886, 0
+  br i1 %1887, label %1919, label %1888
+
+1888:                                             ; preds = %1884
+  store ptr null, ptr %6, align 8, !noalias !93
+  %1889 = call fastcc i32 @solve(ptr nonnull %6, ptr %216, i64 %213, i64 %215, ptr %228, i64 %227, ptr %264, i64 %263) #3, !noalias !93
+  switch i32 %1889, label %1997 [
+    i32 -2, label %1953
+    i32 0, label %1953
+  ], !prof !25
+
+1890:                                             ; preds = %1956, %1959
+  %1891 = phi i64 [ %1961, %1959 ], [ 0, %1956 ]
+  %1892 = phi i64 [ %1960, %1959 ], [ %1883, %1956 ]
+  %1893 = icmp sgt i64 %1892, 0
+  br i1 %1893, label %1959, label %1894
+
+1894:                                             ; preds = %1890
+  %1895 = getelementptr i8, ptr %112, i64 24
+  %1896 = load i64, ptr %1895, align 8, !noalias !93
+  %1897 = add nsw i64 %1896, 1
+  store i64 %1897, ptr %1895, align 8, !noalias !93
+  store ptr null, ptr %4, align 8, !noalias !97
+  store ptr null, ptr %5, align 8, !noalias !97
+  store double %392, ptr %35, align 8, !noalias !97
+  %1898 = icmp sgt i64 %47, 0
+  br i1 %1898, label %1899, label %1902
+
+1899:                                             ; preds = %1894
+  store ptr null, ptr %4, align 8, !noalias !97
+  %1900 = call fastcc i32 @_sample(ptr nonnull %4, ptr %40, i64 %39, ptr %50, i64 %47, i64 %49, ptr %55, i64 %54, ptr %62, i64 %59, i64 %61, double %392) #3
+  switch i32 %1900, label %1901 [
+    i32 -2, label %1902
+    i32 0, label %1902
+  ], !prof !25
+
+1901:                                             ; preds = %1899
+  br label %1902
+
+1902:                                             ; preds = %1899, %1899, %1894, %1901
+  %1903 = phi i32 [ %1900, %1901 ], [ 0, %1894 ], [ 0, %1899 ], [ 0, %1899 ]
+  switch i32 %1903, label %1908 [
+    i32 -2, label %1904
+    i32 0, label %1904
+  ], !prof !25
+
+1904:                                             ; preds = %1902, %1902
+  %1905 = load i64, ptr %32, align 8, !noalias !104
+  %1906 = inttoptr i64 %1905 to ptr
+  %1907 = call i32 %1906(ptr nonnull %35, ptr %77, ptr %40, ptr %43, ptr %252) #3, !noalias !104
+  br label %1908
+
+1908:                                             ; preds = %1902, %1904
+  %1909 = phi i32 [ %1907, %1904 ], [ 0, %1902 ]
+  %1910 = phi i32 [ 0, %1904 ], [ %1903, %1902 ]
+  switch i32 %1910, label %1997 [
+    i32 -2, label %1975
+    i32 0, label %1975
+  ], !prof !25
+
+1911:                                             ; preds = %1975
+  %1912 = sext i32 %1909 to i64
+  br label %1997
+
+1913:                                             ; preds = %1975, %1977
+  %1914 = phi i64 [ %1979, %1977 ], [ 0, %1975 ]
+  %1915 = phi i64 [ %1978, %1977 ], [ %1883, %1975 ]
+  %1916 = icmp sgt i64 %1915, 0
+  br i1 %1916, label %1977, label %1917
+
+1917:                                             ; preds = %1913
+  store ptr null, ptr %9, align 8, !noalias !93
+  %1918 = call fastcc i32 @solve(ptr nonnull %9, ptr %216, i64 %213, i64 %215, ptr %228, i64 %227, ptr %264, i64 %263) #3, !noalias !93
+  switch i32 %1918, label %1997 [
+    i32 -2, label %1993
+    i32 0, label %1993
+  ], !prof !25
+
+1919:                                             ; preds = %1884
+  %1920 = add nsw i64 %1886, -1
+  %1921 = add i64 %1885, 1
+  %1922 = icmp slt i64 %1885, 0
+  %1923 = select i1 %1922, i64 %239, i64 0
+  %1924 = getelementptr double, ptr %240, i64 %1885
+  %1925 = getelementptr double, ptr %1924, i64 %1923
+  %1926 = load double, ptr %1925, align 8, !noalias !93
+  %1927 = fmul double %1926, 0xC02418FD8BAFFE05
+  %1928 = getelementptr double, ptr %240, i64 %239
+  %1929 = getelementptr double, ptr %1928, i64 %1885
+  %1930 = getelementptr double, ptr %1929, i64 %1923
+  %1931 = load double, ptr %1930, align 8, !noalias !93
+  %1932 = fmul double %1931, 0x3FF61D41B2D54580
+  %1933 = fadd double %1927, %1932
+  %1934 = shl i64 %239, 4
+  %1935 = getelementptr i8, ptr %240, i64 %1934
+  %1936 = getelementptr double, ptr %1935, i64 %1885
+  %1937 = getelementptr double, ptr %1936, i64 %1923
+  %1938 = load double, ptr %1937, align 8, !noalias !93
+  %1939 = fmul double %1938, 0xBFD5555555555555
+  %1940 = fadd double %1933, %1939
+  %1941 = fdiv double %1940, %417
+  %1942 = select i1 %1922, i64 %273, i64 0
+  %1943 = getelementptr double, ptr %274, i64 %1885
+  %1944 = getelementptr double, ptr %1943, i64 %1942
+  store double %1941, ptr %1944, align 8, !noalias !93
+  %1945 = select i1 %1922, i64 %86, i64 0
+  %1946 = getelementptr double, ptr %87, i64 %1885
+  %1947 = getelementptr double, ptr %1946, i64 %1945
+  %1948 = load double, ptr %1947, align 8, !noalias !93
+  %1949 = fadd double %1948, %1941
+  %1950 = select i1 %1922, i64 %263, i64 0
+  %1951 = getelementptr double, ptr %264, i64 %1885
+  %1952 = getelementptr double, ptr %1951, i64 %1950
+  store double %1949, ptr %1952, align 8, !noalias !93
+  br label %1884
+
+1953:                                             ; preds = %1888, %1888
+  store double 0.000000e+00, ptr %7, align 8, !noalias !93
+  %1954 = call fastcc i32 @norm(ptr nonnull %7, i64 %263, ptr %264, i64 %263, ptr %67, i64 %66, ptr %72, i64 %71, ptr nonnull %97, i64 %96, ptr %102, i64 %101) #3
+  %1955 = load double, ptr %7, align 8, !noalias !93
+  switch i32 %1954, label %1997 [
+    i32 -2, label %1956
+    i32 0, label %1956
+  ], !prof !25
+
+1956:                                             ; preds = %1953, %1953
+  %1957 = fcmp olt double %1955, 1.000000e+00
+  %1958 = select i1 %1957, i1 true, i1 %1881
+  br i1 %1958, label %1997, label %1890
+
+1959:                                             ; preds = %1890
+  %1960 = add nsw i64 %1892, -1
+  %1961 = add i64 %1891, 1
+  %1962 = icmp slt i64 %1891, 0
+  %1963 = select i1 %1962, i64 %66, i64 0
+  %1964 = getelementptr double, ptr %67, i64 %1891
+  %1965 = getelementptr double, ptr %1964, i64 %1963
+  %1966 = load double, ptr %1965, align 8, !noalias !93
+  %1967 = select i1 %1962, i64 %263, i64 0
+  %1968 = getelementptr double, ptr %264, i64 %1891
+  %1969 = getelementptr double, ptr %1968, i64 %1967
+  %1970 = load double, ptr %1969, align 8, !noalias !93
+  %1971 = fadd double %1966, %1970
+  %1972 = select i1 %1962, i64 %76, i64 0
+  %1973 = getelementptr double, ptr %77, i64 %1891
+  %1974 = getelementptr double, ptr %1973, i64 %1972
+  store double %1971, ptr %1974, align 8, !noalias !93
+  br label %1890
+
+1975:                                             ; preds = %1908, %1908
+  %1976 = icmp eq i32 %1909, 0
+  br i1 %1976, label %1913, label %1911
+
+1977:                                             ; preds = %1913
+  %1978 = add nsw i64 %1915, -1
+  %1979 = add i64 %1914, 1
+  %1980 = icmp slt i64 %1914, 0
+  %1981 = select i1 %1980, i64 %251, i64 0
+  %1982 = getelementptr double, ptr %252, i64 %1914
+  %1983 = getelementptr double, ptr %1982, i64 %1981
+  %1984 = load double, ptr %1983, align 8, !noalias !93
+  %1985 = select i1 %1980, i64 %273, i64 0
+  %1986 = getelementptr double, ptr %274, i64 %1914
+  %1987 = getelementptr double, ptr %1986, i64 %1985
+  %1988 = load double, ptr %1987, align 8, !noalias !93
+  %1989 = fadd double %1984, %1988
+  %1990 = select i1 %1980, i64 %263, i64 0
+  %1991 = getelementptr double, ptr %264, i64 %1914
+  %1992 = getelementptr double, ptr %1991, i64 %1990
+  store double %1989, ptr %1992, align 8, !noalias !93
+  br label %1913
+
+1993:                                             ; preds = %1917, %1917
+  store double 0.000000e+00, ptr %10, align 8, !noalias !93
+  %1994 = call fastcc i32 @norm(ptr nonnull %10, i64 %263, ptr %264, i64 %263, ptr %67, i64 %66, ptr %72, i64 %71, ptr nonnull %97, i64 %96, ptr %102, i64 %101) #3
+  switch i32 %1994, label %1997 [
+    i32 -2, label %1995
+    i32 0, label %1995
+  ], !prof !25
+
+1995:                                             ; preds = %1993, %1993
+  %1996 = load double, ptr %10, align 8, !noalias !93
+  br label %1997
+
+1997:                                             ; preds = %1993, %1917, %1908, %1953, %1888, %1956, %1911, %1995
+  %1998 = phi double [ %1955, %1956 ], [ 0.000000e+00, %1888 ], [ %1955, %1911 ], [ 0.000000e+00, %1953 ], [ 0.000000e+00, %1908 ], [ 0.000000e+00, %1917 ], [ %1996, %1995 ], [ 0.000000e+00, %1993 ]
+  %1999 = phi i64 [ 0, %1956 ], [ 0, %1888 ], [ %1912, %1911 ], [ 0, %1953 ], [ 0, %1908 ], [ 0, %1917 ], [ 0, %1995 ], [ 0, %1993 ]
+  %2000 = phi i32 [ 0, %1956 ], [ %1889, %1888 ], [ 0, %1911 ], [ %1954, %1953 ], [ %1910, %1908 ], [ %1918, %1917 ], [ 0, %1995 ], [ %1994, %1993 ]
+  switch i32 %2000, label %2540 [
+    i32 -2, label %2538
+    i32 0, label %2538
+  ], !prof !25
+
+2001:                                             ; preds = %2538
+  br label %2649
+
+2002:                                             ; preds = %2538
+  %2003 = add nsw i64 %1868, 12
+  %2004 = sitofp i64 %2003 to double
+  %2005 = fdiv double 0x4027666666666667, %2004
+  %2006 = fcmp olt double %1998, 1.000000e-10
+  %2007 = select i1 %2006, double 1.000000e-10, double %1998
+  %2008 = call double @llvm.pow.f64(double %2007, double -2.500000e-01)
+  %2009 = icmp eq i64 %1999, 0
+  %2010 = fcmp olt double %1998, 1.000000e+00
+  %2011 = select i1 %2009, i1 %2010, i1 false
+  br i1 %2011, label %2012, label %2244
+
+2012:                                             ; preds = %2002
+  br i1 %277, label %2013, label %2020
+
+2013:                                             ; preds = %2012
+  %2014 = getelementptr i8, ptr %159, i64 56
+  %2015 = load i64, ptr %2014, align 8, !noalias !5
+  %2016 = inttoptr i64 %2015 to ptr
+  %2017 = call i64 %2016(i64 %0, double %418, i64 %69) #3, !noalias !5
+  %2018 = icmp eq i64 %2017, 0
+  br i1 %2018, label %2020, label %2019
+
+2019:                                             ; preds = %2013
+  store double %417, ptr %300, align 8, !noalias !5
+  br label %2649
+
+2020:                                             ; preds = %2013, %2012
+  %2021 = load i64, ptr %398, align 8, !noalias !5
+  %2022 = add nsw i64 %2021, 1
+  store i64 %2022, ptr %398, align 8, !noalias !5
+  %2023 = getelementptr i8, ptr %107, i64 24
+  %2024 = load double, ptr %2023, align 8, !noalias !5
+  %2025 = fcmp ogt double %2024, 0.000000e+00
+  br i1 %2025, label %2026, label %2036
+
+2026:                                             ; preds = %2020
+  %2027 = getelementptr i8, ptr %107, i64 32
+  %2028 = load double, ptr %2027, align 8, !noalias !5
+  %2029 = fdiv double %417, %2028
+  %2030 = fdiv double %2024, %2007
+  %2031 = call double @llvm.pow.f64(double %2030, double 2.500000e-01)
+  %2032 = fmul double %2029, %2031
+  %2033 = fcmp olt double %2032, 1.000000e+00
+  %2034 = select i1 %2033, double %2032, double 1.000000e+00
+  %2035 = fmul double %2008, %2034
+  br label %2036
+
+2036:                                             ; preds = %2026, %2020
+  %2037 = phi double [ %2035, %2026 ], [ %2008, %2020 ]
+  %2038 = fmul double %2005, %2037
+  %2039 = fcmp olt double %2038, 1.000000e+01
+  %2040 = select i1 %2039, double %2038, double 1.000000e+01
+  store double %418, ptr %107, align 8, !noalias !5
+  %2041 = getelementptr i8, ptr %107, i64 32
+  store double %417, ptr %2041, align 8, !noalias !5
+  store double %2007, ptr %2023, align 8, !noalias !5
+  br label %2042
+
+2042:                                             ; preds = %2046, %2036
+  %2043 = phi i64 [ 0, %2036 ], [ %2543, %2046 ]
+  %2044 = phi i64 [ %284, %2036 ], [ %2542, %2046 ]
+  %2045 = icmp sgt i64 %2044, 0
+  br i1 %2045, label %2541, label %2050
+
+2046:                                             ; preds = %2541, %2598
+  %2047 = phi i64 [ 0, %2541 ], [ %2600, %2598 ]
+  %2048 = phi i64 [ 3, %2541 ], [ %2599, %2598 ]
+  %2049 = icmp sgt i64 %2048, 0
+  br i1 %2049, label %2598, label %2042
+
+2050:                                             ; preds = %2042
+  store double %417, ptr %790, align 8, !noalias !5
+  %2051 = getelementptr i8, ptr %162, i64 8
+  %2052 = load i64, ptr %2051, align 8, !noalias !5
+  %2053 = icmp sgt i64 %2052, 0
+  br i1 %2053, label %2063, label %2054
+
+2054:                                             ; preds = %2050
+  %2055 = getelementptr i8, ptr %112, i64 48
+  %2056 = load i64, ptr %2055, align 8, !noalias !5
+  %2057 = icmp slt i64 %2056, 0
+  %2058 = select i1 %2057, i64 %116, i64 0
+  %2059 = getelementptr double, ptr %117, i64 %2056
+  %2060 = getelementptr double, ptr %2059, i64 %2058
+  %2061 = load double, ptr %2060, align 8, !noalias !5
+  %2062 = fcmp ugt double %2061, %418
+  br i1 %2062, label %2199, label %2070
+
+2063:                                             ; preds = %2050
+  %2064 = getelementptr i8, ptr %162, i64 16
+  %2065 = load i64, ptr %2064, align 8, !noalias !5
+  %2066 = inttoptr i64 %2065 to ptr
+  %2067 = call i64 %2066(i64 %0, double %392, double %417) #3, !noalias !5
+  %2068 = getelementptr i8, ptr %107, i64 48
+  %2069 = load double, ptr %2068, align 8, !noalias !5
+  br label %2070
+
+2070:                                             ; preds = %2054, %2063
+  %2071 = phi double [ %2069, %2063 ], [ 1.000000e+00, %2054 ]
+  %2072 = phi i64 [ %2067, %2063 ], [ 0, %2054 ]
+  %2073 = fcmp oeq double %2071, 1.000000e+00
+  br i1 %2073, label %2074, label %2076
+
+2074:                                             ; preds = %2070
+  %2075 = load double, ptr %107, align 8, !noalias !5
+  br label %2079
+
+2076:                                             ; preds = %2070
+  %2077 = fmul double %2071, %417
+  %2078 = fadd double %392, %2077
+  br label %2079
+
+2079:                                             ; preds = %2076, %2074
+  %2080 = phi double [ %2075, %2074 ], [ %2078, %2076 ]
+  %2081 = load i64, ptr %118, align 8, !noalias !5
+  %2082 = load i64, ptr %159, align 8, !noalias !5
+  %2083 = icmp eq i64 %2082, 1
+  %2084 = getelementptr i8, ptr %112, i64 48
+  %2085 = load i64, ptr %2084, align 8, !noalias !5
+  %2086 = icmp slt i64 %2085, %116
+  br i1 %2086, label %2087, label %2124
+
+2087:                                             ; preds = %2079
+  %2088 = icmp slt i64 %2085, 0
+  %2089 = select i1 %2088, i64 %116, i64 0
+  %2090 = getelementptr double, ptr %117, i64 %2085
+  %2091 = getelementptr double, ptr %2090, i64 %2089
+  %2092 = load double, ptr %2091, align 8, !noalias !5
+  %2093 = fcmp ugt double %2092, %2080
+  br i1 %2093, label %2124, label %2094
+
+2094:                                             ; preds = %2087, %2117
+  %2095 = phi i64 [ %2115, %2117 ], [ %2085, %2087 ]
+  %2096 = icmp slt i64 %2095, 0
+  %2097 = select i1 %2096, i64 %116, i64 0
+  %2098 = getelementptr double, ptr %117, i64 %2095
+  %2099 = getelementptr double, ptr %2098, i64 %2097
+  %2100 = load double, ptr %2099, align 8, !noalias !5
+  %2101 = fsub double %2100, %392
+  %2102 = fdiv double %2101, %417
+  %2103 = mul nsw i64 %2095, %2081
+  %2104 = shl i64 %2103, 3
+  %2105 = add i64 %2104, %1
+  %2106 = call i64 @llvm.smax.i64(i64 %81, i64 0)
+  br label %2615
+
+2107:                                             ; preds = %2619
+  %2108 = getelementptr i8, ptr %159, i64 56
+  %2109 = load i64, ptr %2108, align 8, !noalias !5
+  %2110 = load double, ptr %2099, align 8, !noalias !5
+  %2111 = inttoptr i64 %2109 to ptr
+  %2112 = call i64 %2111(i64 %0, double %2110, i64 %2105) #3, !noalias !5
+  %2113 = icmp eq i64 %2112, 0
+  br i1 %2113, label %2114, label %2126
+
+2114:                                             ; preds = %2619, %2107
+  %2115 = add nsw i64 %2095, 1
+  %2116 = icmp slt i64 %2115, %116
+  br i1 %2116, label %2117, label %2124
+
+2117:                                             ; preds = %2114
+  %2118 = icmp slt i64 %2095, -1
+  %2119 = select i1 %2118, i64 %116, i64 0
+  %2120 = getelementptr double, ptr %117, i64 %2115
+  %2121 = getelementptr double, ptr %2120, i64 %2119
+  %2122 = load double, ptr %2121, align 8, !noalias !5
+  %2123 = fcmp ugt double %2122, %2080
+  br i1 %2123, label %2124, label %2094
+
+2124:                                             ; preds = %2117, %2114, %2087, %2079
+  %2125 = phi i64 [ %2115, %2117 ], [ %2115, %2114 ], [ %2085, %2087 ], [ %2085, %2079 ]
+  store i64 %2125, ptr %2084, align 8, !noalias !5
+  br label %2126
+
+2126:                                             ; preds = %2107, %2124
+  %2127 = phi i1 [ true, %2124 ], [ false, %2107 ]
+  %2128 = phi i64 [ 0, %2124 ], [ %2112, %2107 ]
+  %2129 = icmp ne i64 %2072, 0
+  %2130 = select i1 %2127, i1 %2129, i1 false
+  %2131 = fcmp olt double %2071, 1.000000e+00
+  %2132 = and i1 %2130, %2131
+  br i1 %2132, label %2133, label %2172
+
+2133:                                             ; preds = %2126
+  %2134 = call i64 @llvm.smax.i64(i64 %81, i64 0)
+  br label %2135
+
+2135:                                             ; preds = %2133, %2160
+  %2136 = phi i64 [ 0, %2133 ], [ %2162, %2160 ]
+  %2137 = phi i64 [ %2134, %2133 ], [ %2161, %2160 ]
+  %2138 = icmp sgt i64 %2137, 0
+  br i1 %2138, label %2160, label %2139
+
+2139:                                             ; preds = %2135
+  %2140 = getelementptr i8, ptr %29, i64 24
+  %2141 = load i64, ptr %2140, align 8, !noalias !105
+  %2142 = getelementptr i8, ptr %32, i64 16
+  %2143 = load i64, ptr %2142, align 8, !noalias !105
+  call fastcc void @pydy_nested(i64 %74, i64 %64, i64 %89, i64 %66, i64 %2141, i64 %79, i64 %2143) #3, !noalias !105
+  %2144 = call i64 @llvm.smax.i64(i64 %71, i64 0)
+  br label %2145
+
+2145:                                             ; preds = %2149, %2139
+  %2146 = phi i64 [ 0, %2139 ], [ %2151, %2149 ]
+  %2147 = phi i64 [ %2144, %2139 ], [ %2150, %2149 ]
+  %2148 = icmp sgt i64 %2147, 0
+  br i1 %2148, label %2149, label %2631
+
+2149:                                             ; preds = %2145
+  %2150 = add nsw i64 %2147, -1
+  %2151 = add i64 %2146, 1
+  %2152 = icmp slt i64 %2146, 0
+  %2153 = select i1 %2152, i64 %76, i64 0
+  %2154 = getelementptr double, ptr %77, i64 %2146
+  %2155 = getelementptr double, ptr %2154, i64 %2153
+  %2156 = load double, ptr %2155, align 8, !noalias !109
+  %2157 = select i1 %2152, i64 %71, i64 0
+  %2158 = getelementptr double, ptr %72, i64 %2146
+  %2159 = getelementptr double, ptr %2158, i64 %2157
+  store double %2156, ptr %2159, align 8, !noalias !109
+  br label %2145
+
+2160:                                             ; preds = %2135
+  %2161 = add nsw i64 %2137, -1
+  %2162 = add i64 %2136, 1
+  %2163 = icmp slt i64 %2136, 0
+  %2164 = select i1 %2163, i64 %81, i64 0
+  %2165 = getelementptr double, ptr %82, i64 %2136
+  %2166 = getelementptr double, ptr %2165, i64 %2164
+  store double %2071, ptr %2166, align 8, !noalias !105
+  br label %2135
+
+2167:                                             ; preds = %2631
+  %2168 = getelementptr i8, ptr %159, i64 56
+  %2169 = load i64, ptr %2168, align 8, !noalias !5
+  %2170 = inttoptr i64 %2169 to ptr
+  %2171 = call i64 %2170(i64 %0, double %2080, i64 %69) #3, !noalias !5
+  br label %2172
+
+2172:                                             ; preds = %2631, %2167, %2126
+  %2173 = phi i64 [ %2171, %2167 ], [ 0, %2631 ], [ %2128, %2126 ]
+  %2174 = icmp eq i64 %2173, 0
+  br i1 %2174, label %2176, label %2175
+
+2175:                                             ; preds = %2172
   store double %392, ptr %107, align 8, !noalias !5
   store double %417, ptr %300, align 8, !noalias !5
-  br label %1697
+  br label %2195
 
-1678:                                             ; preds = %1674
-  %1679 = icmp eq i64 %1574, 0
-  br i1 %1679, label %1697, label %1680
+2176:                                             ; preds = %2172
+  %2177 = icmp eq i64 %2072, 0
+  br i1 %2177, label %2195, label %2178
 
-1680:                                             ; preds = %1678
-  %1681 = call i64 @llvm.smax.i64(i64 %66, i64 0)
-  br label %1682
+2178:                                             ; preds = %2176
+  %2179 = call i64 @llvm.smax.i64(i64 %66, i64 0)
+  br label %2180
 
-1682:                                             ; preds = %1686, %1680
-  %1683 = phi i64 [ 0, %1680 ], [ %1688, %1686 ]
-  %1684 = phi i64 [ %1681, %1680 ], [ %1687, %1686 ]
-  %1685 = icmp sgt i64 %1684, 0
-  br i1 %1685, label %1686, label %2136
+2180:                                             ; preds = %2184, %2178
+  %2181 = phi i64 [ 0, %2178 ], [ %2186, %2184 ]
+  %2182 = phi i64 [ %2179, %2178 ], [ %2185, %2184 ]
+  %2183 = icmp sgt i64 %2182, 0
+  br i1 %2183, label %2184, label %2634
 
-1686:                                             ; preds = %1682
-  %1687 = add nsw i64 %1684, -1
-  %1688 = add i64 %1683, 1
-  %1689 = icmp slt i64 %1683, 0
-  %1690 = select i1 %1689, i64 %71, i64 0
-  %1691 = getelementptr double, ptr %72, i64 %1683
-  %1692 = getelementptr double, ptr %1691, i64 %1690
-  %1693 = load double, ptr %1692, align 8, !noalias !89
-  %1694 = select i1 %1689, i64 %66, i64 0
-  %1695 = getelementptr double, ptr %67, i64 %1683
-  %1696 = getelementptr double, ptr %1695, i64 %1694
-  store double %1693, ptr %1696, align 8, !noalias !89
-  br label %1682
+2184:                                             ; preds = %2180
+  %2185 = add nsw i64 %2182, -1
+  %2186 = add i64 %2181, 1
+  %2187 = icmp slt i64 %2181, 0
+  %2188 = select i1 %2187, i64 %71, i64 0
+  %2189 = getelementptr double, ptr %72, i64 %2181
+  %2190 = getelementptr double, ptr %2189, i64 %2188
+  %2191 = load double, ptr %2190, align 8, !noalias !112
+  %2192 = select i1 %2187, i64 %66, i64 0
+  %2193 = getelementptr double, ptr %67, i64 %2181
+  %2194 = getelementptr double, ptr %2193, i64 %2192
+  store double %2191, ptr %2194, align 8, !noalias !112
+  br label %2180
 
-1697:                                             ; preds = %1678, %2136, %1677
-  %1698 = phi i1 [ false, %1677 ], [ false, %2136 ], [ true, %1678 ]
-  %1699 = phi i64 [ %1675, %1677 ], [ %1574, %2136 ], [ 0, %1678 ]
-  br i1 %1698, label %1701, label %1700
+2195:                                             ; preds = %2176, %2634, %2175
+  %2196 = phi i1 [ false, %2175 ], [ false, %2634 ], [ true, %2176 ]
+  %2197 = phi i64 [ %2173, %2175 ], [ %2072, %2634 ], [ 0, %2176 ]
+  br i1 %2196, label %2199, label %2198
 
-1700:                                             ; preds = %1697
-  br label %2151
+2198:                                             ; preds = %2195
+  br label %2649
 
-1701:                                             ; preds = %1697, %1556
-  br label %1702
+2199:                                             ; preds = %2195, %2054
+  br label %2200
 
-1702:                                             ; preds = %1701, %2137
-  %1703 = phi i64 [ 0, %1701 ], [ %2139, %2137 ]
-  %1704 = phi i64 [ %284, %1701 ], [ %2138, %2137 ]
-  %1705 = icmp sgt i64 %1704, 0
-  br i1 %1705, label %2137, label %1706
+2200:                                             ; preds = %2199, %2635
+  %2201 = phi i64 [ 0, %2199 ], [ %2637, %2635 ]
+  %2202 = phi i64 [ %284, %2199 ], [ %2636, %2635 ]
+  %2203 = icmp sgt i64 %2202, 0
+  br i1 %2203, label %2635, label %2204
 
-1706:                                             ; preds = %1702
-  %1707 = getelementptr i8, ptr %112, i64 24
-  %1708 = load i64, ptr %1707, align 8, !noalias !5
-  %1709 = add nsw i64 %1708, 1
-  store i64 %1709, ptr %1707, align 8, !noalias !5
-  store ptr null, ptr %17, align 8, !noalias !92
-  store ptr null, ptr %18, align 8, !noalias !92
-  store double %418, ptr %35, align 8, !noalias !92
-  %1710 = icmp sgt i64 %47, 0
-  br i1 %1710, label %1711, label %1714
+2204:                                             ; preds = %2200
+  %2205 = getelementptr i8, ptr %112, i64 24
+  %2206 = load i64, ptr %2205, align 8, !noalias !5
+  %2207 = add nsw i64 %2206, 1
+  store i64 %2207, ptr %2205, align 8, !noalias !5
+  store ptr null, ptr %17, align 8, !noalias !115
+  store ptr null, ptr %18, align 8, !noalias !115
+  store double %418, ptr %35, align 8, !noalias !115
+  %2208 = icmp sgt i64 %47, 0
+  br i1 %2208, label %2209, label %2212
 
-1711:                                             ; preds = %1706
-  store ptr null, ptr %17, align 8, !noalias !92
-  %1712 = call fastcc i32 @_sample(ptr nonnull %17, ptr %40, i64 %39, ptr %50, i64 %47, i64 %49, ptr %55, i64 %54, ptr %62, i64 %59, i64 %61, double %418) #3
-  switch i32 %1712, label %1713 [
-    i32 -2, label %1714
-    i32 0, label %1714
+2209:                                             ; preds = %2204
+  store ptr null, ptr %17, align 8, !noalias !115
+  %2210 = call fastcc i32 @_sample(ptr nonnull %17, ptr %40, i64 %39, ptr %50, i64 %47, i64 %49, ptr %55, i64 %54, ptr %62, i64 %59, i64 %61, double %418) #3
+  switch i32 %2210, label %2211 [
+    i32 -2, label %2212
+    i32 0, label %2212
   ], !prof !25
 
-1713:                                             ; preds = %1711
-  br label %1714
+2211:                                             ; preds = %2209
+  br label %2212
 
-1714:                                             ; preds = %1711, %1711, %1706, %1713
-  %1715 = phi i32 [ %1712, %1713 ], [ 0, %1706 ], [ 0, %1711 ], [ 0, %1711 ]
-  switch i32 %1715, label %1720 [
-    i32 -2, label %1716
-    i32 0, label %1716
+2212:                                             ; preds = %2209, %2209, %2204, %2211
+  %2213 = phi i32 [ %2210, %2211 ], [ 0, %2204 ], [ 0, %2209 ], [ 0, %2209 ]
+  switch i32 %2213, label %2218 [
+    i32 -2, label %2214
+    i32 0, label %2214
   ], !prof !25
 
-1716:                                             ; preds = %1714, %1714
-  %1717 = load i64, ptr %32, align 8, !noalias !99
-  %1718 = inttoptr i64 %1717 to ptr
-  %1719 = call i32 %1718(ptr nonnull %35, ptr %67, ptr %40, ptr %43, ptr %87) #3, !noalias !99
-  br label %1720
+2214:                                             ; preds = %2212, %2212
+  %2215 = load i64, ptr %32, align 8, !noalias !122
+  %2216 = inttoptr i64 %2215 to ptr
+  %2217 = call i32 %2216(ptr nonnull %35, ptr %67, ptr %40, ptr %43, ptr %87) #3, !noalias !122
+  br label %2218
 
-1720:                                             ; preds = %1714, %1716
-  %1721 = phi i32 [ %1719, %1716 ], [ 0, %1714 ]
-  %1722 = phi i32 [ 0, %1716 ], [ %1715, %1714 ]
-  switch i32 %1722, label %2150 [
-    i32 -2, label %2148
-    i32 0, label %2148
+2218:                                             ; preds = %2212, %2214
+  %2219 = phi i32 [ %2217, %2214 ], [ 0, %2212 ]
+  %2220 = phi i32 [ 0, %2214 ], [ %2213, %2212 ]
+  switch i32 %2220, label %2648 [
+    i32 -2, label %2646
+    i32 0, label %2646
   ], !prof !25
 
-1723:                                             ; preds = %2148
-  %1724 = getelementptr i8, ptr %112, i64 72
-  store i64 3, ptr %1724, align 8, !noalias !5
+2221:                                             ; preds = %2646
+  %2222 = getelementptr i8, ptr %112, i64 72
+  store i64 3, ptr %2222, align 8, !noalias !5
   store double %417, ptr %300, align 8, !noalias !5
-  %1725 = icmp slt i32 %1721, 0
-  %1726 = select i1 %1725, i64 -4, i64 2
-  br label %2151
+  %2223 = icmp slt i32 %2219, 0
+  %2224 = select i1 %2223, i64 -4, i64 2
+  br label %2649
 
-1727:                                             ; preds = %2148
-  %1728 = icmp sgt i64 %1370, 2
-  %1729 = fcmp ogt double %1369, 1.000000e-03
-  %1730 = select i1 %1728, i1 %1729, i1 false
-  %1731 = zext i1 %1730 to i64
-  store i64 %1731, ptr %425, align 8, !noalias !5
-  %1732 = getelementptr i8, ptr %198, i64 16
-  store i64 0, ptr %1732, align 8, !noalias !5
-  store i64 0, ptr %1381, align 8, !noalias !5
-  %1733 = fcmp ule double %1542, 1.000000e+00
-  %1734 = fcmp uge double %1542, 1.200000e+00
-  %1735 = or i1 %1733, %1734
-  %1736 = select i1 %1735, i1 true, i1 %1730
-  br i1 %1736, label %1737, label %1741
+2225:                                             ; preds = %2646
+  %2226 = icmp sgt i64 %1868, 2
+  %2227 = fcmp ogt double %1867, 1.000000e-03
+  %2228 = select i1 %2226, i1 %2227, i1 false
+  %2229 = zext i1 %2228 to i64
+  store i64 %2229, ptr %425, align 8, !noalias !5
+  %2230 = getelementptr i8, ptr %198, i64 16
+  store i64 0, ptr %2230, align 8, !noalias !5
+  store i64 0, ptr %1879, align 8, !noalias !5
+  %2231 = fcmp ule double %2040, 1.000000e+00
+  %2232 = fcmp uge double %2040, 1.200000e+00
+  %2233 = or i1 %2231, %2232
+  %2234 = select i1 %2233, i1 true, i1 %2228
+  br i1 %2234, label %2235, label %2239
 
-1737:                                             ; preds = %1727
-  %1738 = fcmp ogt double %1542, 2.000000e-01
-  %1739 = select i1 %1738, double %1542, double 2.000000e-01
-  %1740 = fmul double %417, %1739
-  br label %1741
+2235:                                             ; preds = %2225
+  %2236 = fcmp ogt double %2040, 2.000000e-01
+  %2237 = select i1 %2236, double %2040, double 2.000000e-01
+  %2238 = fmul double %417, %2237
+  br label %2239
 
-1741:                                             ; preds = %1727, %1737
-  %1742 = phi double [ %1740, %1737 ], [ %417, %1727 ]
-  %1743 = getelementptr i8, ptr %112, i64 48
-  %1744 = load i64, ptr %1743, align 8, !noalias !5
-  %1745 = icmp eq i64 %1744, %116
-  br i1 %1745, label %1791, label %390
+2239:                                             ; preds = %2225, %2235
+  %2240 = phi double [ %2238, %2235 ], [ %417, %2225 ]
+  %2241 = getelementptr i8, ptr %112, i64 48
+  %2242 = load i64, ptr %2241, align 8, !noalias !5
+  %2243 = icmp eq i64 %2242, %116
+  br i1 %2243, label %2289, label %390
 
-1746:                                             ; preds = %1504
-  %1747 = load i64, ptr %400, align 8, !noalias !5
-  %1748 = add nsw i64 %1747, 1
-  store i64 %1748, ptr %400, align 8, !noalias !5
-  %1749 = select i1 %1511, i64 2, i64 3
-  %1750 = getelementptr i8, ptr %112, i64 72
-  store i64 %1749, ptr %1750, align 8, !noalias !5
-  %1751 = fsub double %1500, %1500
-  %1752 = fcmp ord double %1751, 0.000000e+00
-  br i1 %1752, label %1753, label %1757
+2244:                                             ; preds = %2002
+  %2245 = load i64, ptr %400, align 8, !noalias !5
+  %2246 = add nsw i64 %2245, 1
+  store i64 %2246, ptr %400, align 8, !noalias !5
+  %2247 = select i1 %2009, i64 2, i64 3
+  %2248 = getelementptr i8, ptr %112, i64 72
+  store i64 %2247, ptr %2248, align 8, !noalias !5
+  %2249 = fsub double %1998, %1998
+  %2250 = fcmp ord double %2249, 0.000000e+00
+  br i1 %2250, label %2251, label %2255
 
-1753:                                             ; preds = %1746
-  %1754 = fmul double %1507, %1510
-  %1755 = fcmp ogt double %1754, 2.000000e-01
-  %1756 = select i1 %1755, double %1754, double 2.000000e-01
-  br label %1757
+2251:                                             ; preds = %2244
+  %2252 = fmul double %2005, %2008
+  %2253 = fcmp ogt double %2252, 2.000000e-01
+  %2254 = select i1 %2253, double %2252, double 2.000000e-01
+  br label %2255
 
-1757:                                             ; preds = %1753, %1746
-  %1758 = phi double [ 2.500000e-01, %1746 ], [ %1756, %1753 ]
-  %1759 = fmul double %417, %1758
-  %1760 = getelementptr i8, ptr %198, i64 16
-  %1761 = load i64, ptr %1760, align 8, !noalias !5
-  %1762 = sub nsw i64 1, %1761
-  store i64 1, ptr %1381, align 8, !noalias !5
-  store i64 %1762, ptr %425, align 8, !noalias !5
-  br label %1788
+2255:                                             ; preds = %2251, %2244
+  %2256 = phi double [ 2.500000e-01, %2244 ], [ %2254, %2251 ]
+  %2257 = fmul double %417, %2256
+  %2258 = getelementptr i8, ptr %198, i64 16
+  %2259 = load i64, ptr %2258, align 8, !noalias !5
+  %2260 = sub nsw i64 1, %2259
+  store i64 1, ptr %1879, align 8, !noalias !5
+  store i64 %2260, ptr %425, align 8, !noalias !5
+  br label %2286
 
-1763:                                             ; preds = %1375
-  %1764 = load i64, ptr %400, align 8, !noalias !5
-  %1765 = add nsw i64 %1764, 1
-  store i64 %1765, ptr %400, align 8, !noalias !5
-  %1766 = icmp ne i64 %1372, 0
-  br i1 %1766, label %1767, label %1769
+2261:                                             ; preds = %1873
+  %2262 = load i64, ptr %400, align 8, !noalias !5
+  %2263 = add nsw i64 %2262, 1
+  store i64 %2263, ptr %400, align 8, !noalias !5
+  %2264 = icmp ne i64 %1870, 0
+  br i1 %2264, label %2265, label %2267
 
-1767:                                             ; preds = %1763
-  %1768 = getelementptr i8, ptr %112, i64 72
-  store i64 3, ptr %1768, align 8, !noalias !5
-  br label %1776
+2265:                                             ; preds = %2261
+  %2266 = getelementptr i8, ptr %112, i64 72
+  store i64 3, ptr %2266, align 8, !noalias !5
+  br label %2274
 
-1769:                                             ; preds = %1763
-  %1770 = fsub double %1369, %1369
-  %1771 = fcmp ord double %1770, 0.000000e+00
-  br i1 %1771, label %1772, label %1774
+2267:                                             ; preds = %2261
+  %2268 = fsub double %1867, %1867
+  %2269 = fcmp ord double %2268, 0.000000e+00
+  br i1 %2269, label %2270, label %2272
 
-1772:                                             ; preds = %1769
-  %1773 = getelementptr i8, ptr %112, i64 72
-  store i64 7, ptr %1773, align 8, !noalias !5
-  br label %1776
+2270:                                             ; preds = %2267
+  %2271 = getelementptr i8, ptr %112, i64 72
+  store i64 7, ptr %2271, align 8, !noalias !5
+  br label %2274
 
-1774:                                             ; preds = %1769
-  %1775 = getelementptr i8, ptr %112, i64 72
-  store i64 4, ptr %1775, align 8, !noalias !5
-  br label %1776
+2272:                                             ; preds = %2267
+  %2273 = getelementptr i8, ptr %112, i64 72
+  store i64 4, ptr %2273, align 8, !noalias !5
+  br label %2274
 
-1776:                                             ; preds = %1774, %1772, %1767
-  %1777 = getelementptr i8, ptr %198, i64 16
-  %1778 = load i64, ptr %1777, align 8, !noalias !5
-  %1779 = icmp eq i64 %1778, 1
-  %1780 = or i1 %1779, %1766
-  br i1 %1780, label %1781, label %1784
+2274:                                             ; preds = %2272, %2270, %2265
+  %2275 = getelementptr i8, ptr %198, i64 16
+  %2276 = load i64, ptr %2275, align 8, !noalias !5
+  %2277 = icmp eq i64 %2276, 1
+  %2278 = or i1 %2277, %2264
+  br i1 %2278, label %2279, label %2282
 
-1781:                                             ; preds = %1776
-  %1782 = select i1 %1766, double 2.500000e-01, double 5.000000e-01
-  %1783 = fmul double %417, %1782
-  store double 0.000000e+00, ptr %789, align 8, !noalias !5
-  br label %1784
+2279:                                             ; preds = %2274
+  %2280 = select i1 %2264, double 2.500000e-01, double 5.000000e-01
+  %2281 = fmul double %417, %2280
+  store double 0.000000e+00, ptr %790, align 8, !noalias !5
+  br label %2282
 
-1784:                                             ; preds = %1776, %1781
-  %1785 = phi double [ %1783, %1781 ], [ %391, %1776 ]
-  %1786 = load i64, ptr %1777, align 8, !noalias !5
-  %1787 = sub nsw i64 1, %1786
-  store i64 %1787, ptr %425, align 8, !noalias !5
-  br label %1788
+2282:                                             ; preds = %2274, %2279
+  %2283 = phi double [ %2281, %2279 ], [ %391, %2274 ]
+  %2284 = load i64, ptr %2275, align 8, !noalias !5
+  %2285 = sub nsw i64 1, %2284
+  store i64 %2285, ptr %425, align 8, !noalias !5
+  br label %2286
 
-1788:                                             ; preds = %1784, %1757, %780
-  %1789 = phi double [ %1759, %1757 ], [ %1785, %1784 ], [ %783, %780 ]
+2286:                                             ; preds = %2282, %2255, %781
+  %2287 = phi double [ %2257, %2255 ], [ %2283, %2282 ], [ %784, %781 ]
   br label %387
 
-1790:                                             ; preds = %407
+2288:                                             ; preds = %407
   store double %417, ptr %300, align 8, !noalias !5
-  br label %2151
+  br label %2649
 
-1791:                                             ; preds = %1741
-  store double %1742, ptr %300, align 8, !noalias !5
-  br label %2151
+2289:                                             ; preds = %2239
+  store double %2240, ptr %300, align 8, !noalias !5
+  br label %2649
 
-1792:                                             ; preds = %285
-  %1793 = icmp slt i64 %286, 0
-  %1794 = select i1 %1793, i64 %96, i64 0
-  %1795 = getelementptr double, ptr %97, i64 %286
-  %1796 = getelementptr double, ptr %1795, i64 %1794
-  %1797 = load double, ptr %1796, align 8, !noalias !5
-  %1798 = fcmp olt double %1797, %288
-  %1799 = select i1 %1798, double %1797, double %288
-  %1800 = add i64 %286, 1
-  %1801 = add nsw i64 %287, -1
+2290:                                             ; preds = %285
+  %2291 = icmp slt i64 %286, 0
+  %2292 = select i1 %2291, i64 %96, i64 0
+  %2293 = getelementptr double, ptr %97, i64 %286
+  %2294 = getelementptr double, ptr %2293, i64 %2292
+  %2295 = load double, ptr %2294, align 8, !noalias !5
+  %2296 = fcmp olt double %2295, %288
+  %2297 = select i1 %2296, double %2295, double %288
+  %2298 = add i64 %286, 1
+  %2299 = add nsw i64 %287, -1
   br label %285
 
-1802:                                             ; preds = %318, %318
-  %1803 = icmp eq i32 %319, 0
-  br i1 %1803, label %325, label %321
+2300:                                             ; preds = %318, %318
+  %2301 = icmp eq i32 %319, 0
+  br i1 %2301, label %325, label %321
 
-1804:                                             ; preds = %318
-  br label %2151
+2302:                                             ; preds = %318
+  br label %2649
 
-1805:                                             ; preds = %1823, %1820
-  %1806 = phi i64 [ %66, %1823 ], [ %1821, %1820 ]
-  %1807 = sub i64 %1806, %1814
-  %1808 = call i64 @llvm.smax.i64(i64 %1807, i64 0)
-  %1809 = getelementptr double, ptr %67, i64 %1814
+2303:                                             ; preds = %2321, %2318
+  %2304 = phi i64 [ %66, %2321 ], [ %2319, %2318 ]
+  %2305 = sub i64 %2304, %2312
+  %2306 = call i64 @llvm.smax.i64(i64 %2305, i64 0)
+  %2307 = getelementptr double, ptr %67, i64 %2312
   store double 0.000000e+00, ptr %23, align 8, !noalias !5
-  %1810 = call fastcc i32 @norm(ptr nonnull %23, i64 %1808, ptr %1809, i64 %1808, ptr %67, i64 %66, ptr %67, i64 %66, ptr nonnull %97, i64 %96, ptr %102, i64 %101) #3
-  %1811 = load double, ptr %23, align 8, !noalias !5
-  switch i32 %1810, label %1824 [
-    i32 -2, label %1831
-    i32 0, label %1831
+  %2308 = call fastcc i32 @norm(ptr nonnull %23, i64 %2306, ptr %2307, i64 %2306, ptr %67, i64 %66, ptr %67, i64 %66, ptr nonnull %97, i64 %96, ptr %102, i64 %101) #3
+  %2309 = load double, ptr %23, align 8, !noalias !5
+  switch i32 %2308, label %2322 [
+    i32 -2, label %2329
+    i32 0, label %2329
   ], !prof !25
 
-1812:                                             ; preds = %380
-  br label %1813
+2310:                                             ; preds = %380
+  br label %2311
 
-1813:                                             ; preds = %1812, %380
-  %1814 = phi i64 [ %66, %1812 ], [ 0, %380 ]
-  %1815 = icmp slt i64 %381, 0
-  %1816 = select i1 %1815, i64 %66, i64 0
-  %1817 = add i64 %381, %1816
-  %1818 = icmp slt i64 %1817, 0
-  br i1 %1818, label %1819, label %1820, !prof !0
+2311:                                             ; preds = %2310, %380
+  %2312 = phi i64 [ %66, %2310 ], [ 0, %380 ]
+  %2313 = icmp slt i64 %381, 0
+  %2314 = select i1 %2313, i64 %66, i64 0
+  %2315 = add i64 %381, %2314
+  %2316 = icmp slt i64 %2315, 0
+  br i1 %2316, label %2317, label %2318, !prof !0
 
-1819:                                             ; preds = %1813
-  br label %1820
+2317:                                             ; preds = %2311
+  br label %2318
 
-1820:                                             ; preds = %1819, %1813
-  %1821 = phi i64 [ 0, %1819 ], [ %1817, %1813 ]
-  %1822 = icmp slt i64 %1817, %66
-  br i1 %1822, label %1805, label %1823, !prof !4
+2318:                                             ; preds = %2317, %2311
+  %2319 = phi i64 [ 0, %2317 ], [ %2315, %2311 ]
+  %2320 = icmp slt i64 %2315, %66
+  br i1 %2320, label %2303, label %2321, !prof !4
 
-1823:                                             ; preds = %1820
-  br label %1805
+2321:                                             ; preds = %2318
+  br label %2303
 
-1824:                                             ; preds = %1805
-  br label %2151
+2322:                                             ; preds = %2303
+  br label %2649
 
-1825:                                             ; preds = %1843, %1840
-  %1826 = phi i64 [ %86, %1843 ], [ %1841, %1840 ]
-  %1827 = sub i64 %1826, %1835
-  %1828 = call i64 @llvm.smax.i64(i64 %1827, i64 0)
-  %1829 = getelementptr double, ptr %87, i64 %1835
+2323:                                             ; preds = %2341, %2338
+  %2324 = phi i64 [ %86, %2341 ], [ %2339, %2338 ]
+  %2325 = sub i64 %2324, %2333
+  %2326 = call i64 @llvm.smax.i64(i64 %2325, i64 0)
+  %2327 = getelementptr double, ptr %87, i64 %2333
   store double 0.000000e+00, ptr %25, align 8, !noalias !5
-  %1830 = call fastcc i32 @norm(ptr nonnull %25, i64 %1828, ptr %1829, i64 %1828, ptr %67, i64 %66, ptr %67, i64 %66, ptr nonnull %97, i64 %96, ptr %102, i64 %101) #3
-  switch i32 %1830, label %1861 [
-    i32 -2, label %1844
-    i32 0, label %1844
+  %2328 = call fastcc i32 @norm(ptr nonnull %25, i64 %2326, ptr %2327, i64 %2326, ptr %67, i64 %66, ptr %67, i64 %66, ptr nonnull %97, i64 %96, ptr %102, i64 %101) #3
+  switch i32 %2328, label %2359 [
+    i32 -2, label %2342
+    i32 0, label %2342
   ], !prof !25
 
-1831:                                             ; preds = %1805, %1805
-  %1832 = icmp slt i64 %86, 1
-  br i1 %1832, label %1833, label %1834, !prof !0
+2329:                                             ; preds = %2303, %2303
+  %2330 = icmp slt i64 %86, 1
+  br i1 %2330, label %2331, label %2332, !prof !0
 
-1833:                                             ; preds = %1831
-  br label %1834
+2331:                                             ; preds = %2329
+  br label %2332
 
-1834:                                             ; preds = %1833, %1831
-  %1835 = phi i64 [ %86, %1833 ], [ 0, %1831 ]
-  %1836 = select i1 %1815, i64 %86, i64 0
-  %1837 = add i64 %381, %1836
-  %1838 = icmp slt i64 %1837, 0
-  br i1 %1838, label %1839, label %1840, !prof !0
+2332:                                             ; preds = %2331, %2329
+  %2333 = phi i64 [ %86, %2331 ], [ 0, %2329 ]
+  %2334 = select i1 %2313, i64 %86, i64 0
+  %2335 = add i64 %381, %2334
+  %2336 = icmp slt i64 %2335, 0
+  br i1 %2336, label %2337, label %2338, !prof !0
 
-1839:                                             ; preds = %1834
-  br label %1840
+2337:                                             ; preds = %2332
+  br label %2338
 
-1840:                                             ; preds = %1839, %1834
-  %1841 = phi i64 [ 0, %1839 ], [ %1837, %1834 ]
-  %1842 = icmp slt i64 %1837, %86
-  br i1 %1842, label %1825, label %1843, !prof !4
+2338:                                             ; preds = %2337, %2332
+  %2339 = phi i64 [ 0, %2337 ], [ %2335, %2332 ]
+  %2340 = icmp slt i64 %2335, %86
+  br i1 %2340, label %2323, label %2341, !prof !4
 
-1843:                                             ; preds = %1840
-  br label %1825
+2341:                                             ; preds = %2338
+  br label %2323
 
-1844:                                             ; preds = %1825, %1825
-  %1845 = load double, ptr %25, align 8, !noalias !5
-  %1846 = fcmp olt double %1811, 1.000000e-05
-  %1847 = fcmp olt double %1845, 1.000000e-05
-  %1848 = select i1 %1846, i1 true, i1 %1847
-  %1849 = fmul double %1811, 1.000000e-02
-  %1850 = fdiv double %1849, %1845
-  %1851 = select i1 %1848, double 0x3EB0C6F7A0B5ED8D, double %1850
-  %1852 = call double @llvm.fabs.f64(double %299)
-  %1853 = fmul double %1852, 0x3D30000000000000
-  %1854 = fcmp olt double %1851, %1853
-  %1855 = select i1 %1854, double %1853, double %1851
-  %1856 = getelementptr i8, ptr %107, i64 16
-  %1857 = load double, ptr %1856, align 8, !noalias !5
-  %1858 = fcmp olt double %1857, %1855
-  %1859 = select i1 %1858, double %1857, double %1855
-  %1860 = call i1 @llvm.is.fpclass.f64(double %1859, i32 384)
-  br i1 %1860, label %385, label %383
+2342:                                             ; preds = %2323, %2323
+  %2343 = load double, ptr %25, align 8, !noalias !5
+  %2344 = fcmp olt double %2309, 1.000000e-05
+  %2345 = fcmp olt double %2343, 1.000000e-05
+  %2346 = select i1 %2344, i1 true, i1 %2345
+  %2347 = fmul double %2309, 1.000000e-02
+  %2348 = fdiv double %2347, %2343
+  %2349 = select i1 %2346, double 0x3EB0C6F7A0B5ED8D, double %2348
+  %2350 = call double @llvm.fabs.f64(double %299)
+  %2351 = fmul double %2350, 0x3D30000000000000
+  %2352 = fcmp olt double %2349, %2351
+  %2353 = select i1 %2352, double %2351, double %2349
+  %2354 = getelementptr i8, ptr %107, i64 16
+  %2355 = load double, ptr %2354, align 8, !noalias !5
+  %2356 = fcmp olt double %2355, %2353
+  %2357 = select i1 %2356, double %2355, double %2353
+  %2358 = call i1 @llvm.is.fpclass.f64(double %2357, i32 384)
+  br i1 %2358, label %385, label %383
 
-1861:                                             ; preds = %1825
-  br label %2151
+2359:                                             ; preds = %2323
+  br label %2649
 
-1862:                                             ; preds = %440, %440
-  %1863 = load i64, ptr %198, align 8, !noalias !5
-  %1864 = inttoptr i64 %1863 to ptr
-  %1865 = call i32 %1864(ptr nonnull %35, ptr %67, ptr %40, ptr %204, ptr %209) #3, !noalias !5
-  %1866 = sext i32 %1865 to i64
+2360:                                             ; preds = %440, %440
+  %2361 = load i64, ptr %198, align 8, !noalias !5
+  %2362 = inttoptr i64 %2361 to ptr
+  %2363 = call i32 %2362(ptr nonnull %35, ptr %67, ptr %40, ptr %204, ptr %209) #3, !noalias !5
+  %2364 = sext i32 %2363 to i64
   br label %460
 
-1867:                                             ; preds = %440
-  br label %2151
+2365:                                             ; preds = %440
+  br label %2649
 
-1868:                                             ; preds = %444
-  %1869 = add nsw i64 %446, -1
-  %1870 = add i64 %445, 1
-  %1871 = icmp slt i64 %445, 0
-  %1872 = select i1 %1871, i64 %66, i64 0
-  %1873 = getelementptr double, ptr %67, i64 %445
-  %1874 = getelementptr double, ptr %1873, i64 %1872
-  %1875 = load double, ptr %1874, align 8, !noalias !5
-  %1876 = select i1 %1871, i64 %76, i64 0
-  %1877 = getelementptr double, ptr %77, i64 %445
-  %1878 = getelementptr double, ptr %1877, i64 %1876
-  store double %1875, ptr %1878, align 8, !noalias !5
+2366:                                             ; preds = %444
+  %2367 = add nsw i64 %446, -1
+  %2368 = add i64 %445, 1
+  %2369 = icmp slt i64 %445, 0
+  %2370 = select i1 %2369, i64 %66, i64 0
+  %2371 = getelementptr double, ptr %67, i64 %445
+  %2372 = getelementptr double, ptr %2371, i64 %2370
+  %2373 = load double, ptr %2372, align 8, !noalias !5
+  %2374 = select i1 %2369, i64 %76, i64 0
+  %2375 = getelementptr double, ptr %77, i64 %445
+  %2376 = getelementptr double, ptr %2375, i64 %2374
+  store double %2373, ptr %2376, align 8, !noalias !5
   br label %444
 
-1879:                                             ; preds = %448
-  %1880 = add nsw i64 %450, -1
-  %1881 = add i64 %449, 1
-  %1882 = icmp slt i64 %449, 0
-  %1883 = select i1 %1882, i64 %66, i64 0
-  %1884 = getelementptr double, ptr %67, i64 %449
-  %1885 = getelementptr double, ptr %1884, i64 %1883
-  %1886 = load double, ptr %1885, align 8, !noalias !5
-  %1887 = call double @llvm.fabs.f64(double %1886)
-  %1888 = fcmp olt double %1887, 1.000000e-05
-  %1889 = select i1 %1888, double 1.000000e-05, double %1887
-  %1890 = fmul double %1889, 1.500000e-08
-  %1891 = fadd double %1886, %1890
-  %1892 = fsub double %1891, %1886
-  %1893 = select i1 %1882, i64 %76, i64 0
-  %1894 = getelementptr double, ptr %77, i64 %449
-  %1895 = getelementptr double, ptr %1894, i64 %1893
-  store double %1891, ptr %1895, align 8, !noalias !5
-  %1896 = getelementptr i8, ptr %112, i64 24
-  %1897 = load i64, ptr %1896, align 8, !noalias !5
-  %1898 = add nsw i64 %1897, 1
-  store i64 %1898, ptr %1896, align 8, !noalias !5
-  store ptr null, ptr %19, align 8, !noalias !100
-  store ptr null, ptr %20, align 8, !noalias !100
-  store double %392, ptr %35, align 8, !noalias !100
-  %1899 = icmp sgt i64 %47, 0
-  br i1 %1899, label %1900, label %1903
+2377:                                             ; preds = %448
+  %2378 = add nsw i64 %450, -1
+  %2379 = add i64 %449, 1
+  %2380 = icmp slt i64 %449, 0
+  %2381 = select i1 %2380, i64 %66, i64 0
+  %2382 = getelementptr double, ptr %67, i64 %449
+  %2383 = getelementptr double, ptr %2382, i64 %2381
+  %2384 = load double, ptr %2383, align 8, !noalias !5
+  %2385 = call double @llvm.fabs.f64(double %2384)
+  %2386 = fcmp olt double %2385, 1.000000e-05
+  %2387 = select i1 %2386, double 1.000000e-05, double %2385
+  %2388 = fmul double %2387, 1.500000e-08
+  %2389 = fadd double %2384, %2388
+  %2390 = fsub double %2389, %2384
+  %2391 = select i1 %2380, i64 %76, i64 0
+  %2392 = getelementptr double, ptr %77, i64 %449
+  %2393 = getelementptr double, ptr %2392, i64 %2391
+  store double %2389, ptr %2393, align 8, !noalias !5
+  %2394 = getelementptr i8, ptr %112, i64 24
+  %2395 = load i64, ptr %2394, align 8, !noalias !5
+  %2396 = add nsw i64 %2395, 1
+  store i64 %2396, ptr %2394, align 8, !noalias !5
+  store ptr null, ptr %19, align 8, !noalias !123
+  store ptr null, ptr %20, align 8, !noalias !123
+  store double %392, ptr %35, align 8, !noalias !123
+  %2397 = icmp sgt i64 %47, 0
+  br i1 %2397, label %2398, label %2401
 
-1900:                                             ; preds = %1879
-  store ptr null, ptr %19, align 8, !noalias !100
-  %1901 = call fastcc i32 @_sample(ptr nonnull %19, ptr %40, i64 %39, ptr %50, i64 %47, i64 %49, ptr %55, i64 %54, ptr %62, i64 %59, i64 %61, double %392) #3
-  switch i32 %1901, label %1902 [
-    i32 -2, label %1903
-    i32 0, label %1903
+2398:                                             ; preds = %2377
+  store ptr null, ptr %19, align 8, !noalias !123
+  %2399 = call fastcc i32 @_sample(ptr nonnull %19, ptr %40, i64 %39, ptr %50, i64 %47, i64 %49, ptr %55, i64 %54, ptr %62, i64 %59, i64 %61, double %392) #3
+  switch i32 %2399, label %2400 [
+    i32 -2, label %2401
+    i32 0, label %2401
   ], !prof !25
 
-1902:                                             ; preds = %1900
-  br label %1903
+2400:                                             ; preds = %2398
+  br label %2401
 
-1903:                                             ; preds = %1900, %1900, %1879, %1902
-  %1904 = phi i32 [ %1901, %1902 ], [ 0, %1879 ], [ 0, %1900 ], [ 0, %1900 ]
-  switch i32 %1904, label %1909 [
-    i32 -2, label %1905
-    i32 0, label %1905
+2401:                                             ; preds = %2398, %2398, %2377, %2400
+  %2402 = phi i32 [ %2399, %2400 ], [ 0, %2377 ], [ 0, %2398 ], [ 0, %2398 ]
+  switch i32 %2402, label %2407 [
+    i32 -2, label %2403
+    i32 0, label %2403
   ], !prof !25
 
-1905:                                             ; preds = %1903, %1903
-  %1906 = load i64, ptr %32, align 8, !noalias !107
-  %1907 = inttoptr i64 %1906 to ptr
-  %1908 = call i32 %1907(ptr nonnull %35, ptr %77, ptr %40, ptr %43, ptr %72) #3, !noalias !107
-  br label %1909
+2403:                                             ; preds = %2401, %2401
+  %2404 = load i64, ptr %32, align 8, !noalias !130
+  %2405 = inttoptr i64 %2404 to ptr
+  %2406 = call i32 %2405(ptr nonnull %35, ptr %77, ptr %40, ptr %43, ptr %72) #3, !noalias !130
+  br label %2407
 
-1909:                                             ; preds = %1903, %1905
-  %1910 = phi i32 [ %1908, %1905 ], [ 0, %1903 ]
-  %1911 = phi i32 [ 0, %1905 ], [ %1904, %1903 ]
-  switch i32 %1911, label %1914 [
-    i32 -2, label %1912
-    i32 0, label %1912
+2407:                                             ; preds = %2401, %2403
+  %2408 = phi i32 [ %2406, %2403 ], [ 0, %2401 ]
+  %2409 = phi i32 [ 0, %2403 ], [ %2402, %2401 ]
+  switch i32 %2409, label %2412 [
+    i32 -2, label %2410
+    i32 0, label %2410
   ], !prof !25
 
-1912:                                             ; preds = %1909, %1909
-  %1913 = icmp eq i32 %1910, 0
-  br i1 %1913, label %454, label %452
+2410:                                             ; preds = %2407, %2407
+  %2411 = icmp eq i32 %2408, 0
+  br i1 %2411, label %454, label %452
 
-1914:                                             ; preds = %1909
-  br label %2151
+2412:                                             ; preds = %2407
+  br label %2649
 
-1915:                                             ; preds = %454
-  %1916 = add nsw i64 %456, -1
-  %1917 = add i64 %455, 1
-  %1918 = icmp slt i64 %455, 0
-  %1919 = select i1 %1918, i64 %71, i64 0
-  %1920 = getelementptr double, ptr %72, i64 %455
-  %1921 = getelementptr double, ptr %1920, i64 %1919
-  %1922 = load double, ptr %1921, align 8, !noalias !5
-  %1923 = select i1 %1918, i64 %86, i64 0
-  %1924 = getelementptr double, ptr %87, i64 %455
-  %1925 = getelementptr double, ptr %1924, i64 %1923
-  %1926 = load double, ptr %1925, align 8, !noalias !5
-  %1927 = fsub double %1922, %1926
-  %1928 = fdiv double %1927, %1892
-  %1929 = mul nsw i64 %455, %429
-  %1930 = add nsw i64 %1929, %449
-  %1931 = icmp slt i64 %1930, 0
-  %1932 = select i1 %1931, i64 %208, i64 0
-  %1933 = getelementptr double, ptr %209, i64 %1930
-  %1934 = getelementptr double, ptr %1933, i64 %1932
-  store double %1928, ptr %1934, align 8, !noalias !5
+2413:                                             ; preds = %454
+  %2414 = add nsw i64 %456, -1
+  %2415 = add i64 %455, 1
+  %2416 = icmp slt i64 %455, 0
+  %2417 = select i1 %2416, i64 %71, i64 0
+  %2418 = getelementptr double, ptr %72, i64 %455
+  %2419 = getelementptr double, ptr %2418, i64 %2417
+  %2420 = load double, ptr %2419, align 8, !noalias !5
+  %2421 = select i1 %2416, i64 %86, i64 0
+  %2422 = getelementptr double, ptr %87, i64 %455
+  %2423 = getelementptr double, ptr %2422, i64 %2421
+  %2424 = load double, ptr %2423, align 8, !noalias !5
+  %2425 = fsub double %2420, %2424
+  %2426 = fdiv double %2425, %2390
+  %2427 = mul nsw i64 %455, %429
+  %2428 = add nsw i64 %2427, %449
+  %2429 = icmp slt i64 %2428, 0
+  %2430 = select i1 %2429, i64 %208, i64 0
+  %2431 = getelementptr double, ptr %209, i64 %2428
+  %2432 = getelementptr double, ptr %2431, i64 %2430
+  store double %2426, ptr %2432, align 8, !noalias !5
   br label %454
 
-1935:                                             ; preds = %478
-  %1936 = add nsw i64 %480, -1
-  %1937 = add i64 %479, 1
-  br label %482
+2433:                                             ; preds = %479
+  %2434 = add nsw i64 %481, -1
+  %2435 = add i64 %480, 1
+  br label %483
 
-1938:                                             ; preds = %482
-  %1939 = add nsw i64 %484, -1
-  %1940 = add i64 %483, 1
-  %1941 = mul nsw i64 %479, %275
-  %1942 = add nsw i64 %1941, %483
-  %1943 = icmp slt i64 %1942, 0
-  %1944 = select i1 %1943, i64 %208, i64 0
-  %1945 = getelementptr double, ptr %209, i64 %1942
-  %1946 = getelementptr double, ptr %1945, i64 %1944
-  %1947 = load double, ptr %1946, align 8, !noalias !5
-  %1948 = fneg double %1947
-  %1949 = icmp slt i64 %479, 0
-  %1950 = select i1 %1949, i64 %213, i64 0
-  %1951 = add i64 %479, %1950
-  %1952 = icmp slt i64 %483, 0
-  %1953 = select i1 %1952, i64 %215, i64 0
-  %1954 = mul i64 %1951, %215
-  %1955 = getelementptr double, ptr %216, i64 %1954
-  %1956 = getelementptr double, ptr %1955, i64 %483
-  %1957 = getelementptr double, ptr %1956, i64 %1953
-  store double %1948, ptr %1957, align 8, !noalias !5
-  %1958 = load double, ptr %1946, align 8, !noalias !5
-  %1959 = fneg double %1958
-  %1960 = select i1 %1949, i64 %220, i64 0
-  %1961 = add i64 %479, %1960
-  %1962 = select i1 %1952, i64 %222, i64 0
-  %1963 = mul i64 %1961, %222
-  %1964 = getelementptr { double, double }, ptr %223, i64 %1963
-  %1965 = getelementptr { double, double }, ptr %1964, i64 %483
-  %1966 = getelementptr { double, double }, ptr %1965, i64 %1962
-  store double %1959, ptr %1966, align 8, !noalias !5
-  %1967 = getelementptr inbounds nuw i8, ptr %1966, i64 8
-  store double 0.000000e+00, ptr %1967, align 8, !noalias !5
-  br label %482
+2436:                                             ; preds = %483
+  %2437 = add nsw i64 %485, -1
+  %2438 = add i64 %484, 1
+  %2439 = mul nsw i64 %480, %227
+  %2440 = add nsw i64 %2439, %484
+  %2441 = icmp slt i64 %2440, 0
+  %2442 = select i1 %2441, i64 %208, i64 0
+  %2443 = getelementptr double, ptr %209, i64 %2440
+  %2444 = getelementptr double, ptr %2443, i64 %2442
+  %2445 = load double, ptr %2444, align 8, !noalias !5
+  %2446 = fneg double %2445
+  %2447 = icmp slt i64 %480, 0
+  %2448 = select i1 %2447, i64 %213, i64 0
+  %2449 = add i64 %480, %2448
+  %2450 = icmp slt i64 %484, 0
+  %2451 = select i1 %2450, i64 %215, i64 0
+  %2452 = mul i64 %2449, %215
+  %2453 = getelementptr double, ptr %216, i64 %2452
+  %2454 = getelementptr double, ptr %2453, i64 %484
+  %2455 = getelementptr double, ptr %2454, i64 %2451
+  store double %2446, ptr %2455, align 8, !noalias !5
+  %2456 = load double, ptr %2444, align 8, !noalias !5
+  %2457 = fneg double %2456
+  %2458 = select i1 %2447, i64 %220, i64 0
+  %2459 = add i64 %480, %2458
+  %2460 = select i1 %2450, i64 %222, i64 0
+  %2461 = mul i64 %2459, %222
+  %2462 = getelementptr { double, double }, ptr %223, i64 %2461
+  %2463 = getelementptr { double, double }, ptr %2462, i64 %484
+  %2464 = getelementptr { double, double }, ptr %2463, i64 %2460
+  store double %2457, ptr %2464, align 8, !noalias !5
+  %2465 = getelementptr inbounds nuw i8, ptr %2464, i64 8
+  store double 0.000000e+00, ptr %2465, align 8, !noalias !5
+  br label %483
 
-1968:                                             ; preds = %791
-  %1969 = add nsw i64 %793, -1
-  %1970 = add i64 %792, 1
-  %1971 = fcmp ogt double %790, 0.000000e+00
-  br i1 %1971, label %795, label %804
+2466:                                             ; preds = %792
+  %2467 = add nsw i64 %794, -1
+  %2468 = add i64 %793, 1
+  %2469 = fcmp ogt double %791, 0.000000e+00
+  br i1 %2469, label %796, label %805
 
-1972:                                             ; preds = %806
-  %1973 = add nsw i64 %808, -1
-  %1974 = add i64 %807, 1
-  br i1 %1971, label %810, label %850
+2470:                                             ; preds = %807
+  %2471 = add nsw i64 %809, -1
+  %2472 = add i64 %808, 1
+  br i1 %2469, label %811, label %851
 
-1975:                                             ; preds = %860
-  %1976 = add nsw i64 %862, -1
-  %1977 = add i64 %861, 1
-  br label %864
+2473:                                             ; preds = %861
+  %2474 = add nsw i64 %863, -1
+  %2475 = add i64 %862, 1
+  br label %865
 
-1978:                                             ; preds = %864
-  %1979 = add nsw i64 %866, -1
-  %1980 = add i64 %865, 1
-  %1981 = icmp slt i64 %861, 0
-  %1982 = add i64 %861, 3
-  %1983 = select i1 %1981, i64 %1982, i64 %861
-  %1984 = mul i64 %1983, 24
-  %1985 = getelementptr i8, ptr @1, i64 %1984
-  %1986 = load double, ptr %1985, align 8, !noalias !5
-  %1987 = icmp slt i64 %865, 0
-  %1988 = select i1 %1987, i64 %239, i64 0
-  %1989 = getelementptr double, ptr %240, i64 %865
-  %1990 = getelementptr double, ptr %1989, i64 %1988
-  %1991 = load double, ptr %1990, align 8, !noalias !5
-  %1992 = fmul double %1986, %1991
-  %1993 = getelementptr i8, ptr @2, i64 %1984
-  %1994 = getelementptr i8, ptr %1993, i64 8
-  %1995 = load double, ptr %1994, align 8, !noalias !5
-  %1996 = getelementptr double, ptr %240, i64 %239
-  %1997 = getelementptr double, ptr %1996, i64 %865
-  %1998 = getelementptr double, ptr %1997, i64 %1988
-  %1999 = load double, ptr %1998, align 8, !noalias !5
-  %2000 = fmul double %1995, %1999
-  %2001 = fadd double %1992, %2000
-  %2002 = getelementptr i8, ptr @3, i64 %1984
-  %2003 = getelementptr i8, ptr %2002, i64 16
-  %2004 = load double, ptr %2003, align 8, !noalias !5
-  %2005 = shl i64 %239, 4
-  %2006 = getelementptr i8, ptr %240, i64 %2005
-  %2007 = getelementptr double, ptr %2006, i64 %865
-  %2008 = getelementptr double, ptr %2007, i64 %1988
-  %2009 = load double, ptr %2008, align 8, !noalias !5
-  %2010 = fmul double %2004, %2009
-  %2011 = fadd double %2001, %2010
-  %2012 = select i1 %1981, i64 %244, i64 0
-  %2013 = add i64 %861, %2012
-  %2014 = select i1 %1987, i64 %246, i64 0
-  %2015 = mul i64 %2013, %246
-  %2016 = getelementptr double, ptr %247, i64 %2015
-  %2017 = getelementptr double, ptr %2016, i64 %865
-  %2018 = getelementptr double, ptr %2017, i64 %2014
-  store double %2011, ptr %2018, align 8, !noalias !5
-  br label %864
+2476:                                             ; preds = %865
+  %2477 = add nsw i64 %867, -1
+  %2478 = add i64 %866, 1
+  %2479 = icmp slt i64 %862, 0
+  %2480 = add i64 %862, 3
+  %2481 = select i1 %2479, i64 %2480, i64 %862
+  %2482 = mul i64 %2481, 24
+  %2483 = getelementptr i8, ptr @1, i64 %2482
+  %2484 = load double, ptr %2483, align 8, !noalias !5
+  %2485 = icmp slt i64 %866, 0
+  %2486 = select i1 %2485, i64 %239, i64 0
+  %2487 = getelementptr double, ptr %240, i64 %866
+  %2488 = getelementptr double, ptr %2487, i64 %2486
+  %2489 = load double, ptr %2488, align 8, !noalias !5
+  %2490 = fmul double %2484, %2489
+  %2491 = getelementptr i8, ptr @2, i64 %2482
+  %2492 = getelementptr i8, ptr %2491, i64 8
+  %2493 = load double, ptr %2492, align 8, !noalias !5
+  %2494 = getelementptr double, ptr %240, i64 %239
+  %2495 = getelementptr double, ptr %2494, i64 %866
+  %2496 = getelementptr double, ptr %2495, i64 %2486
+  %2497 = load double, ptr %2496, align 8, !noalias !5
+  %2498 = fmul double %2493, %2497
+  %2499 = fadd double %2490, %2498
+  %2500 = getelementptr i8, ptr @3, i64 %2482
+  %2501 = getelementptr i8, ptr %2500, i64 16
+  %2502 = load double, ptr %2501, align 8, !noalias !5
+  %2503 = shl i64 %239, 4
+  %2504 = getelementptr i8, ptr %240, i64 %2503
+  %2505 = getelementptr double, ptr %2504, i64 %866
+  %2506 = getelementptr double, ptr %2505, i64 %2486
+  %2507 = load double, ptr %2506, align 8, !noalias !5
+  %2508 = fmul double %2502, %2507
+  %2509 = fadd double %2499, %2508
+  %2510 = select i1 %2479, i64 %244, i64 0
+  %2511 = add i64 %862, %2510
+  %2512 = select i1 %2485, i64 %246, i64 0
+  %2513 = mul i64 %2511, %246
+  %2514 = getelementptr double, ptr %247, i64 %2513
+  %2515 = getelementptr double, ptr %2514, i64 %866
+  %2516 = getelementptr double, ptr %2515, i64 %2512
+  store double %2509, ptr %2516, align 8, !noalias !5
+  br label %865
 
-2019:                                             ; preds = %1368, %1368
-  %2020 = icmp slt i64 %1372, 0
-  br i1 %2020, label %1374, label %1375
+2517:                                             ; preds = %1866, %1866
+  %2518 = icmp slt i64 %1870, 0
+  br i1 %2518, label %1872, label %1873
 
-2021:                                             ; preds = %1368
-  br label %2151
+2519:                                             ; preds = %1866
+  br label %2649
 
-2022:                                             ; preds = %1376
-  %2023 = add nsw i64 %1378, -1
-  %2024 = add i64 %1377, 1
-  %2025 = icmp slt i64 %1377, 0
-  %2026 = select i1 %2025, i64 %66, i64 0
-  %2027 = getelementptr double, ptr %67, i64 %1377
-  %2028 = getelementptr double, ptr %2027, i64 %2026
-  %2029 = load double, ptr %2028, align 8, !noalias !5
-  %2030 = select i1 %2025, i64 %239, i64 0
-  %2031 = shl i64 %239, 4
-  %2032 = getelementptr i8, ptr %240, i64 %2031
-  %2033 = getelementptr double, ptr %2032, i64 %1377
-  %2034 = getelementptr double, ptr %2033, i64 %2030
-  %2035 = load double, ptr %2034, align 8, !noalias !5
-  %2036 = fadd double %2029, %2035
-  %2037 = select i1 %2025, i64 %71, i64 0
-  %2038 = getelementptr double, ptr %72, i64 %1377
-  %2039 = getelementptr double, ptr %2038, i64 %2037
-  store double %2036, ptr %2039, align 8, !noalias !5
-  br label %1376
+2520:                                             ; preds = %1874
+  %2521 = add nsw i64 %1876, -1
+  %2522 = add i64 %1875, 1
+  %2523 = icmp slt i64 %1875, 0
+  %2524 = select i1 %2523, i64 %66, i64 0
+  %2525 = getelementptr double, ptr %67, i64 %1875
+  %2526 = getelementptr double, ptr %2525, i64 %2524
+  %2527 = load double, ptr %2526, align 8, !noalias !5
+  %2528 = select i1 %2523, i64 %239, i64 0
+  %2529 = shl i64 %239, 4
+  %2530 = getelementptr i8, ptr %240, i64 %2529
+  %2531 = getelementptr double, ptr %2530, i64 %1875
+  %2532 = getelementptr double, ptr %2531, i64 %2528
+  %2533 = load double, ptr %2532, align 8, !noalias !5
+  %2534 = fadd double %2527, %2533
+  %2535 = select i1 %2523, i64 %71, i64 0
+  %2536 = getelementptr double, ptr %72, i64 %1875
+  %2537 = getelementptr double, ptr %2536, i64 %2535
+  store double %2534, ptr %2537, align 8, !noalias !5
+  br label %1874
 
-2040:                                             ; preds = %1499, %1499
-  %2041 = icmp slt i64 %1501, 0
-  br i1 %2041, label %1503, label %1504
+2538:                                             ; preds = %1997, %1997
+  %2539 = icmp slt i64 %1999, 0
+  br i1 %2539, label %2001, label %2002
 
-2042:                                             ; preds = %1499
-  br label %2151
+2540:                                             ; preds = %1997
+  br label %2649
 
-2043:                                             ; preds = %1544
-  %2044 = add nsw i64 %1546, -1
-  %2045 = add i64 %1545, 1
-  %2046 = icmp slt i64 %1545, 0
-  %2047 = select i1 %2046, i64 %239, i64 0
-  %2048 = getelementptr double, ptr %240, i64 %1545
-  %2049 = getelementptr double, ptr %2048, i64 %2047
-  %2050 = load double, ptr %2049, align 8, !noalias !5
-  %2051 = fmul double %2050, 0xC039A12CE7B30915
-  %2052 = getelementptr double, ptr %240, i64 %239
-  %2053 = getelementptr double, ptr %2052, i64 %1545
-  %2054 = getelementptr double, ptr %2053, i64 %2047
-  %2055 = load double, ptr %2054, align 8, !noalias !5
-  %2056 = fmul double %2055, 0x402497AF24BB677E
-  %2057 = fadd double %2051, %2056
-  %2058 = shl i64 %239, 4
-  %2059 = getelementptr i8, ptr %240, i64 %2058
-  %2060 = getelementptr double, ptr %2059, i64 %1545
-  %2061 = getelementptr double, ptr %2060, i64 %2047
-  %2062 = load double, ptr %2061, align 8, !noalias !5
-  %2063 = fmul double %2062, 0xC005555555555555
-  %2064 = fadd double %2057, %2063
-  %2065 = fmul double %2050, 0x402F295C43B61425
-  %2066 = fmul double %2055, 0xC021D406EE60BECF
-  %2067 = fadd double %2065, %2066
-  %2068 = fmul double %2062, 0x400AAAAAAAAAAAAB
-  %2069 = fadd double %2067, %2068
-  %2070 = select i1 %2046, i64 %71, i64 0
-  %2071 = getelementptr double, ptr %72, i64 %1545
-  %2072 = getelementptr double, ptr %2071, i64 %2070
-  %2073 = load double, ptr %2072, align 8, !noalias !5
-  %2074 = select i1 %2046, i64 %66, i64 0
-  %2075 = getelementptr double, ptr %67, i64 %1545
-  %2076 = getelementptr double, ptr %2075, i64 %2074
-  %2077 = load double, ptr %2076, align 8, !noalias !5
-  %2078 = fsub double %2073, %2077
-  %2079 = select i1 %2046, i64 %91, i64 0
-  %2080 = getelementptr double, ptr %92, i64 %1545
-  %2081 = getelementptr double, ptr %2080, i64 %2079
-  store double %2078, ptr %2081, align 8, !noalias !5
-  %2082 = fneg double %2064
-  %2083 = fsub double %2082, %2069
-  %2084 = add nsw i64 %66, %1545
-  %2085 = icmp slt i64 %2084, 0
-  %2086 = select i1 %2085, i64 %91, i64 0
-  %2087 = getelementptr double, ptr %92, i64 %2084
-  %2088 = getelementptr double, ptr %2087, i64 %2086
-  store double %2083, ptr %2088, align 8, !noalias !5
-  %2089 = fneg double %2069
-  %2090 = shl nsw i64 %66, 1
-  %2091 = add nsw i64 %2090, %1545
-  %2092 = icmp slt i64 %2091, 0
-  %2093 = select i1 %2092, i64 %91, i64 0
-  %2094 = getelementptr double, ptr %92, i64 %2091
-  %2095 = getelementptr double, ptr %2094, i64 %2093
-  store double %2089, ptr %2095, align 8, !noalias !5
-  %2096 = load double, ptr %2076, align 8, !noalias !5
-  %2097 = select i1 %2046, i64 %258, i64 0
-  %2098 = getelementptr double, ptr %259, i64 %1545
-  %2099 = getelementptr double, ptr %2098, i64 %2097
-  store double %2096, ptr %2099, align 8, !noalias !5
-  br label %1548
+2541:                                             ; preds = %2042
+  %2542 = add nsw i64 %2044, -1
+  %2543 = add i64 %2043, 1
+  %2544 = icmp slt i64 %2043, 0
+  %2545 = select i1 %2544, i64 %239, i64 0
+  %2546 = getelementptr double, ptr %240, i64 %2043
+  %2547 = getelementptr double, ptr %2546, i64 %2545
+  %2548 = load double, ptr %2547, align 8, !noalias !5
+  %2549 = fmul double %2548, 0xC039A12CE7B30915
+  %2550 = getelementptr double, ptr %240, i64 %239
+  %2551 = getelementptr double, ptr %2550, i64 %2043
+  %2552 = getelementptr double, ptr %2551, i64 %2545
+  %2553 = load double, ptr %2552, align 8, !noalias !5
+  %2554 = fmul double %2553, 0x402497AF24BB677E
+  %2555 = fadd double %2549, %2554
+  %2556 = shl i64 %239, 4
+  %2557 = getelementptr i8, ptr %240, i64 %2556
+  %2558 = getelementptr double, ptr %2557, i64 %2043
+  %2559 = getelementptr double, ptr %2558, i64 %2545
+  %2560 = load double, ptr %2559, align 8, !noalias !5
+  %2561 = fmul double %2560, 0xC005555555555555
+  %2562 = fadd double %2555, %2561
+  %2563 = fmul double %2548, 0x402F295C43B61425
+  %2564 = fmul double %2553, 0xC021D406EE60BECF
+  %2565 = fadd double %2563, %2564
+  %2566 = fmul double %2560, 0x400AAAAAAAAAAAAB
+  %2567 = fadd double %2565, %2566
+  %2568 = select i1 %2544, i64 %71, i64 0
+  %2569 = getelementptr double, ptr %72, i64 %2043
+  %2570 = getelementptr double, ptr %2569, i64 %2568
+  %2571 = load double, ptr %2570, align 8, !noalias !5
+  %2572 = select i1 %2544, i64 %66, i64 0
+  %2573 = getelementptr double, ptr %67, i64 %2043
+  %2574 = getelementptr double, ptr %2573, i64 %2572
+  %2575 = load double, ptr %2574, align 8, !noalias !5
+  %2576 = fsub double %2571, %2575
+  %2577 = select i1 %2544, i64 %91, i64 0
+  %2578 = getelementptr double, ptr %92, i64 %2043
+  %2579 = getelementptr double, ptr %2578, i64 %2577
+  store double %2576, ptr %2579, align 8, !noalias !5
+  %2580 = fneg double %2562
+  %2581 = fsub double %2580, %2567
+  %2582 = add nsw i64 %66, %2043
+  %2583 = icmp slt i64 %2582, 0
+  %2584 = select i1 %2583, i64 %91, i64 0
+  %2585 = getelementptr double, ptr %92, i64 %2582
+  %2586 = getelementptr double, ptr %2585, i64 %2584
+  store double %2581, ptr %2586, align 8, !noalias !5
+  %2587 = fneg double %2567
+  %2588 = shl nsw i64 %66, 1
+  %2589 = add nsw i64 %2588, %2043
+  %2590 = icmp slt i64 %2589, 0
+  %2591 = select i1 %2590, i64 %91, i64 0
+  %2592 = getelementptr double, ptr %92, i64 %2589
+  %2593 = getelementptr double, ptr %2592, i64 %2591
+  store double %2587, ptr %2593, align 8, !noalias !5
+  %2594 = load double, ptr %2574, align 8, !noalias !5
+  %2595 = select i1 %2544, i64 %258, i64 0
+  %2596 = getelementptr double, ptr %259, i64 %2043
+  %2597 = getelementptr double, ptr %2596, i64 %2595
+  store double %2594, ptr %2597, align 8, !noalias !5
+  br label %2046
 
-2100:                                             ; preds = %1548
-  %2101 = add nsw i64 %1550, -1
-  %2102 = add i64 %1549, 1
-  %2103 = mul nsw i64 %1549, %66
-  %2104 = add nsw i64 %2103, %1545
-  %2105 = icmp slt i64 %2104, 0
-  %2106 = select i1 %2105, i64 %91, i64 0
-  %2107 = getelementptr double, ptr %92, i64 %2104
-  %2108 = getelementptr double, ptr %2107, i64 %2106
-  %2109 = load double, ptr %2108, align 8, !noalias !5
-  %2110 = icmp slt i64 %1549, -1
-  %2111 = select i1 %2110, i64 %256, i64 0
-  %2112 = add i64 %2102, %2111
-  %2113 = mul i64 %2112, %258
-  %2114 = getelementptr double, ptr %259, i64 %2113
-  %2115 = getelementptr double, ptr %2114, i64 %1545
-  %2116 = getelementptr double, ptr %2115, i64 %2097
-  store double %2109, ptr %2116, align 8, !noalias !5
-  br label %1548
+2598:                                             ; preds = %2046
+  %2599 = add nsw i64 %2048, -1
+  %2600 = add i64 %2047, 1
+  %2601 = mul nsw i64 %2047, %66
+  %2602 = add nsw i64 %2601, %2043
+  %2603 = icmp slt i64 %2602, 0
+  %2604 = select i1 %2603, i64 %91, i64 0
+  %2605 = getelementptr double, ptr %92, i64 %2602
+  %2606 = getelementptr double, ptr %2605, i64 %2604
+  %2607 = load double, ptr %2606, align 8, !noalias !5
+  %2608 = icmp slt i64 %2047, -1
+  %2609 = select i1 %2608, i64 %256, i64 0
+  %2610 = add i64 %2600, %2609
+  %2611 = mul i64 %2610, %258
+  %2612 = getelementptr double, ptr %259, i64 %2611
+  %2613 = getelementptr double, ptr %2612, i64 %2043
+  %2614 = getelementptr double, ptr %2613, i64 %2595
+  store double %2607, ptr %2614, align 8, !noalias !5
+  br label %2046
 
-2117:                                             ; preds = %1596, %2126
-  %2118 = phi i64 [ 0, %1596 ], [ %2128, %2126 ]
-  %2119 = phi i64 [ %1608, %1596 ], [ %2127, %2126 ]
-  %2120 = icmp sgt i64 %2119, 0
-  br i1 %2120, label %2126, label %2121
+2615:                                             ; preds = %2094, %2624
+  %2616 = phi i64 [ 0, %2094 ], [ %2626, %2624 ]
+  %2617 = phi i64 [ %2106, %2094 ], [ %2625, %2624 ]
+  %2618 = icmp sgt i64 %2617, 0
+  br i1 %2618, label %2624, label %2619
 
-2121:                                             ; preds = %2117
-  %2122 = getelementptr i8, ptr %29, i64 24
-  %2123 = load i64, ptr %2122, align 8, !noalias !108
-  %2124 = getelementptr i8, ptr %32, i64 16
-  %2125 = load i64, ptr %2124, align 8, !noalias !108
-  call fastcc void @pydy_nested(i64 %1607, i64 %64, i64 %89, i64 %66, i64 %2123, i64 %79, i64 %2125) #3, !noalias !108
-  br i1 %1585, label %1609, label %1616
+2619:                                             ; preds = %2615
+  %2620 = getelementptr i8, ptr %29, i64 24
+  %2621 = load i64, ptr %2620, align 8, !noalias !131
+  %2622 = getelementptr i8, ptr %32, i64 16
+  %2623 = load i64, ptr %2622, align 8, !noalias !131
+  call fastcc void @pydy_nested(i64 %2105, i64 %64, i64 %89, i64 %66, i64 %2621, i64 %79, i64 %2623) #3, !noalias !131
+  br i1 %2083, label %2107, label %2114
 
-2126:                                             ; preds = %2117
-  %2127 = add nsw i64 %2119, -1
-  %2128 = add i64 %2118, 1
-  %2129 = icmp slt i64 %2118, 0
-  %2130 = select i1 %2129, i64 %81, i64 0
-  %2131 = getelementptr double, ptr %82, i64 %2118
-  %2132 = getelementptr double, ptr %2131, i64 %2130
-  store double %1604, ptr %2132, align 8, !noalias !108
-  br label %2117
+2624:                                             ; preds = %2615
+  %2625 = add nsw i64 %2617, -1
+  %2626 = add i64 %2616, 1
+  %2627 = icmp slt i64 %2616, 0
+  %2628 = select i1 %2627, i64 %81, i64 0
+  %2629 = getelementptr double, ptr %82, i64 %2616
+  %2630 = getelementptr double, ptr %2629, i64 %2628
+  store double %2102, ptr %2630, align 8, !noalias !131
+  br label %2615
 
-2133:                                             ; preds = %1647
-  %2134 = load i64, ptr %159, align 8, !noalias !5
-  %2135 = icmp eq i64 %2134, 1
-  br i1 %2135, label %1669, label %1674
+2631:                                             ; preds = %2145
+  %2632 = load i64, ptr %159, align 8, !noalias !5
+  %2633 = icmp eq i64 %2632, 1
+  br i1 %2633, label %2167, label %2172
 
-2136:                                             ; preds = %1682
-  store double %1582, ptr %107, align 8, !noalias !5
+2634:                                             ; preds = %2180
+  store double %2080, ptr %107, align 8, !noalias !5
   store double 0.000000e+00, ptr %300, align 8, !noalias !5
   store i64 0, ptr %112, align 8, !noalias !5
-  br label %1697
+  br label %2195
 
-2137:                                             ; preds = %1702
-  %2138 = add nsw i64 %1704, -1
-  %2139 = add i64 %1703, 1
-  %2140 = icmp slt i64 %1703, 0
-  %2141 = select i1 %2140, i64 %71, i64 0
-  %2142 = getelementptr double, ptr %72, i64 %1703
-  %2143 = getelementptr double, ptr %2142, i64 %2141
-  %2144 = load double, ptr %2143, align 8, !noalias !5
-  %2145 = select i1 %2140, i64 %66, i64 0
-  %2146 = getelementptr double, ptr %67, i64 %1703
-  %2147 = getelementptr double, ptr %2146, i64 %2145
-  store double %2144, ptr %2147, align 8, !noalias !5
-  br label %1702
+2635:                                             ; preds = %2200
+  %2636 = add nsw i64 %2202, -1
+  %2637 = add i64 %2201, 1
+  %2638 = icmp slt i64 %2201, 0
+  %2639 = select i1 %2638, i64 %71, i64 0
+  %2640 = getelementptr double, ptr %72, i64 %2201
+  %2641 = getelementptr double, ptr %2640, i64 %2639
+  %2642 = load double, ptr %2641, align 8, !noalias !5
+  %2643 = select i1 %2638, i64 %66, i64 0
+  %2644 = getelementptr double, ptr %67, i64 %2201
+  %2645 = getelementptr double, ptr %2644, i64 %2643
+  store double %2642, ptr %2645, align 8, !noalias !5
+  br label %2200
 
-2148:                                             ; preds = %1720, %1720
-  %2149 = icmp eq i32 %1721, 0
-  br i1 %2149, label %1727, label %1723
+2646:                                             ; preds = %2218, %2218
+  %2647 = icmp eq i32 %2219, 0
+  br i1 %2647, label %2225, label %2221
 
-2150:                                             ; preds = %1720
-  br label %2151
+2648:                                             ; preds = %2218
+  br label %2649
 
-2151:                                             ; preds = %2150, %2042, %2021, %1914, %1867, %1861, %1824, %1804, %1791, %1790, %1723, %1700, %1521, %1503, %1374, %463, %406, %395, %377, %321, %194
-  %2152 = phi i64 [ -4, %1503 ], [ -1, %194 ], [ 2, %1790 ], [ %1699, %1700 ], [ 0, %1791 ], [ %1726, %1723 ], [ 0, %2021 ], [ 0, %1804 ], [ %324, %321 ], [ -4, %1374 ], [ 0, %377 ], [ 0, %1824 ], [ 0, %1861 ], [ 0, %2150 ], [ -1, %395 ], [ 1, %406 ], [ 6, %1521 ], [ 0, %1867 ], [ -4, %463 ], [ 0, %1914 ], [ 0, %2042 ]
-  ret i64 %2152
+2649:                                             ; preds = %2648, %2540, %2519, %2412, %2365, %2359, %2322, %2302, %2289, %2288, %2221, %2198, %2019, %2001, %1872, %463, %406, %395, %377, %321, %194
+  %2650 = phi i64 [ -4, %2001 ], [ -1, %194 ], [ 2, %2288 ], [ %2197, %2198 ], [ 0, %2289 ], [ %2224, %2221 ], [ 0, %2519 ], [ 0, %2302 ], [ %324, %321 ], [ -4, %1872 ], [ 0, %377 ], [ 0, %2322 ], [ 0, %2359 ], [ 0, %2648 ], [ -1, %395 ], [ 1, %406 ], [ 6, %2019 ], [ 0, %2365 ], [ -4, %463 ], [ 0, %2412 ], [ 0, %2540 ]
+  ret i64 %2650
 }
 
 
@@ -3631,50 +4272,73 @@ attributes #4 = { nounwind willreturn }
 !62 = distinct !{!62}
 !63 = distinct !{!63, !62}
 !64 = !{!61, !63, !54, !56}
-!65 = !{!"branch_weights", i32 49, i32 1}
-!66 = !{!67, !69, !54, !56}
-!67 = distinct !{!67, !68}
-!68 = distinct !{!68}
-!69 = distinct !{!69, !68}
-!70 = !{!71, !73}
-!71 = distinct !{!71, !72}
-!72 = distinct !{!72}
-!73 = distinct !{!73, !72}
-!74 = !{!75, !77, !78, !80, !71, !73}
-!75 = distinct !{!75, !76}
-!76 = distinct !{!76}
-!77 = distinct !{!77, !76}
-!78 = distinct !{!78, !79}
-!79 = distinct !{!79}
-!80 = distinct !{!80, !79}
-!81 = !{!78, !80, !71, !73}
-!82 = !{!83, !85, !6, !8}
-!83 = distinct !{!83, !84}
-!84 = distinct !{!84}
-!85 = distinct !{!85, !84}
-!86 = !{!87}
-!87 = distinct !{!87, !88}
-!88 = distinct !{!88}
-!89 = !{!90}
+!65 = !{!66, !54, !56}
+!66 = distinct !{!66, !67}
+!67 = distinct !{!67}
+!68 = !{!"branch_weights", i32 49, i32 1}
+!69 = !{!70, !72, !54, !56}
+!70 = distinct !{!70, !71}
+!71 = distinct !{!71}
+!72 = distinct !{!72, !71}
+!73 = !{!74, !76, !78, !70, !72, !54, !56}
+!74 = distinct !{!74, !75}
+!75 = distinct !{!75}
+!76 = distinct !{!76, !77}
+!77 = distinct !{!77}
+!78 = distinct !{!78, !77}
+!79 = !{!80, !82, !84, !70, !72, !54, !56}
+!80 = distinct !{!80, !81}
+!81 = distinct !{!81}
+!82 = distinct !{!82, !83}
+!83 = distinct !{!83}
+!84 = distinct !{!84, !83}
+!85 = !{!86, !88, !54, !56}
+!86 = distinct !{!86, !87}
+!87 = distinct !{!87}
+!88 = distinct !{!88, !87}
+!89 = !{!90, !92, !54, !56}
 !90 = distinct !{!90, !91}
 !91 = distinct !{!91}
-!92 = !{!93, !95, !96, !98}
-!93 = distinct !{!93, !94}
-!94 = distinct !{!94}
-!95 = distinct !{!95, !94}
-!96 = distinct !{!96, !97}
-!97 = distinct !{!97}
-!98 = distinct !{!98, !97}
-!99 = !{!96, !98}
-!100 = !{!101, !103, !104, !106}
+!92 = distinct !{!92, !91}
+!93 = !{!94, !96}
+!94 = distinct !{!94, !95}
+!95 = distinct !{!95}
+!96 = distinct !{!96, !95}
+!97 = !{!98, !100, !101, !103, !94, !96}
+!98 = distinct !{!98, !99}
+!99 = distinct !{!99}
+!100 = distinct !{!100, !99}
 !101 = distinct !{!101, !102}
 !102 = distinct !{!102}
 !103 = distinct !{!103, !102}
-!104 = distinct !{!104, !105}
-!105 = distinct !{!105}
-!106 = distinct !{!106, !105}
-!107 = !{!104, !106}
-!108 = !{!109, !111, !6, !8}
-!109 = distinct !{!109, !110}
-!110 = distinct !{!110}
-!111 = distinct !{!111, !110}
+!104 = !{!101, !103, !94, !96}
+!105 = !{!106, !108, !6, !8}
+!106 = distinct !{!106, !107}
+!107 = distinct !{!107}
+!108 = distinct !{!108, !107}
+!109 = !{!110}
+!110 = distinct !{!110, !111}
+!111 = distinct !{!111}
+!112 = !{!113}
+!113 = distinct !{!113, !114}
+!114 = distinct !{!114}
+!115 = !{!116, !118, !119, !121}
+!116 = distinct !{!116, !117}
+!117 = distinct !{!117}
+!118 = distinct !{!118, !117}
+!119 = distinct !{!119, !120}
+!120 = distinct !{!120}
+!121 = distinct !{!121, !120}
+!122 = !{!119, !121}
+!123 = !{!124, !126, !127, !129}
+!124 = distinct !{!124, !125}
+!125 = distinct !{!125}
+!126 = distinct !{!126, !125}
+!127 = distinct !{!127, !128}
+!128 = distinct !{!128}
+!129 = distinct !{!129, !128}
+!130 = !{!127, !129}
+!131 = !{!132, !134, !6, !8}
+!132 = distinct !{!132, !133}
+!133 = distinct !{!133}
+!134 = distinct !{!134, !133}

@@ -1,4 +1,4 @@
-; sources 55fa019d1d4aecde1f5689ccd04c4714eee39bf3c90d40d0d1f56e44fd865e42
+; sources 292f2b8b635375e97aa98815c95024c60a91253f8c0c5c8a5d62607b706ab232
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, i64 %7, ptr %8, i64 %9, i64 %10, ptr %11, i64 %12, ptr %13, i64 %14, i64 %15) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources 826b25bd360c56393a0c437320bfeb2cd3f27f3a984b2c4def631d1020bcbb56
+; sources afd08335969754260b88c87c7aa8696b1c816a89b8384d980e240132cdf061c4
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

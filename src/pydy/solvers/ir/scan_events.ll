@@ -1,4 +1,4 @@
-; sources 9ab05b3fe3d25d2d8a28267a0ddf1b2a05c29ee0dea0c7a3975b116a1e778846
+; sources 81219aff5e6ad4810df891ab3affafde83169d6bdd7193f606946bbaa58ac0dd
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources 1e614fe12e24a0555fffa07400bf3c60bc94548f86f12052c1a3f7cff5fa5f65
+; sources 12dea160d9ac03273aa0c17c72d011aef82765d8a68e12888b391ee3f6d768c4
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0

@@ -15,7 +15,7 @@ from pydy.solvers.loop.compiled import entry, inlined
 from pydy.solvers.loop.entrance import opened, opened_newton
 from pydy.solvers.loop.finishing import finish_step, write_reached
 from pydy.solvers.loop.intrinsics import address_of, call_part
-from pydy.solvers.loop.newton import factorise, norm, set_jacobian, solve
+from pydy.solvers.loop.newton import factorise, norm, set_jacobian, solve, solve_columns
 from pydy.solvers.loop.rates import rates
 from pydy.solvers.outcome import (
     CONSTRAINTS_NOT_MET,
@@ -30,6 +30,7 @@ from pydy.solvers.run.layout import (
     ACTIVE,
     BUDGET,
     CALLBACK,
+    COUNTED,
     EVALUATIONS,
     EVENTS,
     FACTORED,
@@ -60,6 +61,7 @@ from pydy.solvers.tableaus.radau import COMPLEX, ERROR, INTERPOLANT, NODES, REAL
 __all__ = ["advance_implicit"]
 
 _ITERATIONS = 6
+_FURTHER = 4  # for sensitivities, whose equations follow the state's iterates
 _EPS = 2.0**-52
 _NODES, _ERROR = np.array(NODES), np.array(ERROR)
 _T, _TI, _P = np.array(T), np.array(TI), np.array(INTERPOLANT)
@@ -101,14 +103,38 @@ def _predict(memory, newton, n, h, last_size):
             newton.waves[k, i] = _TI[k, 0] * z[0, i] + _TI[k, 1] * z[1, i] + _TI[k, 2] * z[2, i]
 
 
+@inlined(reassociate=True)
+def _columns_moved(memory, newton):
+    """Return the largest change of a column of sensitivities, relative to it, squared."""
+    n, width = newton.real_order.size, newton.words[COUNTED]
+    real, pair, w = newton.real_change, newton.pair_change, newton.waves
+    worst = 0.0
+    for column in range(width):
+        moved = size = 0.0
+        for i in range(n):
+            k = n + i * width + column
+            moved += real[k] * real[k] + abs(pair[k]) * abs(pair[k])
+            size += memory.x[k] * memory.x[k]
+            size += w[0, k] * w[0, k] + w[1, k] * w[1, k] + w[2, k] * w[2, k]
+        if moved > worst * size:
+            worst = moved / size if size > 0.0 else 1.0
+    return worst
+
+
 @inlined
-def _solve_stages(problem, memory, run, newton, t, h, tolerance):
-    """Iterate to the stages: (code, converged, iterations, rate of convergence)."""
-    n = problem.words[STATES]
+def _solve_stages(problem, memory, run, newton, t, h, tolerance, least):
+    """Iterate to the stages: (code, converged, iterations, rate of convergence).
+
+    Columns of sensitivities are solved for with the factors of the state. Where they need further
+    iterations, to relative changes of `least`, these do not count.
+    """
+    n, width = problem.words[STATES], newton.words[COUNTED]
     z, w, f = newton.stages, newton.waves, newton.slopes
     real, pair = newton.real_change, newton.pair_change
-    before, rate = -1.0, 0.0
-    for iteration in range(_ITERATIONS):
+    before, rate, settled = -1.0, 0.0, 0
+    for iteration in range(_ITERATIONS + (_FURTHER if width > 0 else 0)):
+        if iteration >= _ITERATIONS and settled == 0:
+            break
         for k in range(3):
             for i in range(n):
                 memory.trial[i] = memory.x[i] + z[k, i]
@@ -132,13 +158,16 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance):
             pair[i] = complex(left, right) - _pair_over(h) * complex(w[1, i], w[2, i])
         solve(newton.real, newton.real_order, real)
         solve(newton.pair, newton.pair_order, pair)
+        if width > 0:
+            solve_columns(newton.real, newton.real_order, real, width)
+            solve_columns(newton.pair, newton.pair_order, pair, width)
         total = 0.0
         for i in range(n):
             scale = memory.atol[i] + memory.rtol[i] * abs(memory.x[i])
             a, b, c = real[i] / scale, pair[i].real / scale, pair[i].imag / scale
             total += a * a + b * b + c * c
         change = math.sqrt(total / (3 * n))
-        if before > 0.0:
+        if before > 0.0 and settled == 0:
             rate = change / before
             left_over = rate ** (_ITERATIONS - 1 - iteration) / (1.0 - rate) * change
             if rate >= 1.0 or left_over > tolerance:
@@ -149,10 +178,14 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance):
             w[2, i] += pair[i].imag
             for k in range(3):
                 z[k, i] = _T[k, 0] * w[0, i] + _T[k, 1] * w[1, i] + _T[k, 2] * w[2, i]
-        if change == 0.0 or (before > 0.0 and rate / (1.0 - rate) * change < tolerance):
-            return 0, True, iteration + 1, rate
+        if settled == 0 and (
+            change == 0.0 or (before > 0.0 and rate / (1.0 - rate) * change < tolerance)
+        ):
+            settled = iteration + 1
+        if settled > 0 and (width == 0 or _columns_moved(memory, newton) <= least * least):
+            break
         before = change
-    return 0, False, _ITERATIONS, rate
+    return 0, settled > 0, settled if settled > 0 else _ITERATIONS, rate
 
 
 @inlined
@@ -263,14 +296,14 @@ def advance_implicit(table, states, fresh):
             words[WANTED], words[FRESH], words[FACTORISED] = 0, 1, 0
         if words[FACTORISED] == 0 or size != sizes[FACTORED]:
             count[FACTORISATIONS] += 1
-            if not _factorise_pair(newton, n, size):
+            if not _factorise_pair(newton, newton.real_order.size, size):
                 count[FAILURE], count[REJECTED], h = NOT_FINITE, count[REJECTED] + 1, 0.5 * size
                 words[WANTED], words[FACTORISED] = 1 - words[FRESH], 0
                 continue
             words[FACTORISED], sizes[FACTORED] = 1, size
         _predict(memory, newton, n, size, sizes[PREDICTING])
         code, converged, iterations, rate = _solve_stages(
-            problem, memory, run, newton, t, size, tolerance
+            problem, memory, run, newton, t, size, tolerance, tolerance * loosest
         )
         if code < 0:
             return CALLBACK

@@ -13,7 +13,7 @@ from pydy.solvers.loop.intrinsics import address_of, call_kernel
 from pydy.solvers.loop.rates import rates, set_inputs
 from pydy.solvers.run.layout import EVALUATIONS, GRADIENT, JACOBIANS, STATES
 
-__all__ = ["factorise", "norm", "set_jacobian", "solve"]
+__all__ = ["factorise", "norm", "set_jacobian", "solve", "solve_columns"]
 
 
 @inlined(pasted=True)
@@ -113,6 +113,32 @@ def solve(matrix, order, right):
         for j in range(i + 1, n):
             value -= matrix[i, j] * right[j]
         right[i] = _quotient(value, matrix[i, i])
+
+
+@inlined
+def solve_columns(matrix, order, right, width):
+    """Solve in place for the rows of some columns, which follow a first right-hand side."""
+    n = matrix.shape[0]
+    for k in range(n):
+        pivot = order[k]
+        if pivot != k:
+            a, b = n + k * width, n + pivot * width
+            for c in range(width):
+                right[a + c], right[b + c] = right[b + c], right[a + c]
+    for i in range(n):
+        for j in range(i):
+            factor, a, b = matrix[i, j], n + i * width, n + j * width
+            for c in range(width):
+                right[a + c] -= factor * right[b + c]
+    for i in range(n - 1, -1, -1):
+        a = n + i * width
+        for j in range(i + 1, n):
+            factor, b = matrix[i, j], n + j * width
+            for c in range(width):
+                right[a + c] -= factor * right[b + c]
+        inverse = _quotient(1.0, matrix[i, i])
+        for c in range(width):
+            right[a + c] *= inverse
 
 
 @inlined(reassociate=True)

@@ -62,8 +62,8 @@ OF_STATE, DIRECTIONS, COUNT = range(3)
 WATCHER, EVENTS, SCAN = range(3)
 # Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
 # is wanted, the one there is that of the present state, the factors there are its own, and no step
-# has been accepted since the last rejected one.
-GRADIENT, WANTED, FRESH, FACTORISED, FIRST = range(5)
+# has been accepted since the last rejected one; and the number of columns of sensitivities.
+GRADIENT, WANTED, FRESH, FACTORISED, FIRST, COUNTED = range(6)
 # Newton.sizes: the step sizes of the factors and of the polynomial that predicts the next stages.
 FACTORED, PREDICTING = range(2)
 
@@ -191,12 +191,12 @@ class Newton(NamedTuple):
     words: Words
     sizes: Numbers
     c: Numbers
-    jacobian: Numbers  # (n, n), row after row
+    jacobian: Numbers  # (n, n), row after row, of the states without their sensitivities
     real: NumberRows  # (n, n)
     pair: PairRows  # (n, n)
     real_order: Words
     pair_order: Words
-    stages: NumberRows  # (3, n): z, the stages less the state
+    stages: NumberRows  # (3, n), here and below with sensitivities: z, the stages less the state
     waves: NumberRows  # (3, n): w, the same transformed
     slopes: NumberRows  # (3, n)
     last: NumberRows  # (4, n): state and interpolant of the step before

@@ -266,19 +266,21 @@ class Workspace:
         return watch_arrays((place, scan), c, wanted.directions, acting, self.n, rows)
 
     def _reserve_newton(self) -> list[int]:
-        n, call = self.n, self.call
-        words, c = np.zeros(5, dtype=np.int64), np.zeros(1)
+        n, call, beside = self.n, self.call, self.options.sensitivities
+        own, words, c = n, np.zeros(6, dtype=np.int64), np.zeros(1)
+        if beside is not None:
+            own, words[at.COUNTED] = beside.states, beside.columns
         if call is not None and call.jacobian is not None:
-            words[0], c = self._bind_kernel(call.jacobian())
+            words[at.GRADIENT], c = self._bind_kernel(call.jacobian())
         self._newton = Newton(
             words=words,
             sizes=np.zeros(2),
             c=c,
-            jacobian=np.zeros(n * n),
-            real=np.zeros((n, n)),
-            pair=np.zeros((n, n), dtype=complex),
-            real_order=np.zeros(n, dtype=np.int64),
-            pair_order=np.zeros(n, dtype=np.int64),
+            jacobian=np.zeros(own * own),
+            real=np.zeros((own, own)),
+            pair=np.zeros((own, own), dtype=complex),
+            real_order=np.zeros(own, dtype=np.int64),
+            pair_order=np.zeros(own, dtype=np.int64),
             stages=np.zeros((3, n)),
             waves=np.zeros((3, n)),
             slopes=np.zeros((3, n)),
