@@ -58,8 +58,8 @@ from pydy._system.sensitivities import Wanted
 from pydy._system.solving import HANDLED, prepare
 from pydy._system.start import check_start
 from pydy._system.summary import as_html, as_text, facts
-from pydy._system.sweeps import eigenvalues
-from pydy.analysis import EigenvalueSweep, Equilibrium, LinearModel
+from pydy._system.sweeps import eigenvalues, follow_equilibria
+from pydy.analysis import EigenvalueSweep, Equilibrium, EquilibriumBranch, LinearModel
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.ode_function_generators import make_function
 from pydy.codegen.right_hand_side import RightHandSide, make_backend, rates_function
@@ -1405,6 +1405,52 @@ class System:
             at, _, single = samples(at, t, self._x0, self._times, len(places))
             at = at[0] if single else at
         return eigenvalues(self._numbers_now(), over, at, unknowns, given, moving)
+
+    def follow_equilibria(
+        self,
+        over: dict[Any, Any],
+        unknowns: Iterable[Any] | None = None,
+        given: dict[Any, float] | None = None,
+        *,
+        moving: Iterable[Any] = (),
+        step: float = 0.02,
+        most: int = 500,
+    ) -> EquilibriumBranch:
+        """Follow equilibria along a parameter, around folds, and notice bifurcations.
+
+        Parameters
+        ----------
+        over : dict
+            One state, constant or specified, and where to begin and where to end: a list of the
+            first and the last value. An equilibrium is found at the first.
+        unknowns, given, moving
+            As in `find_equilibrium`.
+        step : float, optional
+            The longest step along the branch, as a share of the parameter's range.
+        most : int, optional
+            The most points.
+
+        Returns
+        -------
+        EquilibriumBranch
+            It ends where the parameter leaves its range, or the branch comes back to its beginning.
+
+        Raises
+        ------
+        EquilibriumError
+            There is none at the first value.
+        ValueError
+            A name is none of the system's.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> print(system.follow_equilibria({'c0': [1.0, -1.0]}, step=0.5))
+        7 equilibria, c0 from 1 to -1: Hopf at 0
+        """
+        numbers = self._numbers_now()
+        return follow_equilibria(numbers, over, unknowns, given, moving, step, most)
 
     def _numbers_now(self) -> Numbers:
         t = float(self._times[0]) if len(self._times) else 0.0

@@ -8,15 +8,16 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._checks import check_mapping, real_array
+from pydy._checks import check_mapping, number, real_array, whole
 from pydy._errors import EquilibriumError
 from pydy._names import unique_names
 from pydy._system.analysis import Point
 from pydy._system.balance import Balance, Numbers, located
+from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_equilibrium, solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of
 
-__all__ = ["Family", "eigenvalues", "parameter_of"]
+__all__ = ["Family", "eigenvalues", "follow_equilibria", "parameter_of"]
 
 
 def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
@@ -58,7 +59,7 @@ class Family:
     def equilibria(self, values: np.ndarray) -> np.ndarray:
         """Return the unknowns and the parameter in the last column, for each value."""
         balance = self.balance
-        z = self._alone(np.append(balance.start[:-1], values[0]))
+        z = self.alone(np.append(balance.start[:-1], values[0]))
         guess = np.repeat(z[None], len(values), axis=0)
         guess[:, -1] = values
         if guess.shape[1] == 1:
@@ -68,7 +69,7 @@ class Family:
         # neighbour.
         for k in range(1, len(values)):
             if not (sound[k] and self._near(found[k - 1], found[k])):
-                found[k] = self._alone(np.append(found[k - 1, :-1], values[k]))
+                found[k] = self.alone(np.append(found[k - 1, :-1], values[k]))
         return found
 
     def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
@@ -81,7 +82,7 @@ class Family:
         expected = -np.linalg.pinv(slopes[:, :-1], rcond=1e-9) @ slopes[:, -1] * step[-1]
         return float(np.linalg.norm(step[:-1] - expected)) <= 0.5 * moved
 
-    def _alone(self, z: np.ndarray) -> np.ndarray:
+    def alone(self, z: np.ndarray) -> np.ndarray:
         """Return the equilibrium at the parameter's value in `z`, found from there."""
         balance, value = self.balance, z[-1]
         if len(z) == 1:
@@ -123,7 +124,7 @@ class Family:
     def models(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the state matrices at the equilibria near some states."""
         z = self.unknowns_at(values, states)
-        return self.matrices(np.array([self._alone(row) for row in z]))[0]
+        return self.matrices(np.array([self.alone(row) for row in z]))[0]
 
     def at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the state matrices at states as they are, but for the parameter."""
@@ -136,6 +137,58 @@ class Family:
         z[:, by_state] = states[:, places]
         z[:, -1] = values
         return z
+
+
+def follow_equilibria(
+    numbers: Numbers,
+    over: Any,
+    unknowns: Iterable[Any] | None,
+    given: Mapping[Any, Any] | None,
+    moving: Iterable[Any],
+    step: float,
+    most: int,
+) -> EquilibriumBranch:
+    """Return what `System.follow_equilibria` describes."""
+    definition = numbers.definition
+    parameter, values = parameter_of(definition, over)
+    longest = number(step, "`step`", finite=True)
+    if not longest > 0.0:
+        raise ValueError(f"`step` must be positive, got {longest!r}.")
+    family = Family(numbers, parameter, unknowns, given, moving)
+    balance = family.balance
+    if len(family.names) < 2:
+        raise ValueError("`unknowns` must name at least one state, constant or specified.")
+    start = family.alone(np.append(balance.start[:-1], values[0]))
+    active = spectra_of(family.matrices(start[None])[0])[1]
+
+    def spectrum(z: np.ndarray) -> np.ndarray:
+        A = family.matrices(z[None])[0][0]
+        found: np.ndarray = np.linalg.eigvals(A[np.ix_(active, active)]).astype(complex)
+        return found
+
+    points, spectra, special, ended = trace(
+        lambda z: balance.residuals(z[None])[0],
+        lambda z: balance.slopes(z[None])[0],
+        spectrum,
+        start,
+        (float(values.min()), float(values.max())),
+        bool(values[-1] > values[0]),
+        longest,
+        whole(most, "`most`", 2),
+        family.names,
+    )
+    z = np.array(points)
+    limit = 1e-7 * max(1.0, max(float(np.abs(s).max(initial=0.0)) for s in spectra))
+    return EquilibriumBranch(
+        parameter=family.names[-1],
+        values=z[:, -1].copy(),
+        unknowns=family.names[:-1],
+        solutions=z[:, :-1].copy(),
+        states=balance.inputs(z)[1],
+        stable=np.array([s.real.max(initial=-np.inf) <= limit for s in spectra]),
+        special=tuple(special),
+        ended=ended,
+    )
 
 
 def eigenvalues(

@@ -5,8 +5,16 @@
 
 from __future__ import annotations
 
+from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel
 from pydy.analysis.sweeps import Crossing, EigenvalueSweep
 
-__all__ = ["Crossing", "EigenvalueSweep", "Equilibrium", "LinearModel"]
+__all__ = [
+    "Crossing",
+    "EigenvalueSweep",
+    "Equilibrium",
+    "EquilibriumBranch",
+    "LinearModel",
+    "SpecialPoint",
+]

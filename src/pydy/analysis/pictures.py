@@ -9,7 +9,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._optional import require
 
-__all__ = ["axes_of", "plot_bode", "plot_eigenvalues", "plot_root_locus"]
+__all__ = ["axes_of", "plot_bode", "plot_branch", "plot_eigenvalues", "plot_root_locus"]
 
 
 def axes_of(ax: Any) -> Any:
@@ -54,6 +54,32 @@ def plot_root_locus(
     ax.set_xlabel("real part (1/s)")
     ax.set_ylabel("imaginary part (1/s)")
     ax.figure.colorbar(points, ax=ax, label=_titled(parameter, unit))
+    return ax
+
+
+def plot_branch(
+    values: np.ndarray,
+    solution: np.ndarray,
+    stable: np.ndarray,
+    parameter: str,
+    name: str,
+    special: list[tuple[float, float, str]],
+    ax: Any,
+) -> Any:
+    """Draw an unknown over a parameter, dashed where unstable, with its special points."""
+    ax = axes_of(ax)
+    start = 0
+    for k in range(1, len(values) + 1):
+        if k == len(values) or stable[k] != stable[start]:
+            run = slice(start, min(k + 1, len(values)))
+            style = "-" if stable[start] else "--"
+            ax.plot(values[run], solution[run], color="C0", linestyle=style)
+            start = k
+    for x, y, kind in special:
+        ax.plot(x, y, "o", color="C3", markersize=4)
+        ax.annotate(kind, (x, y), textcoords="offset points", xytext=(4, 4), fontsize="small")
+    ax.set_xlabel(parameter)
+    ax.set_ylabel(name)
     return ax
 
 

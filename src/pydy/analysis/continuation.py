@@ -1,0 +1,320 @@
+"""Branches of equilibria along a parameter, around folds, by pseudo-arclength continuation.
+
+The unknowns z, parameter included, are followed along F(z) = 0: a step along the tangent, and
+Newton's method in the plane normal to it (H. B. Keller, "Numerical solution of bifurcation and
+nonlinear eigenvalue problems", 1977). The parameter may turn back at a fold. At a branch point the
+determinant of F' with the tangent below it changes its sign (Allgower & Georg, Introduction to
+Numerical Continuation Methods, §8.1); at a Hopf point a conjugate pair of eigenvalues crosses the
+imaginary axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._optional import require
+from pydy.analysis.pictures import plot_branch
+
+__all__ = ["EquilibriumBranch", "SpecialPoint", "trace"]
+
+Function = Callable[[np.ndarray], np.ndarray]
+
+_RANK = 1e-9
+_TOLERANCE = 1e-11
+_ITERATIONS = 8
+
+
+@dataclass(frozen=True)
+class SpecialPoint:
+    """A fold, a branch point or a Hopf point on a branch of equilibria.
+
+    Attributes
+    ----------
+    kind : {'fold', 'branch point', 'Hopf'}
+        Where the parameter turns back, where another branch crosses, where an oscillation begins.
+    value : float
+        Of the parameter.
+    values : dict
+        The unknowns, by name.
+    frequency : float
+        Of the oscillation in rad/s; 0 for others.
+    place : int
+        It lies between points `place` and `place` + 1 of the branch.
+    """
+
+    kind: str
+    value: float
+    values: dict[str, float]
+    frequency: float
+    place: int
+
+
+@dataclass(frozen=True, eq=False)
+class EquilibriumBranch:
+    """Equilibria along a parameter.
+
+    Attributes
+    ----------
+    parameter : str
+    values : ndarray, shape (m,)
+        Of the parameter; they turn back at folds.
+    unknowns : tuple of str
+    solutions : ndarray, shape (m, k)
+        The unknowns.
+    states : ndarray, shape (m, n)
+        All states.
+    stable : ndarray of bool, shape (m,)
+        Whether no eigenvalue of the linear model has a positive real part.
+    special : tuple of SpecialPoint
+        In the order in which they were met.
+    ended : str
+        Why the branch ends: ``'bounds'``, ``'steps'``, ``'closed'`` or ``'lost'``.
+    """
+
+    parameter: str
+    values: np.ndarray
+    unknowns: tuple[str, ...]
+    solutions: np.ndarray
+    states: np.ndarray
+    stable: np.ndarray
+    special: tuple[SpecialPoint, ...]
+    ended: str
+
+    def __str__(self) -> str:
+        found = ", ".join(f"{p.kind} at {p.value:.6g}" for p in self.special) or "nothing special"
+        return (
+            f"{len(self.values)} equilibria, {self.parameter} from {self.values[0]:.6g} to "
+            f"{self.values[-1]:.6g}: {found}"
+        )
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """Return an unknown along the branch."""
+        if name not in self.unknowns:
+            raise KeyError(f"The unknowns are {', '.join(self.unknowns)}; {name!r} is none.")
+        column: np.ndarray = self.solutions[:, self.unknowns.index(name)]
+        return column
+
+    def to_xarray(self) -> Any:
+        """Return an `xarray.Dataset` with the parameter and all unknowns by `point`."""
+        xarray = require("xarray", "ensemble", "to_xarray()")
+        columns = {self.parameter: self.values, "stable": self.stable}
+        columns |= {name: self[name] for name in self.unknowns}
+        return xarray.Dataset({name: (("point",), column) for name, column in columns.items()})
+
+    def plot(self, name: str, ax: Any = None) -> Any:
+        """Plot an unknown over the parameter, dashed where unstable; return the Axes."""
+        special = [(p.value, p.values[name], p.kind) for p in self.special]
+        return plot_branch(self.values, self[name], self.stable, self.parameter, name, special, ax)
+
+
+@dataclass(frozen=True, eq=False)
+class _Point:
+    z: np.ndarray
+    tangent: np.ndarray
+    sign: float  # of the determinant
+    spectrum: np.ndarray
+
+    def unstable_pairs(self, limit: float) -> int:
+        """The number of conjugate pairs with a positive real part."""
+        moving = self.spectrum.imag > limit
+        return int((self.spectrum.real[moving] > limit).sum())
+
+
+class _Curve:
+    """F(z) = 0 with the unknowns scaled, and what is free held."""
+
+    def __init__(self, F: Function, J: Function, spectrum: Function, z: np.ndarray, span: float):
+        self.F, self.J, self.spectrum = F, J, spectrum
+        self.scale = np.append(np.maximum(np.abs(z[:-1]), 1.0), span)
+        slopes = J(z)[:, :-1] * self.scale[:-1]
+        _, singular, right = np.linalg.svd(slopes)
+        rank = int((singular > _RANK * singular.max(initial=1e-300)).sum())
+        free = right[rank:]
+        # A direction that the parameter alone moves along, such as at a fold, is not held.
+        self.held = free if len(free) <= max(0, len(z) - 1 - rank) else free[:0]
+        self.origin = z
+        left = np.linalg.svd(self._whole(z), full_matrices=False)[0]
+        self.rows = left[:, : len(z) - 1].T
+
+    def _whole(self, z: np.ndarray) -> np.ndarray:
+        scaled = self.J(z) * self.scale
+        held = np.hstack([self.held, np.zeros((len(self.held), 1))])
+        return np.vstack([scaled, held])
+
+    def residual(self, z: np.ndarray) -> np.ndarray:
+        moved = ((z - self.origin) / self.scale)[:-1]
+        return np.concatenate([self.F(z), self.held @ moved])
+
+    def corrected(self, z: np.ndarray, tangent: np.ndarray) -> tuple[np.ndarray, int] | None:
+        """Return the point of the curve in the plane through `z` normal to the tangent."""
+        anchor = z
+        for count in range(_ITERATIONS):
+            slopes = np.vstack([self._whole(z), tangent])
+            values = np.append(self.residual(z), tangent @ ((z - anchor) / self.scale))
+            if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
+                return None
+            step = np.linalg.lstsq(slopes, values, rcond=None)[0]
+            z = z - self.scale * step
+            if np.abs(step).max() <= _TOLERANCE:
+                return z, count
+        return None
+
+    def point(self, z: np.ndarray, before: np.ndarray) -> _Point:
+        whole = self._whole(z)
+        square = self.rows @ whole
+        tangent = np.linalg.svd(square)[2][-1]
+        tangent = tangent if tangent @ before >= 0.0 else -tangent
+        sign = float(np.linalg.slogdet(np.vstack([square, tangent]))[0])
+        return _Point(z, tangent, sign, self.spectrum(z))
+
+
+def trace(
+    F: Function,
+    J: Function,
+    spectrum: Function,
+    start: np.ndarray,
+    bounds: tuple[float, float],
+    forward: bool,
+    step: float,
+    most: int,
+    names: tuple[str, ...],
+) -> tuple[list[np.ndarray], list[np.ndarray], list[SpecialPoint], str]:
+    """Follow F(z) = 0 from a solution.
+
+    Parameters
+    ----------
+    F, J : callable
+        Of z (k,), the parameter last: shapes (r,) and (r, k).
+    spectrum : callable
+        Eigenvalues at z.
+    start : ndarray, shape (k,)
+    bounds : (float, float)
+        Of the parameter.
+    forward : bool
+        Whether it ascends at first.
+    step : float
+        The longest step, as a share of the bounds' distance.
+    most : int
+        The most points.
+    names : tuple of str
+        Of z.
+
+    Returns
+    -------
+    points, spectra : list of ndarray
+    special : list of SpecialPoint
+    ended : str
+    """
+    low, high = bounds
+    curve = _Curve(F, J, spectrum, start, high - low)
+    towards = np.zeros(len(start))
+    towards[-1] = 1.0 if forward else -1.0
+    point = curve.point(start, towards)
+    if point.tangent[-1] * towards[-1] < 0.0:
+        raise AssertionError("the tangent points the other way")
+    limit = 1e-7 * max(1.0, float(np.abs(point.spectrum).max(initial=0.0)))
+    points, special = [point], []
+    length, ended = step / 4.0, "steps"
+    while len(points) < most:
+        point = points[-1]
+        found = curve.corrected(point.z + length * curve.scale * point.tangent, point.tangent)
+        near = (
+            found is not None and np.linalg.norm((found[0] - point.z) / curve.scale) <= 1.5 * length
+        )
+        if found is None or not near:
+            length *= 0.5
+            if length < 1e-8:
+                ended = "lost"
+                break
+            continue
+        z, count = found
+        new = curve.point(z, point.tangent)
+        if new.tangent @ point.tangent < 0.8 and length > 1e-4:
+            length *= 0.5
+            continue
+        special += _between(curve, point, new, length, limit, names, len(points) - 1)
+        outside = not low <= z[-1] <= high
+        if outside:
+            edge = low if z[-1] < low else high
+            last = _at(curve, point.z, z, edge)
+            if last is not None:
+                points.append(curve.point(last, point.tangent))
+            special = [p for p in special if low <= p.value <= high]
+            ended = "bounds"
+            break
+        points.append(new)
+        if len(points) > 10 and np.linalg.norm((z - points[0].z) / curve.scale) < 0.5 * length:
+            ended = "closed"
+            break
+        length = min(step, length * (1.5 if count <= 4 else 0.8))
+    return [p.z for p in points], [p.spectrum for p in points], special, ended
+
+
+def _at(curve: _Curve, a: np.ndarray, b: np.ndarray, edge: float) -> np.ndarray | None:
+    """Return the point of the curve with the parameter at the edge, between a and b."""
+    share = (edge - a[-1]) / (b[-1] - a[-1])
+    normal = np.zeros(len(a))
+    normal[-1] = 1.0
+    found = curve.corrected(a + share * (b - a), normal)
+    return None if found is None else found[0]
+
+
+def _between(
+    curve: _Curve,
+    a: _Point,
+    b: _Point,
+    length: float,
+    limit: float,
+    names: tuple[str, ...],
+    place: int,
+) -> list[SpecialPoint]:
+    """Return what is special between two points."""
+    found = []
+    if a.tangent[-1] * b.tangent[-1] < 0.0:
+        found.append(("fold", _bisected(curve, a, length, lambda p: p.tangent[-1])))
+    if a.sign * b.sign < 0.0:
+        found.append(("branch point", _bisected(curve, a, length, lambda p: p.sign)))
+    before, after = a.unstable_pairs(limit), b.unstable_pairs(limit)
+    if before != after:
+        level = min(before, after) + 0.5
+
+        def above(p: _Point) -> float:
+            return p.unstable_pairs(0.0) - level
+
+        found.append(("Hopf", _bisected(curve, a, length, above)))
+    result = []
+    for kind, point in found:
+        frequency = 0.0
+        if kind == "Hopf":
+            pairs = point.spectrum[point.spectrum.imag > limit]
+            if not pairs.size:
+                continue  # the pair became real
+            frequency = float(pairs[np.abs(pairs.real).argmin()].imag)
+        values = dict(zip(names[:-1], point.z[:-1].tolist(), strict=True))
+        result.append(SpecialPoint(kind, float(point.z[-1]), values, frequency, place))
+    return result
+
+
+def _bisected(
+    curve: _Curve, a: _Point, length: float, function: Callable[[_Point], float]
+) -> _Point:
+    """Return the point between `a` and the step's end at which a function changes its sign."""
+    low, high, first = 0.0, length, function(a)
+    best = a
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        found = curve.corrected(a.z + middle * curve.scale * a.tangent, a.tangent)
+        if found is None:
+            break
+        best = curve.point(found[0], a.tangent)
+        if function(best) * first > 0.0:
+            low = middle
+        else:
+            high = middle
+        if high - low < 1e-13:
+            break
+    return best

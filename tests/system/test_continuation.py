@@ -1,0 +1,101 @@
+"""Branches of equilibria, against closed forms."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from hoop import bead_on_a_hoop
+from pydy import System
+from pydy.errors import EquilibriumError
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+
+
+def in_a_potential(force):
+    """A damped unit mass under a force of x and p."""
+    x, v = me.dynamicsymbols("x v")
+    p = sm.Symbol("p")
+    N, P, O = me.ReferenceFrame("N"), me.Point("P"), me.Point("O")
+    O.set_vel(N, 0)
+    P.set_vel(N, v * N.x)
+    kane = me.KanesMethod(N, [x], [v], [x.diff() - v])
+    kane.kanes_equations([me.Particle("b", P, sm.Integer(1))], [(P, (force(x, p) - v) * N.x)])
+    return System(kane)
+
+
+def test_a_branch_goes_around_its_folds():
+    """x³ − x = p folds at x = ±1/√3, where p = ∓2/(3√3)."""
+    system = in_a_potential(lambda x, p: p - x**3 + x)
+    system.initial_conditions = {"x": -2.0}
+    branch = system.follow_equilibria({"p": [-3.0, 3.0]})
+    assert branch.ended == "bounds"
+    assert [point.kind for point in branch.special] == ["fold", "fold"]
+    first, second = branch.special
+    assert first.value == pytest.approx(2.0 / (3.0 * np.sqrt(3.0)), rel=1e-10)
+    assert second.value == pytest.approx(-2.0 / (3.0 * np.sqrt(3.0)), rel=1e-10)
+    assert first.values["x"] == pytest.approx(-1.0 / np.sqrt(3.0), abs=1e-6)
+    x = branch["x"]
+    np.testing.assert_allclose(x**3 - x, branch.values, atol=1e-10)
+    np.testing.assert_array_equal(branch.stable, 3.0 * x**2 > 1.0)
+    assert (branch.values[0], branch.values[-1]) == (-3.0, 3.0)
+
+
+def test_a_bead_on_a_hoop_meets_a_branch_point_at_the_critical_rate():
+    system, _, turn = bead_on_a_hoop()
+    branch = system.follow_equilibria({turn: [1.0, 8.0]})
+    (point,) = branch.special
+    assert point.kind == "branch point"
+    assert point.value == pytest.approx(np.sqrt(9.81 / 0.5), rel=1e-9)
+    np.testing.assert_allclose(branch["theta"], 0.0, atol=1e-9)
+    np.testing.assert_array_equal(branch.stable, branch.values < point.value)
+
+
+def test_the_bent_branch_is_followed_from_above():
+    system, angle, turn = bead_on_a_hoop()
+    system.initial_conditions = {angle: 1.3}
+    branch = system.follow_equilibria({turn: [9.0, 4.5]})
+    np.testing.assert_allclose(np.cos(branch["theta"]), 9.81 / (0.5 * branch.values**2), rtol=1e-9)
+    assert branch.stable.all()
+
+
+def test_where_damping_turns_negative_an_oscillation_begins():
+    system = multi_mass_spring_damper()
+    system.constants = {"m0": 2.0, "k0": 8.0}
+    (point,) = system.follow_equilibria({"c0": [1.0, -0.7]}).special
+    assert point.kind == "Hopf"
+    assert point.value == pytest.approx(0.0, abs=1e-9)
+    assert point.frequency == pytest.approx(2.0, rel=1e-9)
+
+
+def test_what_is_free_is_held():
+    system = n_link_pendulum_on_cart(1)
+    system.initial_conditions = {"q0": 0.3, "q1": 3.0}
+    branch = system.follow_equilibria({"m1": [1.0, 2.0]}, step=0.2)
+    np.testing.assert_allclose(branch["q0"], 0.3, atol=1e-9)
+    np.testing.assert_allclose(branch["q1"], np.pi, atol=1e-9)
+
+
+def test_branches_go_into_xarray_and_pictures():
+    import matplotlib.pyplot as plt
+
+    system, _, turn = bead_on_a_hoop()
+    branch = system.follow_equilibria({turn: [1.0, 8.0]}, step=0.1)
+    assert branch.to_xarray()["theta"].dims == ("point",)
+    ax = branch.plot("theta")
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("Omega", "theta")
+    plt.close("all")
+    assert str(branch).startswith(
+        f"{len(branch.values)} equilibria, Omega from 1 to 8: branch point"
+    )
+    with pytest.raises(KeyError, match="'bogus' is none"):
+        branch["bogus"]
+
+
+def test_what_does_not_fit_is_named():
+    system = multi_mass_spring_damper()
+    with pytest.raises(ValueError, match="`most` must be"):
+        system.follow_equilibria({"c0": [1.0, 2.0]}, most=1)
+    with pytest.raises(ValueError, match="`step`"):
+        system.follow_equilibria({"c0": [1.0, 2.0]}, step="short")
+    with pytest.raises(EquilibriumError, match="No equilibrium was found"):
+        in_a_potential(lambda x, p: p + x**2 + 1).follow_equilibria({"p": [0.0, 1.0]})
