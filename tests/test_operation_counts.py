@@ -85,7 +85,7 @@ def test_a_chain_of_masses_costs_the_same_for_each_mass():
     for n in (10, 20, 40):
         system = multi_mass_spring_damper(n, apply_gravity=True, apply_external_forces=True)
         system.generate_ode_function()
-        costs[n] = operations(system._current().compiled("rates").program)
+        costs[n] = operations(system.model.compiled("rates").program)
     assert (costs[40] - costs[20]) / 20 == pytest.approx((costs[20] - costs[10]) / 10, rel=0.05)
 
 
@@ -141,7 +141,7 @@ def test_pendulums_on_one_cart_are_eliminated_before_it():
     rates = [a.diff() - b for a, b in zip(q, u, strict=True)]
     kane = me.KanesMethod(frame, q, u, kd_eqs=rates, bodies=bodies, forcelist=loads)
     kane.kanes_equations()
-    assert operations(System(kane)._current().compiled("rates").program) <= 167
+    assert operations(System(kane).model.compiled("rates").program) <= 167
 
 
 @pytest.mark.parametrize("name", ["rods-3", "springs-100-stretch"])

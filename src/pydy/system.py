@@ -7,9 +7,7 @@ compiled code.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
-from types import SimpleNamespace
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -17,54 +15,29 @@ import sympy as sm
 from scipy.integrate import odeint
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.external import resolve_solver, solve_symbolically
 from pydy._assembly.model import CompiledModel
-from pydy._assembly.specifieds import check_expressions, driven
-from pydy._assembly.system import check_accelerations
-from pydy._checks import describe, flag, path_of, real_array, text, vector
-from pydy._errors import IntegrationError, SingularMatrixError, warn_user
-from pydy._graph.switches import Passes
-from pydy._kernel import Kernel
-from pydy._mechanics.extract import extract, method_of, symbolic_matrices
+from pydy._assembly.specifieds import check_expressions
+from pydy._checks import check_mapping, flag, path_of, text
+from pydy._mechanics.extract import extract, method_of
 from pydy._names import nearest
 from pydy._system.analysis import linearize, variables
-from pydy._system.balance import Numbers, find_equilibrium
-from pydy._system.causes import cause_of, explain
-from pydy._system.definition import define, given_in, unfollowed
+from pydy._system.balance import find_equilibrium
+from pydy._system.definition import Definer
 from pydy._system.dependents import check_dependents, solve_dependents
 from pydy._system.energy import Energy, EnergyModel, check_potential
-from pydy._system.ensemble_inputs import make_ensemble, split_specifieds
-from pydy._system.evaluation import (
-    Snapshot,
-    row_names,
-    samples,
-    specified_rows,
-    warn_not_finite,
-)
+from pydy._system.ensemble_inputs import make_ensemble
 from pydy._system.forces import Multipliers, Reaction, find_multipliers, find_reaction
-from pydy._system.inputs import (
-    SymbolSet,
-    check_mapping,
-    check_symbols,
-    check_times,
-    named_forces,
-    named_outputs,
-    sort_out,
-)
-from pydy._system.products import BLOCKS, prepare_product
-from pydy._system.scipy_ivp import SolveIvp, resolve_ode_solver
-from pydy._system.scipy_odeint import ODEINT_OPTIONS, call_odeint
-from pydy._system.sensitivities import Wanted
-from pydy._system.solving import HANDLED, prepare
-from pydy._system.start import check_start
+from pydy._system.generation import Generated, checked_options, generate
+from pydy._system.inputs import SymbolSet, base_symbols, check_times, named_forces
+from pydy._system.numbers import read_constants, read_states
+from pydy._system.products import BLOCKS
+from pydy._system.scipy_ivp import resolve_ode_solver
+from pydy._system.simulation import integrate, simulate
+from pydy._system.snapshot import Snapshot, checked_plan
 from pydy._system.summary import as_html, as_text, facts
 from pydy._system.sweeps import eigenvalues, follow_equilibria
+from pydy._system.values import evaluate_block, evaluate_energy, evaluate_product
 from pydy.analysis import EigenvalueSweep, Equilibrium, EquilibriumBranch, LinearModel
-from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.codegen.ode_function_generators import make_function
-from pydy.codegen.right_hand_side import RightHandSide, make_backend, rates_function
-from pydy.solvers.options import check_option_names
-from pydy.solvers.solver import Solver
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -77,12 +50,6 @@ if TYPE_CHECKING:
     from pydy.viz.scene import Scene
 
 __all__ = ["System"]
-
-_ARGUMENTS = ("constants_arg_type", "specifieds_arg_type", "time_first")
-_REFUSED = {
-    "right_hand_side", "coordinates", "speeds", "constants", "mass_matrix",
-    "coordinate_derivatives", "outputs",
-}  # fmt: skip
 
 
 class System:
@@ -162,22 +129,18 @@ class System:
         self._equations = extract(eom_method, equations)
         self._eom_method = eom_method
         self._energies = EnergyModel(self._equations)
-        self._base = self._base_symbols(constants_symbols, specifieds_symbols)
-        residuals = [*self._equations.holonomic, *self._equations.nonholonomic]
-        self._residuals = {sm.Dummy(f"c{k}"): e for k, e in enumerate(residuals)}
-        self._forces: Any = None
+        base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
+        self._define = Definer(self._equations, base)
         self._options: dict[str, Any] = {}
-        self._function: Any = None
-        self._function_of: Any = None
-        self._generated: Any = None
+        self._generated: Generated | None = None
         self._constants: dict[Any, Any] = {}
         self._specifieds: dict[Any, Any] = {}
-        self._dependent: tuple[Any, ...] | None = None  # initial conditions solved for last
-        self._unfollowed: set[Any] = set()  # what was warned of, as below
-        self._warned_of: set[Any] = set()
         self._initial_conditions: dict[Any, Any] = {}
+        self._dependent: tuple[Any, ...] | None = None  # initial conditions solved for last
+        self._told: set[Any] = set()  # derivatives of specifieds that were warned of
         self._outputs: dict[Any, Any] = {}
-        self._define(outputs, noncontributing_forces)
+        self._forces: list[Any] = []
+        self._set_outputs(outputs, noncontributing_forces)
         self.specifieds = specifieds  # first: an expression may bring constants of its own
         self.constants = constants
         self.ode_solver = ode_solver
@@ -194,7 +157,7 @@ class System:
         # The last definition that was sound: to print a System never fails.
         return facts(
             type(self._eom_method).__name__,
-            self._defined,
+            self._define.latest,
             self._constants,
             self._specifieds,
             self._initial_conditions,
@@ -218,71 +181,49 @@ class System:
 
     # -- the symbolic side ------------------------------------------------------------------------
 
-    def _base_symbols(self, constants: Any, specifieds: Any) -> tuple[list[Any], list[Any]]:
-        """Return the constants and specifieds of the equations, searched for where not given."""
-        if constants is not None and specifieds is not None:
-            return (
-                check_symbols("constants_symbols", constants, "constant", self._equations),
-                check_symbols("specifieds_symbols", specifieds, "specified", self._equations),
-            )
-        found = sort_out(self._equations)
-        check_accelerations(self._equations)
-        if constants is not None:
-            return check_symbols(
-                "constants_symbols", constants, "constant", self._equations
-            ), found[1]
-        if specifieds is not None:
-            return found[0], check_symbols(
-                "specifieds_symbols", specifieds, "specified", self._equations
-            )
-        return found
-
-    def _define(self, outputs: Any, forces: Any) -> None:
-        """Take the user's outputs and forces, and merge them with the residuals."""
-        forces = named_forces(self._equations, forces)
-        user = {
-            k: v
-            for k, v in named_outputs(check_mapping("outputs", outputs)).items()
-            if k not in self._residuals and not self._is_forces(k)
-        }
-        given = given_in(self._specifieds)
-        definition = define(self._equations, {**user, **self._residuals}, forces, self._base, given)
-        self._given = given
-        self._forces = forces
-        merged = {**user, **self._residuals}
-        if forces:
-            merged[tuple(forces)] = list(self._equations.auxiliary_equations)
-        self._outputs = merged
-        self._snapshot = dict(merged)
-        self._defined = definition
-        for symbols in definition.of_one_name:
-            if symbols not in self._warned_of:
-                self._warned_of.add(symbols)
-                warn_user(
-                    f"The system has several symbols of one name: {describe(symbols)}. SymPy takes "
-                    "them for different symbols, because their assumptions differ, so that each "
-                    "has a value of its own. If one was meant, create it once and use it "
-                    "everywhere."
-                )
-
-    def _is_forces(self, key: Any) -> bool:
-        return bool(self._forces) and key == tuple(self._forces)
-
     @property
     def _definition(self) -> Definition:
         # The user may have edited the dictionaries of outputs and specifieds in place.
-        if (
-            self._outputs != self._snapshot
-            or list(self._outputs) != list(self._snapshot)
-            or not self._given.still_holds(self._specifieds)
-        ):
-            outputs = self._outputs
-            self._define(outputs, self._forces)
-            merged = dict(self._outputs)
-            outputs.clear()
-            outputs.update(merged)  # the same object stays the one that the user edits
-            self._outputs = outputs
-        return self._defined
+        return self._define(self._outputs, self._forces, self._specifieds)
+
+    def _compiled(self) -> Generated:
+        """Return what is generated for the definition as it is now."""
+        definition, made = self._definition, self._generated
+        if made is None or (made.definition is not definition and made.definition != definition):
+            made = self._generated = generate(definition, self._eom_method, self._options)
+        return made
+
+    def _now(self) -> Snapshot:
+        """Return everything as it is now: each public call takes one and works on that."""
+        made = self._compiled()
+        user = {
+            "constants": dict(self._constants),
+            "specifieds": dict(self._specifieds),
+            "initial_conditions": dict(self._initial_conditions),
+        }
+        return Snapshot(made.definition, made.model, user, self._times, self._energies, self._told)
+
+    def _set_outputs(self, outputs: Any, forces: Any) -> None:
+        names = named_forces(self._equations, forces) or []
+        own = self._define.users(outputs or {}, self._forces)
+        self._define(own, names, self._specifieds)
+        self._outputs, self._forces = self._define.merged(own, names), names
+
+    @property
+    def model(self) -> CompiledModel:
+        """What the definition compiles to, to look inside: arrays' layout, blocks, machine code.
+
+        ``print(system.model)`` tells what is compiled so far, ``system.model.assembly`` holds the
+        equations as a graph. It is not changed by what is set later: there is then another one.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> sum(system.model.compiled('rates').program.operation_count['run'].values())
+        5
+        """
+        return self._compiled().model
 
     @property
     def eom_method(self) -> Any:
@@ -500,7 +441,7 @@ class System:
         "difference of ranks, whatever axes the constraints are written in.",
     )
     num_constraints = property(
-        lambda self: len(self._residuals),
+        lambda self: len(self._define.residuals),
         doc="Number of holonomic and nonholonomic constraints together.",
     )
 
@@ -514,8 +455,9 @@ class System:
     @constants.setter
     def constants(self, constants: Mapping[Any, Any] | None) -> None:
         values = check_mapping("constants", constants)
-        if not self._definition.places["constants"].fits(values):
-            self._numbers("constants", values, 1.0)
+        definition = self._definition
+        if not definition.places["constants"].fits(values):
+            read_constants(definition, values)
         self.__dict__["_constants"] = values  # by itself, as a short call
 
     @property
@@ -543,13 +485,11 @@ class System:
 
     @specifieds.setter
     def specifieds(self, specifieds: Mapping[Any, Any] | None) -> None:
-        before, self._specifieds = self._specifieds, check_mapping("specifieds", specifieds)
-        self._unfollowed.clear()
-        try:
-            check_expressions(self._definition, self._plan(self._specifieds))
-        except Exception:
-            self._specifieds = before
-            raise
+        values = check_mapping("specifieds", specifieds)
+        definition = self._define(self._outputs, self._forces, values)
+        told: set[Any] = set()
+        check_expressions(definition, checked_plan(definition, values, told))
+        self._specifieds, self._told = values, told
 
     @property
     def initial_conditions(self) -> dict[Any, Any]:
@@ -559,7 +499,7 @@ class System:
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
         values = check_mapping("initial_conditions", initial_conditions)
-        self._numbers("initial_conditions", values, 0.0)
+        read_states(self._definition, values)
         self._initial_conditions = values
 
     @property
@@ -592,17 +532,16 @@ class System:
 
     @outputs.setter
     def outputs(self, outputs: Mapping[Any, Any] | None) -> None:
-        self._define(outputs, self._forces)
+        self._set_outputs(outputs, self._forces)
 
     @property
     def noncontributing_forces(self) -> list[Any]:
         """List of the names of the noncontributing forces that are computed as outputs."""
-        return list(self._forces or [])
+        return list(self._forces)
 
     @noncontributing_forces.setter
     def noncontributing_forces(self, forces: Iterable[Any] | None) -> None:
-        user = {k: v for k, v in self._outputs.items() if not self._is_forces(k)}
-        self._define(user, forces)
+        self._set_outputs(self._outputs, forces)
 
     @property
     def ode_solver(self) -> Callable[..., Any]:
@@ -641,7 +580,9 @@ class System:
 
         See ``help(system.evaluate_ode_function)`` for the order of its arguments' entries.
         """
-        return None if self._generated is None else self._made_function()
+        if self._generated is None:
+            return None
+        return self._compiled().function(any_layout=self._ode_solver is not odeint)
 
     def generate_ode_function(self, **kwargs: Any) -> Any:
         """Generate the function that evaluates the derivatives, and keep it.
@@ -673,214 +614,11 @@ class System:
         >>> rhs([1.0, 0.0], 0.0, [0.1, 2.0, 1.0])
         array([ 0., -2.])
         """
-        if "specifieds" in kwargs:
-            warn_user(
-                "`specifieds` is ignored by System.generate_ode_function: the System takes care of "
-                "them. Set `system.specifieds` for their values."
-            )
-            kwargs = {k: v for k, v in kwargs.items() if k != "specifieds"}
-        refused = sorted(_REFUSED & set(kwargs))
-        if refused:
-            raise TypeError(
-                f"generate_ode_function() got `{refused[0]}`, which the System takes from its own "
-                "equations. Options are linear_sys_solver, constants_arg_type, "
-                "specifieds_arg_type, time_first, generator and those of the generator."
-            )
-        before = self._generated
-        try:
-            self._generate(kwargs)
-            function = self._made_function()
-        except BaseException:
-            self._generated = before
-            raise
-        self._options = kwargs
+        kwargs = checked_options(kwargs)
+        made = generate(self._definition, self._eom_method, kwargs)
+        function = made.function(any_layout=self._ode_solver is not odeint)
+        self._options, self._generated = kwargs, made
         return function
-
-    def _generate(self, options: dict[str, Any]) -> None:
-        definition = self._definition
-        options = dict(options)
-        solver = resolve_solver(options.pop("linear_sys_solver", None))
-        equations = definition.equations
-        if isinstance(solver, str):
-            solved = solve_symbolically(*symbolic_matrices(equations, self._eom_method), solver)
-            equations = replace(
-                equations,
-                formed=None,
-                mass_matrix=sm.eye(len(solved)),
-                forcing=tuple(solved),
-                positive_definite=True,
-            )
-            solver = None
-        passes = Passes() if flag(options.get("cse", True), "`cse`") else Passes.none()
-        arguments = {k: options.pop(k) for k in _ARGUMENTS if k in options}
-        generator = options.pop("generator", "llvm")
-        backend = make_backend(generator, options)
-        assembly = definition.assemble(equations, external=solver is not None, passes=passes)
-        model = CompiledModel(definition.layout, assembly, backend, solver)
-        self._generated = (definition, model, arguments)
-
-    def _made_function(self) -> Any:
-        """Return the generated function, made once for a model and a way to take arrays."""
-        model, arguments = self._current(), self._generated[2]
-        any_layout = self._ode_solver is not odeint
-        implementation = RightHandSide(model, any_layout=any_layout, **arguments)
-        key = (model, implementation.refuse_strided)
-        if self._function is None or self._function_of != key:
-            self._function, self._function_of = make_function(implementation), key
-        return self._function
-
-    def _current(self) -> CompiledModel:
-        """Return the model of the outputs as they are now."""
-        definition = self._definition
-        if self._generated is None or (
-            self._generated[0] is not definition and self._generated[0] != definition
-        ):
-            self._generate(self._options)
-        model: CompiledModel = self._generated[1]
-        return model
-
-    # -- arrays -----------------------------------------------------------------------------------
-
-    def _plan(self, values: dict[Any, Any]) -> SpecifiedsPlan:
-        """Check a dictionary of specifieds in either format."""
-        plan = SpecifiedsPlan(values, self._definition.places["specifieds"], argument="specifieds")
-        self._warn_of_unfollowed(plan)
-        return plan
-
-    def _warn_of_unfollowed(self, plan: SpecifiedsPlan) -> None:
-        """Warn once of derivatives that stay zero although their function moves."""
-        for rate, function in unfollowed(self._definition, plan):
-            if rate not in self._unfollowed:
-                self._unfollowed.add(rate)
-                warn_user(
-                    f"`specifieds` gives `{function}` as a function or as samples, but the "
-                    f"equations also hold `{rate}`, which stays zero: the motion contradicts "
-                    f"itself. Give `{function}` as a SymPy expression of time, from which its "
-                    f"derivatives follow, or give `{rate}` a function too."
-                )
-
-    def _numbers(self, argument: str, values: dict[Any, Any], default: float) -> np.ndarray:
-        """Return the constants or the initial conditions in order."""
-        what = "constants" if argument == "constants" else "states"
-        places = self._definition.places[what]
-        try:
-            return places.read(argument, values, default)
-        except ValueError as error:
-            mechanism = self._equations.mechanism
-            gone = [
-                str(key)
-                for key in values
-                if places.get(key, argument) is None and mechanism and key in mechanism.symbols
-            ]
-            if not gone:
-                raise
-            raise ValueError(
-                f"{error} The bodies or loads hold `{gone[0]}`, but it cancels: the motion does "
-                "not depend on it. Leave it out, or check the velocities and angular velocities "
-                "that were given."
-            ) from None
-
-    def _p(self) -> np.ndarray:
-        return self._numbers("constants", self._constants, 1.0)
-
-    def _p_with(self, p: Any) -> np.ndarray:
-        """Return the constants, with a user's values for one call."""
-        if p is None:
-            return self._p()
-        places = self._definition.places["constants"]
-        if isinstance(p, Mapping):
-            return places.read("p", p, self._p())
-        return vector(p, len(places), "`p`")
-
-    def _x0(self) -> np.ndarray:
-        return self._numbers("initial_conditions", self._initial_conditions, 0.0)
-
-    def _plan_with(self, r: Any) -> SpecifiedsPlan:
-        """Return the plan of the specifieds, with a user's values for one call."""
-        if r is None:
-            return self._plan(self._specifieds)
-        places = self._definition.places["specifieds"]
-        if callable(r):
-            return SpecifiedsPlan({places.symbols: r}, places, argument="r")
-        plan = self._plan(self._specifieds).updated(SpecifiedsPlan(r, places, argument="r"))
-        self._warn_of_unfollowed(plan)
-        return plan
-
-    def _evaluate(self, block: str, x: Any, t: Any, r: Any, p: Any, wrt: Any = None) -> np.ndarray:
-        def kernel(implementation: CompiledModel) -> Kernel:
-            if wrt:
-                return implementation.compiled_jacobian(block, wrt)
-            return implementation.compiled(block)
-
-        implementation = self._current()
-        perturbed = wrt == "r" or (isinstance(wrt, tuple) and any(g == "r" for g, _ in wrt))
-        names = row_names(self._definition, block)
-        return self._sweep(implementation, kernel, names, x, t, r, p, perturbed=perturbed)
-
-    def _product(
-        self, kind: str, of: Any, wrt: Any, v: Any, x: Any, t: Any, r: Any, p: Any
-    ) -> np.ndarray:
-        made = prepare_product(self._definition, kind, of, wrt, v, x)
-        out = self._sweep(
-            self._current(), made.kernel, made.names, x, t, r, p,
-            perturbed=made.perturbed, vectors=made.vectors,
-        )  # fmt: skip
-        return out[..., 0] if made.squeeze else out
-
-    def _sweep(
-        self,
-        implementation: CompiledModel,
-        kernel: Callable[[CompiledModel], Kernel],
-        names: Sequence[str],
-        x: Any,
-        t: Any,
-        r: Any,
-        p: Any,
-        perturbed: bool = False,
-        vectors: np.ndarray | None = None,
-    ) -> np.ndarray:
-        """Evaluate a Kernel at one state or several, with the defaults of the evaluations.
-
-        `names` are those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r.
-        """
-        layout = implementation.layout
-        if isinstance(x, Mapping):
-            x = self._definition.places["states"].read("x", x, self._x0())
-        states, instants, single = samples(x, t, self._x0, self._times, len(layout.states))
-        if r is None or callable(r) or isinstance(r, Mapping):
-            plan = self._plan_with(r)
-            plan.check_times(instants, "times" if t is None else "t")
-            rows = plan.rows(states, instants)
-            implementation = driven(implementation, self._definition, plan, perturbed=perturbed)
-        else:
-            rows = specified_rows(r, instants, len(layout.specifieds))
-        constants = self._p_with(p)
-        made = kernel(implementation)
-        if vectors is not None:
-            shapes = [(len(states), part.shape[1]) for part in (rows, vectors)]
-            rows = np.hstack(
-                [np.broadcast_to(rows, shapes[0]), np.broadcast_to(vectors, shapes[1])]
-            )
-        try:
-            out = implementation.evaluate(made, instants, states, rows, constants)
-        except SingularMatrixError as error:
-            k = int((states == error.state).all(axis=1).argmax()) % len(rows)
-            row, assembly = rows[k], implementation.assembly
-            explain(error, self._definition, assembly, lambda x, t: row, constants)
-            raise
-        out = out.reshape(len(out), *made.program.blocks[0].shape)
-        if not np.isfinite(out).all():
-            definition = self._definition
-            assembly = implementation.assembly
-
-            def cause(k: int) -> str | None:
-                row = rows[k if len(rows) > 1 else 0]
-                return cause_of(definition, assembly, float(instants[k]), states[k], row, constants)
-
-            inputs = (instants, states, rows, constants)
-            warn_not_finite(out, inputs, layout, names, cause)
-        result: np.ndarray = out[0] if single else out
-        return result
 
     # -- evaluation -------------------------------------------------------------------------------
 
@@ -919,7 +657,7 @@ class System:
         >>> system.evaluate_ode([1.0, 0.0])
         array([ 0., -1.])
         """
-        return self._evaluate("rates", x, t, r, p)
+        return evaluate_block(self._now(), "rates", x, t, r, p)
 
     def evaluate_outputs(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -942,7 +680,7 @@ class System:
         >>> system.evaluate_outputs([1.0, 3.0])
         array([3., 2.])
         """
-        return self._evaluate("outputs", x, t, r, p)
+        return evaluate_block(self._now(), "outputs", x, t, r, p)
 
     def evaluate_energy(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -974,9 +712,7 @@ class System:
         >>> system.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
         array([5., 2.])
         """
-        names = row_names(self._definition, "energy")
-        values = self._sweep(self._current(), self._energies.kernel, names, x, t, r, p)
-        return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
+        return evaluate_energy(self._now(), x, t, r, p)
 
     def evaluate_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -996,7 +732,7 @@ class System:
             The system has no constraints.
         """
         self._need(self.num_constraints, "constraints")
-        return self._evaluate("constraints", x, t, r, p)
+        return evaluate_block(self._now(), "constraints", x, t, r, p)
 
     def evaluate_holonomic_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -1016,7 +752,7 @@ class System:
             The system has no holonomic constraints.
         """
         self._need(self.num_holonomic_constraints, "holonomic constraints")
-        return self._evaluate("holonomic", x, t, r, p)
+        return evaluate_block(self._now(), "holonomic", x, t, r, p)
 
     def evaluate_velocity_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -1036,7 +772,7 @@ class System:
             The system has no velocity constraints.
         """
         self._need(self.num_velocity_constraints, "velocity constraints")
-        return self._evaluate("velocity", x, t, r, p)
+        return evaluate_block(self._now(), "velocity", x, t, r, p)
 
     @staticmethod
     def _need(count: int, what: str) -> None:
@@ -1092,8 +828,9 @@ class System:
                [-2., -1.]])
         """
         if isinstance(of, str) and of in BLOCKS:
-            return self._evaluate(BLOCKS[of], x, t, r, p, variables(self._definition, wrt))
-        return self._product("jacobian", of, wrt, None, x, t, r, p)
+            by = variables(self._definition, wrt)
+            return evaluate_block(self._now(), BLOCKS[of], x, t, r, p, by)
+        return evaluate_product(self._now(), "jacobian", of, wrt, None, x, t, r, p)
 
     def evaluate_gradient(
         self,
@@ -1137,7 +874,7 @@ class System:
         >>> system.evaluate_gradient(system.kinetic_energy + 3*x0**2, {'x0': 0.5, 'v0': 2.0})
         array([3., 2.])
         """
-        out = self._product("gradient", of, wrt, None, x, t, r, p)
+        out = evaluate_product(self._now(), "gradient", of, wrt, None, x, t, r, p)
         if not flag(value, "`value`"):
             return out[..., 1:]
         return (float(out[0]) if out.ndim == 1 else out[:, 0]), out[..., 1:]
@@ -1173,7 +910,7 @@ class System:
         >>> multi_mass_spring_damper().evaluate_jacobian_vector([1.0, 2.0])
         array([ 2., -3.])
         """
-        return self._product("jacobian-vector", of, wrt, v, x, t, r, p)
+        return evaluate_product(self._now(), "jacobian-vector", of, wrt, v, x, t, r, p)
 
     def evaluate_vector_jacobian(
         self,
@@ -1206,7 +943,7 @@ class System:
         >>> multi_mass_spring_damper().evaluate_vector_jacobian([0.0, 1.0], wrt=['v0', 'x0'])
         array([-1., -1.])
         """
-        return self._product("vector-jacobian", of, wrt, v, x, t, r, p)
+        return evaluate_product(self._now(), "vector-jacobian", of, wrt, v, x, t, r, p)
 
     def evaluate_hessian_vector(
         self,
@@ -1246,7 +983,7 @@ class System:
         array([[10.,  2.],
                [ 2.,  0.]])
         """
-        return self._product("hessian-vector", of, wrt, v, x, t, r, p)
+        return evaluate_product(self._now(), "hessian-vector", of, wrt, v, x, t, r, p)
 
     def find_equilibrium(
         self,
@@ -1295,7 +1032,7 @@ class System:
         3.924
         >>> system.initial_conditions = found.initial_conditions
         """
-        return find_equilibrium(self._numbers_now(), unknowns, given, moving, bounds)
+        return find_equilibrium(self._now(), unknowns, given, moving, bounds)
 
     def linearize(
         self,
@@ -1346,12 +1083,7 @@ class System:
         >>> float(model.eigenvalues.real.max().round(6))
         1.414214
         """
-        numbers = self._numbers_now()
-        places = self._definition.places["states"]
-        if isinstance(at, Mapping):
-            at = places.read("at", at, self._x0())
-        x, instants, single = samples(at, t, self._x0, self._times, len(places))
-        return linearize(numbers, x, instants, inputs, outputs, single)
+        return linearize(self._now(), at, t, inputs, outputs)
 
     def eigenvalues(
         self,
@@ -1397,14 +1129,7 @@ class System:
         >>> [(round(c.value, 9), c.eigenvalue, c.oscillatory) for c in sweep.crossings()]
         [(0.0, 1j, True)]
         """
-        places = self._definition.places["states"]
-        if isinstance(at, Mapping):
-            at = places.read("at", at, self._x0())
-        if at is not None:
-            t = np.zeros(len(at)) if np.ndim(at) == 2 else None
-            at, _, single = samples(at, t, self._x0, self._times, len(places))
-            at = at[0] if single else at
-        return eigenvalues(self._numbers_now(), over, at, unknowns, given, moving)
+        return eigenvalues(self._now(), over, at, unknowns, given, moving)
 
     def follow_equilibria(
         self,
@@ -1449,19 +1174,7 @@ class System:
         >>> print(system.follow_equilibria({'c0': [1.0, -1.0]}, step=0.5))
         7 equilibria, c0 from 1 to -1: Hopf at 0
         """
-        numbers = self._numbers_now()
-        return follow_equilibria(numbers, over, unknowns, given, moving, step, most)
-
-    def _numbers_now(self) -> Numbers:
-        t = float(self._times[0]) if len(self._times) else 0.0
-        return Numbers(
-            self._definition,
-            self._current(),
-            self._plan(self._specifieds),
-            self._x0(),
-            self._p(),
-            t,
-        )
+        return follow_equilibria(self._now(), over, unknowns, given, moving, step, most)
 
     # -- simulation -------------------------------------------------------------------------------
 
@@ -1494,30 +1207,15 @@ class System:
         PyDyUserWarning
             The root finder did not converge; the results are set all the same.
         """
-        definition = self._definition
-        places = check_dependents(definition, dep_vars)
-        t = float(self._times[0]) if len(self._times) else 0.0
-        plan = self._plan(self._specifieds)
-        plan.check_times(np.array([t]), "times")
-        x = solve_dependents(
-            driven(self._current(), definition, plan),
-            definition,
-            self._x0(),
-            t,
-            plan,
-            self._p(),
-            places,
-            flag(use_jac, "`use_jac`"),
-            root_kwargs,
-        )
+        places = check_dependents(self._definition, dep_vars)
+        x = solve_dependents(self._now(), places, flag(use_jac, "`use_jac`"), root_kwargs)
         # A new dictionary: the old one may be the caller's own. Its keys may be names.
-        conditions = dict(self._initial_conditions)
-        own = definition.places["states"]
+        conditions, own = dict(self._initial_conditions), self._definition.places["states"]
         keys = {own.find(key, "initial_conditions"): key for key in conditions}
-        for k in (k for part in places for k in part):
-            conditions[keys.get(k, definition.states[k])] = float(x[k])
+        solved = [k for part in places for k in part]
+        conditions.update({keys.get(k, own.symbols[k]): float(x[k]) for k in solved})
         self._initial_conditions = conditions
-        self._dependent = tuple(definition.states[k] for part in places for k in part)
+        self._dependent = tuple(own.symbols[k] for k in solved)
 
     @overload
     def integrate(
@@ -1567,73 +1265,7 @@ class System:
             The initial conditions are farther from the constraints than numbers of six digits, and
             `constraints` does not say what to do about it.
         """
-        wanted = solver_kwargs.get("full_output", False)
-        if self._ode_solver is odeint or isinstance(self._ode_solver, (Solver, SolveIvp)):
-            wanted = flag(wanted, "`full_output`")
-        return self._solve(solver_kwargs, checked=not wanted)
-
-    def _solve(
-        self, solver_kwargs: dict[str, Any], *, checked: bool, wanted: Wanted | None = None
-    ) -> Any:
-        """Call the solver; `checked` tells whether odeint's giving up is an error."""
-        if len(self._times) < 2:
-            raise ValueError(
-                "`times` must have at least two values before integrate() can be called, got "
-                f"{len(self._times)}. Set `system.times`."
-            )
-        times = check_times(self._times)  # the array may have been edited in place
-        definition, plan = self._definition, self._plan(self._specifieds)
-        plan.check_times(times, "times")
-        implementation = self._current()
-        x0, p = self._x0(), self._p()
-
-        def exact() -> CompiledModel:
-            return driven(self._current(), definition, plan)
-
-        constrained = definition.equations.velocity or definition.equations.holonomic
-        if constrained and solver_kwargs.get("constraints") is None:
-            t = float(times[0])
-            as_is = driven(implementation, definition, plan)
-            check_start(definition, as_is, exact, t, x0, plan(x0, t), p)
-        if HANDLED & solver_kwargs.keys():
-            implementation, solver_kwargs = prepare(
-                self._ode_solver, definition, implementation, exact(), solver_kwargs
-            )
-        if self._ode_solver is odeint:
-            check_option_names("odeint", ODEINT_OPTIONS, solver_kwargs)
-        integrated = driven(implementation, definition, plan)
-        if wanted is None:
-            f = rates_function(integrated, plan)
-        else:
-            f, x0, solver_kwargs = wanted.problem(
-                definition, integrated, plan, (x0, float(times[0])), p, self._dependents(),
-                self._ode_solver, solver_kwargs,
-            )  # fmt: skip
-        args = (plan.values if plan.constant else plan, p)
-        try:
-            if not checked or self._ode_solver is not odeint:
-                return self._ode_solver(f, x0, times, args=args, **solver_kwargs)
-            result = call_odeint(f, x0, times, args, definition.states, solver_kwargs)
-        except TypeError as error:
-            if not isinstance(self._ode_solver, (Solver, SolveIvp)):
-                error.add_note(
-                    "This came from the `ode_solver`, called as ode_solver(f, x0, t, args=(r, p), "
-                    "**options)."
-                )
-            raise
-        except (IntegrationError, SingularMatrixError) as error:
-            if wanted is not None:
-                wanted.cut(error)
-            explain(error, definition, integrated.assembly, plan, p)
-            raise
-        return result if solver_kwargs.get("full_output") else result[0]
-
-    def _dependents(self) -> list[int]:
-        """Return the places of the initial conditions that follow from the others."""
-        equations = self._equations
-        own = (*equations.dependent_coordinates, *equations.dependent_speeds)
-        chosen = own if self._dependent is None else self._dependent
-        return [self._definition.states.index(symbol) for symbol in chosen]
+        return integrate(self._now(), self._ode_solver, solver_kwargs)
 
     def simulate(
         self,
@@ -1684,58 +1316,8 @@ class System:
         >>> trajectory[x0].round(6)
         array([1.      , 0.895595, 0.6597  ])
         """
-        if self._ode_solver is odeint or isinstance(self._ode_solver, (Solver, SolveIvp)):
-            solver_kwargs.setdefault("full_output", True)
-        wanted = None
-        if sensitivities is not None:
-            controlled = flag(control_sensitivities, "`control_sensitivities`")
-            wanted = Wanted(sensitivities, controlled)
-        result = self._solve(solver_kwargs, checked=True, wanted=wanted)
-        states, info = result if isinstance(result, tuple) else (result, None)
-        statistics = dict(info) if isinstance(info, dict) else {}
-        times = statistics.pop("times", self._times)
-        reached = statistics.pop("reached", None)  # an event may have ended it
-        if reached is not None:
-            times, states = times[:reached], states[:reached]
-        events = statistics.pop("events", ())
-        dense = statistics.pop("dense_output", None) if wanted is None else None
-        times = np.array(times, dtype=float)
-        states = np.array(real_array(states, "What the `ode_solver` returns"))
-        columns = None if wanted is None else wanted.sensitive.columns
-        if states.shape != (len(times), self.num_states if columns is None else columns.size):
-            raise ValueError(
-                f"The `ode_solver` must return the shape {(len(times), self.num_states)}, one row "
-                f"for each of the `times`, got {states.shape}."
-            )
-        if len(times):  # what is NaN to the end comes after a terminal event
-            reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
-            times, states = times[:reached], states[:reached]
-        states, found = (states, {}) if wanted is None else wanted.results(states)
-        model = self._model_now()
-        equations, forces = self._equations, self.noncontributing_forces
-        known = {*self._residuals, *forces}
-        symbols = {
-            "coordinate": equations.coordinates,
-            "speed": equations.speeds,
-            "auxiliary": self.auxiliaries,
-            "output": [s for s in self.outputs_symbols if s not in known],
-            "constraint": list(self._residuals),
-            "force": forces,
-            "specified": self._definition.specifieds,
-        }
-        return Trajectory(
-            times,
-            states,
-            symbols,
-            outputs=model.outputs(times, states),
-            specifieds=model.specifieds(times, states),
-            constants=dict(zip(self._definition.constants, model.p.tolist(), strict=True)),
-            events=events,
-            statistics=statistics or None,
-            model=model,
-            dense=dense,
-            **found,
-        )
+        wanted = (sensitivities, control_sensitivities, self._dependent)
+        return simulate(self._now(), self._ode_solver, solver_kwargs, wanted)
 
     def integrate_ensemble(
         self,
@@ -1838,32 +1420,10 @@ class System:
         product, progress = flag(product, "`product`"), flag(progress, "`progress`")
         if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
-        symbols = self._definition.specifieds
-        varied, common = split_specifieds(specifieds)
-        plan = self._plan(self._specifieds)
-        plan = plan.updated(SpecifiedsPlan(common, symbols, argument="specifieds"))
-        plan = plan.updated(
-            SpecifiedsPlan(dict.fromkeys(varied, 0.0), symbols, argument="specifieds")
-        )
-        chosen = self._times if times is None else times
-        instants = check_times(chosen)
-        if len(instants) < 2:
-            raise ValueError(
-                f"`times` must have at least two values, got {len(instants)}. Pass `times` or set "
-                "`system.times`."
-            )
-        plan.check_times(instants, "times")
         ensemble = make_ensemble(
-            self._definition,
-            self._current(),
-            plan,
-            (self._x0(), self._p()),
-            (
-                check_mapping("initial_conditions", initial_conditions),
-                check_mapping("constants", constants),
-                varied,
-            ),
-            instants,
+            self._now(),
+            (initial_conditions, constants, specifieds),
+            times,
             ode_solver,
             solver_kwargs,
             product=product,
@@ -1878,12 +1438,6 @@ class System:
         if resume:
             raise ValueError("`resume=True` needs `store`, the Zarr store to go on with.")
         return ensemble.run() if chunks is None else ensemble.lazy()
-
-    def _model_now(self) -> Snapshot:
-        """Return the compiled model with the numbers as they are now."""
-        plan = self._plan(self._specifieds)
-        implementation = driven(self._current(), self._definition, plan)
-        return Snapshot(implementation, plan, self._p(), self._energies, self._definition)
 
     # -- export -----------------------------------------------------------------------------------
 
@@ -1948,9 +1502,9 @@ class System:
         """Return the Programs, names and numbers of what is exported."""
         from pydy._system.exporting import export_model
 
-        plan = self._plan(self._specifieds)
-        numbers = self._x0(), self._p(), self._times
-        return export_model(self._definition, self._current(), plan, numbers, **options)
+        now = self._now()
+        numbers = now.x, now.p, now.times
+        return export_model(now.definition, now.model, now.plan, numbers, **options)
 
     # -- animation --------------------------------------------------------------------------------
 
@@ -1996,17 +1550,18 @@ class System:
         """
         from pydy._system.scene import make_scene
 
+        definition = self._definition
+        constants = read_constants(definition, self._constants)
         return make_scene(
-            self._equations,
+            definition,
+            dict(zip(definition.constants, constants.tolist(), strict=True)),
+            lambda: self.model.assembly,
             visuals,
             reference_frame,
             origin,
-            dict(zip(self._definition.constants, self._p().tolist(), strict=True)),
-            lambda: self._times,
-            self._named,
-            self._definition.states,
             options,
-            lambda: self._current().assembly,
+            lambda: self._times,
+            lambda times, states: self._now().motion(times, states),
         )
 
     def plot(self, names: list[Any] | None = None, **options: Any) -> Any:
@@ -2032,20 +1587,3 @@ class System:
         ``system.scene(...).animate(system.simulate())`` in one call, with the arguments of `scene`.
         """
         return self.scene(*visuals, **options).animate(self.simulate())
-
-    def _named(self, times: Any, states: Any) -> Any:
-        """Return states at some times with the names and numbers that a scene reads."""
-        times, states = np.asarray(times, dtype=float), np.asarray(states, dtype=float)
-        definition, p = self._definition, self._p()
-        fits = states.shape == (
-            len(times),
-            len(definition.states),
-        )  # or the scene says what is wrong
-        return SimpleNamespace(
-            times=times,
-            states=states,
-            state_symbols=definition.states,
-            specifieds=self._model_now().specifieds(times, states) if fits else (),
-            specifieds_symbols=definition.specifieds,
-            constants=dict(zip(definition.constants, p.tolist(), strict=True)),
-        )

@@ -35,7 +35,7 @@ system = System(n_link_pendulum_on_cart(6, cart_force=False))
 x = np.linspace(-1.0, 1.0, 14)
 rates = system.evaluate_ode(x)
 jacobian = system.evaluate_jacobian(x)
-assert all(kernel.addresses for kernel in system._current()._kernels.values())
+assert all(kernel.addresses for kernel in system.model._kernels.values())
 better = native._runtime().better
 if better is not None:
     better.run()

@@ -107,7 +107,7 @@ def test_few_speeds_are_solved_for_together():
 
 def test_the_chosen_form_is_the_one_that_is_compiled():
     kane = pendulum(10)
-    program = System(kane, equations="graph")._current().compiled("rates").program
+    program = System(kane, equations="graph").model.compiled("rates").program
     assert sum(program.operation_count["run"].values()) == operations(
         chosen(multibody_of_kane(kane))
     )

@@ -151,7 +151,7 @@ def test_the_same_motion_as_with_kanes_equations():
 
 def test_twenty_links_cost_what_kanes_equations_cost():
     system = System(links(20))
-    program = system._current().compiled("rates").program
+    program = system.model.compiled("rates").program
     assert sum(program.operation_count["run"].values()) <= 1400
 
 

@@ -39,7 +39,7 @@ def test_literals_cannot_end_a_script():
 def test_very_long_programs_are_divided(monkeypatch):
     system = pendulum()
     system.generate_ode_function()
-    program = system._current().assembly.program("rates")
+    program = system.model.assembly.program("rates")
     whole = javascript_of(program, "rates")
     monkeypatch.setattr("pydy.export.straight.LONGEST", 50)
     parts = javascript_of(program, "rates")

@@ -262,7 +262,7 @@ def test_a_scene_is_drawn_from_the_same_bodies(tmp_path):
 def test_speeds_in_body_axes_cost_no_more_operations_than_they_did(name, most):
     system = System(undone(name).kane)
     system.generate_ode_function()
-    count = system._current().compiled("rates").program.operation_count["run"]
+    count = system.model.compiled("rates").program.operation_count["run"]
     assert sum(count.values()) <= most
 
 

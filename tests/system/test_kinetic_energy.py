@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 
 import zoo
 from cases import close, system_of, wide
-from pydy._assembly.specifieds import driven
+from pydy._system.values import evaluate_block
 from pydy.system import System
 
 UNCONSTRAINED = [
@@ -28,7 +28,7 @@ def numbers(model, x, t):
 def hessian(system, x, t):
     """The mass matrix of all speeds, as a solver gets it."""
     system.generate_ode_function()
-    kernel = system._current().compiled("kinetic_hessian")
+    kernel = system.model.compiled("kinetic_hessian")
     r = np.array([system.specifieds.get(s, 0.0) for s in system.specifieds_symbols])
     p = np.array([system.constants[s] for s in system.constants_symbols])
     out, _ = kernel.evaluate(np.array([t]), x[None], r[None], p)
@@ -97,12 +97,12 @@ def test_the_hessian_holds_specifieds_that_are_expressions():
     rate = y.diff(zoo.T)
     system = system_of(model, specifieds={rate: 0.3 * u, y: 0.1, rate.diff(zoo.T): 0.0})
     x, t = model.sample()
-    implementation = driven(system._current(), system._definition, system._plan(system.specifieds))
-    kernel = implementation.compiled("kinetic_hessian")
+    now = system._now()
+    kernel = now.driven.compiled("kinetic_hessian")
     p = np.array([system.constants[s] for s in system.constants_symbols])
     out, _ = kernel.evaluate(np.array([t]), x[None], np.zeros((1, 3)), p)
     m, n = sm.symbols("m l")
     assert out[0, 0] == pytest.approx(float((m * n**2).xreplace(model.constants)))
     kinetic = system.kinetic_energy.xreplace({rate: 0.3 * u}).xreplace(model.constants)
     expected = float(kinetic.xreplace({q: x[0], u: x[1]}))
-    assert system._evaluate("kinetic_energy", x, t, None, None)[0] == pytest.approx(expected)
+    assert evaluate_block(now, "kinetic_energy", x, t, None, None)[0] == pytest.approx(expected)

@@ -81,16 +81,16 @@ def test_what_will_be_brought_back_is_not_told_of(options):
 def test_a_system_without_constraints_compiles_nothing_for_it():
     system = system_of(zoo.chain(), times=TIMES)
     system.integrate()
-    assert list(system._current()._kernels) == [("rates",)]
+    assert list(system.model._kernels) == [("rates",)]
 
 
 def test_the_residuals_alone_are_compiled_where_they_are_small():
     system = off()
     system.set_dependent_initial_conditions()
-    before = set(system._current()._kernels)
+    before = set(system.model._kernels)
     system.integrate()
     residuals = {("rates",), ("holonomic",), ("velocity",)}
-    assert set(system._current()._kernels) <= residuals | before
+    assert set(system.model._kernels) <= residuals | before
 
 
 @pytest.mark.parametrize("linear", ["numpy", "sympy"])

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.rewrite import substitute
@@ -74,8 +74,7 @@ def _shares(assembly: Assembly) -> np.ndarray:
     }
     blocks = []
     for name, (nodes, by) in names.items():
-        table = jacobian(graph, nodes, by)
-        cells = [row.get(k, graph.zero) for row in table for k in range(len(by))]
+        cells = dense_jacobian(graph, nodes, by)
         blocks.append((name, (len(nodes), len(by)), cells))
     blocks.append(("rows", (count, n), assembly.mass_matrix[(n - count) * n :]))
     program = lower(graph, assembly.sizes, blocks)

@@ -49,6 +49,8 @@ class Definition:
         Sorted.
     specifieds : tuple of functions of time and their derivatives
         Sorted, or as the user ordered them.
+    residuals, forces : tuple of symbols
+        The outputs that are residuals of constraints and noncontributing forces.
     """
 
     equations: Equations
@@ -56,6 +58,8 @@ class Definition:
     auxiliaries: tuple[Any, ...]
     constants: tuple[Any, ...]
     specifieds: tuple[Any, ...]
+    residuals: tuple[Any, ...] = ()
+    forces: tuple[Any, ...] = ()
 
     @property
     def states(self) -> tuple[Any, ...]:
@@ -66,6 +70,21 @@ class Definition:
     def outputs_symbols(self) -> tuple[Any, ...]:
         """The names of all outputs, in order."""
         return tuple(name for group in self.groups for name in group.names)
+
+    @cached_property
+    def symbols_by_kind(self) -> dict[str, tuple[Any, ...]]:
+        """All symbols but the constants, by kind, as a Trajectory takes them."""
+        equations = self.equations
+        known = {*self.residuals, *self.forces}
+        return {
+            "coordinate": equations.coordinates,
+            "speed": equations.speeds,
+            "auxiliary": self.auxiliaries,
+            "output": tuple(s for s in self.outputs_symbols if s not in known),
+            "constraint": self.residuals,
+            "force": self.forces,
+            "specified": self.specifieds,
+        }
 
     @cached_property
     def layout(self) -> Layout:

@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Layout
+from pydy._assembly.definition import Definition, Layout
 from pydy._assembly.external import LinearSolver, with_external_solver
 from pydy._assembly.stored import stored_program
 from pydy._errors import SingularMatrixError
+from pydy._graph.interpret import run
+from pydy._graph.lower import lower
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
+from pydy._names import unique_names
 
 __all__ = ["CompiledModel"]
 
@@ -38,19 +41,23 @@ class CompiledModel:
     solver : callable or None
         ``solve(A, b)`` of the user's, for the accelerations in values of blocks; derivatives and
         further expressions are compiled with the built-in one.
+    definition : Definition or None
+        What it was made of, where that is a mechanical system.
     """
 
     layout: Layout
     assembly: Assembly
     backend: Any
     solver: LinearSolver | None = None
+    definition: Definition | None = None
     _kernels: dict[tuple[Any, ...], Kernel] = field(default_factory=dict)
     _variants: dict[Any, CompiledModel] = field(default_factory=dict)
+    _interpreted: dict[Any, Program] = field(default_factory=dict)
 
     def __getstate__(self) -> dict[str, Any]:
         kept = self.function_blocks
         kernels = {k: v for k, v in self._kernels.items() if k == kept}
-        return {**self.__dict__, "_kernels": kernels, "_variants": {}}
+        return {**self.__dict__, "_kernels": kernels, "_variants": {}, "_interpreted": {}}
 
     def __deepcopy__(self, memo: dict[int, Any]) -> CompiledModel:
         return self
@@ -58,7 +65,7 @@ class CompiledModel:
     def __repr__(self) -> str:
         layout, compiled = self.layout, []
         for key, kernel in self._kernels.items():
-            counts = kernel.program.operation_count
+            counts = {k: sum(v.values()) for k, v in kernel.program.operation_count.items()}
             compiled.append(
                 f"{_title(key)} ({counts['setup']} operations at set-up, {counts['run']} a call)"
             )
@@ -143,6 +150,28 @@ class CompiledModel:
             kernel = self._kernels[key] = self.backend.compile(build())
         return kernel
 
+    def interpreted(
+        self,
+        parts: Callable[[Assembly], dict[str, list[int]]],
+        at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
+    ) -> dict[str, np.ndarray]:
+        """Return the values of some nodes, shape (m, o) for each name, without compiling them.
+
+        Parameters
+        ----------
+        parts : callable
+            Returns nodes by name; it may add to the graph that it gets.
+        at : (t, x, r, p)
+            Where they are evaluated.
+        """
+        program = self._interpreted.get(parts)
+        if program is None:
+            own = self.assembly.fork()
+            blocks = [(name, (len(nodes),), nodes) for name, nodes in parts(own).items()]
+            program = self._interpreted[parts] = lower(own.graph, own.sizes, blocks)
+        out, _ = run(program, *at)
+        return {block.name: out[:, block.start : block.stop] for block in program.blocks}
+
     # -- other equations -------------------------------------------------------------------------
 
     def changed(self, key: Any, change: Callable[[Assembly], Assembly]) -> CompiledModel:
@@ -157,7 +186,8 @@ class CompiledModel:
         """
         other = self._variants.pop(key, None)
         if other is None:
-            other = replace(self, assembly=change(self.assembly), _kernels={}, _variants={})
+            changed = change(self.assembly)
+            other = CompiledModel(self.layout, changed, self.backend, self.solver, self.definition)
         self._variants[key] = other
         while len(self._variants) > _VARIANTS:
             del self._variants[next(iter(self._variants))]
@@ -194,7 +224,7 @@ class CompiledModel:
 
 
 def _listed(symbols: tuple[Any, ...]) -> str:
-    return ", ".join(map(str, symbols)) or "none"
+    return ", ".join(unique_names(symbols)) or "none"
 
 
 def _title(key: tuple[Any, ...]) -> str:

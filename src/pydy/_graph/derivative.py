@@ -44,6 +44,12 @@ def jacobian(
     return directional(graph, outputs, {node: {k: graph.one} for k, node in enumerate(variables)})
 
 
+def dense_jacobian(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[int]:
+    """Return all derivatives of some nodes by others, row by row."""
+    rows = jacobian(graph, outputs, by)
+    return [row.get(k, graph.zero) for row in rows for k in range(len(by))]
+
+
 def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) -> list[Row]:
     """Return the derivatives of `outputs` in several directions.
 

@@ -13,11 +13,12 @@ from pydy._mechanics.form import Formed
 from pydy._mechanics.mechanism import Mechanism
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._names import name_of
 
 __all__ = ["Equations"]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Equations:
     """Equations of motion ``M u' = F`` with kinematics ``q' = G``, and what constrains them.
 
@@ -75,6 +76,21 @@ class Equations:
     formed: Formed | None = field(default=None, repr=False)
     multibody: Multibody | None = field(default=None, repr=False)
     enforced: tuple[int, ...] = ()
+
+    def __repr__(self) -> str:
+        q, u = (", ".join(map(name_of, part)) for part in (self.coordinates, self.speeds))
+        lines = [f"Equations: {q}; speeds {u}"]
+        if self.formed is not None and self.mechanism is not None:
+            bodies, loads = len(self.mechanism.bodies), len(self.mechanism.loads)
+            lines.append(f"formed on the graph from {bodies} bodies and {loads} loads")
+        else:
+            lines.append(f"a mass matrix {self.mass_matrix.shape} and {len(self.forcing)} forces")
+        for kind in ("holonomic", "velocity", "nonholonomic", "auxiliary_equations"):
+            rows = getattr(self, kind)
+            if rows:
+                what = "auxiliary equations" if "_" in kind else f"{kind} constraints"
+                lines.append(f"{len(rows)} {what}")
+        return "\n  ".join(lines)
 
     @cached_property
     def symbols(self) -> dict[Any, None]:

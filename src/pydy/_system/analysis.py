@@ -16,7 +16,9 @@ from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._system.balance import GROUPS, Numbers, evaluated, feedback, located
+from pydy._system.balance import GROUPS, evaluated, feedback, located
+from pydy._system.evaluation import samples
+from pydy._system.snapshot import Snapshot
 from pydy._system.start import TRIED, violations
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -132,26 +134,27 @@ class Point:
 
 
 def linearize(
-    numbers: Numbers,
-    x: np.ndarray,
-    t: np.ndarray,
+    now: Snapshot,
+    at: Any,
+    t: Any,
     inputs: Iterable[Any] | None,
     outputs: Iterable[Any] | None,
-    single: bool,
 ) -> LinearModel:
-    """Return what `System.linearize` describes; x (m, n) and t (m,)."""
-    definition = numbers.definition
+    """Return what `System.linearize` describes."""
+    definition = now.definition
+    width = len(definition.states)
+    x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, width)
     places = definition.places
     names = unique_names(definition.states)
-    plan = numbers.plan
-    made = driven(numbers.model, definition, plan, perturbed=True)
+    plan = now.plan
+    made = driven(now.model, definition, plan, perturbed=True)
     rows = plan.rows(x, t)
-    point = Point(definition, made, plan, t, x, rows, numbers.p)
+    point = Point(definition, made, plan, t, x, rows, now.p)
     value, slopes, blocks = point.value, point.slopes, point.blocks
     n, s = len(definition.states), len(definition.specifieds)
     T, free = point.tangents()
     if blocks:
-        _warn_of_violations(numbers, made, t, x, rows)
+        _warn_of_violations(now, made, t, x, rows)
     A = (slopes("rates") @ T)[:, free]
     symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
     columns = [places["specifieds"].find(symbol, "inputs") for symbol in symbols]
@@ -167,7 +170,7 @@ def linearize(
                     "of `inputs`."
                 )
     B = by_input[:, free][:, :, columns]
-    C, D, titles = _outputs(numbers, outputs, value, made, slopes, T, columns)
+    C, D, titles = _outputs(now, outputs, value, made, slopes, T, columns)
     rates = value(made.compiled("rates"))[:, free]
     parts = [A, B, C, D, rates]
     sound = [np.isfinite(part.reshape(len(x), -1)).all(axis=1) for part in parts]
@@ -191,12 +194,12 @@ def _which(k: int, x: np.ndarray) -> str:
 
 
 def _warn_of_violations(
-    numbers: Numbers, made: CompiledModel, t: np.ndarray, x: np.ndarray, rows: np.ndarray
+    now: Snapshot, made: CompiledModel, t: np.ndarray, x: np.ndarray, rows: np.ndarray
 ) -> None:
     """Warn of the first state that is off the constraints, of those that are tried."""
     for k in np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int)):
         row = rows[k if len(rows) > 1 else 0]
-        told = violations(numbers.definition, made, lambda: made, float(t[k]), x[k], row, numbers.p)
+        told = violations(now.definition, made, float(t[k]), x[k], row, now.p)
         if told:
             warn_user(
                 f"The linear model is one of motions that keep the constraints, but "
@@ -208,7 +211,7 @@ def _warn_of_violations(
 
 
 def _outputs(
-    numbers: Numbers,
+    now: Snapshot,
     outputs: Iterable[Any] | None,
     value: Any,
     made: CompiledModel,
@@ -217,7 +220,7 @@ def _outputs(
     columns: list[int],
 ) -> tuple[np.ndarray, np.ndarray, tuple[str, ...]]:
     """Return C, D and the outputs' names: of states and of the System's outputs."""
-    definition = numbers.definition
+    definition = now.definition
     m, n, s = len(T), len(definition.states), len(definition.specifieds)
     symbols = definition.states if outputs is None else listed("outputs", outputs)
     known = Places([*definition.states, *definition.outputs_symbols], "states and outputs")

@@ -3,25 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, listed, number, real_array
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._system.evaluation import row_names
+from pydy._system.snapshot import Snapshot
 from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
 
 __all__ = [
     "GROUPS",
     "Balance",
-    "Numbers",
     "Unknowns",
     "evaluated",
     "feedback",
@@ -32,29 +30,6 @@ __all__ = [
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
 _EPS = float(np.finfo(float).eps)
-
-
-@dataclass(frozen=True, eq=False)
-class Numbers:
-    """A System's equations and numbers at one moment.
-
-    Attributes
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With its linear solve compiled in.
-    plan : SpecifiedsPlan
-    x, p : ndarray
-        Initial conditions and constants.
-    t : float
-    """
-
-    definition: Definition
-    model: CompiledModel
-    plan: SpecifiedsPlan
-    x: np.ndarray
-    p: np.ndarray
-    t: float
 
 
 class Unknowns:
@@ -122,7 +97,7 @@ class Balance:
 
     Parameters
     ----------
-    numbers : Numbers
+    now : Snapshot
     unknowns : iterable of symbols or names, optional
         By default all coordinates and speeds that are neither given, nor moving, nor varied.
     given : mapping, optional
@@ -135,13 +110,13 @@ class Balance:
 
     def __init__(
         self,
-        numbers: Numbers,
+        now: Snapshot,
         unknowns: Iterable[Any] | None,
         given: Mapping[Any, Any] | None,
         moving: Iterable[Any],
         varied: Sequence[Any] = (),
     ) -> None:
-        definition = self.definition = numbers.definition
+        definition = self.definition = now.definition
         equations = definition.equations
         states = definition.places["states"]
         q, n = len(equations.coordinates), len(equations.coordinates) + len(equations.speeds)
@@ -149,7 +124,7 @@ class Balance:
         if any(place >= q for place in steady):
             names = [str(states.symbols[k]) for k in steady if k >= q]
             raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
-        self.x, self.p = numbers.x.copy(), numbers.p.copy()
+        self.x, self.p = now.x.copy(), now.p.copy()
         inputs: dict[Any, float] = {}
         given = check_mapping("given", given)
         for key, entry in given.items():
@@ -174,19 +149,19 @@ class Balance:
         self.rows = [k for k in range(n) if k not in steady]
         by_specified, self.columns = wanted.of("specifieds")
         own = [definition.specifieds[k] for k in self.columns]
-        self.plan = numbers.plan.updated(
+        self.plan = now.plan.updated(
             SpecifiedsPlan(
-                {**inputs, **{s: _start(numbers, s) for s in own if s not in inputs}},
+                {**inputs, **{s: _start(now, s) for s in own if s not in inputs}},
                 definition.places["specifieds"],
                 argument="given",
             )
         )
         self.made = driven(
-            numbers.model, definition, self.plan,
+            now.model, definition, self.plan,
             perturbed=bool(own or self.plan.functions),
         )  # fmt: skip
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
-        self.t = numbers.t
+        self.t = now.t
         self.start = np.empty(len(wanted.symbols))
         self.start[wanted.of("states")[0]] = self.x[wanted.of("states")[1]]
         self.start[wanted.of("constants")[0]] = self.p[wanted.of("constants")[1]]
@@ -258,21 +233,21 @@ class Balance:
 
 
 def find_equilibrium(
-    numbers: Numbers,
+    now: Snapshot,
     unknowns: Iterable[Any] | None,
     given: Mapping[Any, Any] | None,
     moving: Iterable[Any],
     bounds: Mapping[Any, Any] | None,
 ) -> Equilibrium:
     """Return what `System.find_equilibrium` describes."""
-    balance = Balance(numbers, unknowns, given, moving)
+    balance = Balance(now, unknowns, given, moving)
     wanted = balance.wanted
     return balance.equilibrium(
         *solve_equilibrium(
             lambda z: balance.residuals(z[None])[0],
             lambda z: balance.slopes(z[None])[0],
             balance.start,
-            _bounds(numbers.definition, wanted, bounds),
+            _bounds(now.definition, wanted, bounds),
             wanted.names,
             balance.titles,
         )
@@ -296,10 +271,10 @@ def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
     return slopes
 
 
-def _start(numbers: Numbers, symbol: Any) -> float:
+def _start(now: Snapshot, symbol: Any) -> float:
     """Return the value of a specified from which to search."""
-    place = numbers.definition.specifieds.index(symbol)
-    row = numbers.plan.rows(numbers.x[None], np.array([numbers.t]))[0]
+    place = now.definition.specifieds.index(symbol)
+    row = now.plan.rows(now.x[None], np.array([now.t]))[0]
     return float(row[place])
 
 

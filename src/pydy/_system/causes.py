@@ -14,11 +14,10 @@ from scipy.linalg import qr
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
-from pydy._graph.derivative import jacobian
-from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.derivative import dense_jacobian
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 
 __all__ = ["cause_of", "explain"]
@@ -29,7 +28,7 @@ _TINY = 1e-6  # of the largest: near a singular configuration, where steps becom
 def explain(
     error: IntegrationError | SingularMatrixError,
     definition: Definition,
-    assembly: Assembly,
+    model: CompiledModel,
     specified: Callable[[np.ndarray, float], np.ndarray],
     p: np.ndarray,
 ) -> None:
@@ -40,14 +39,14 @@ def explain(
     code = error.info.get("code") if isinstance(error, IntegrationError) else SINGULAR
     if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW):
         t, x = error.time, np.array(error.state)
-        cause = cause_of(definition, assembly, t, x, specified(x, t), p)
+        cause = cause_of(definition, model, t, x, specified(x, t), p)
         if cause:
             error.args = (str(error).removesuffix(OUTCOMES[code].remedy) + cause,)
 
 
 def cause_of(
     definition: Definition,
-    assembly: Assembly,
+    model: CompiledModel,
     t: float,
     x: np.ndarray,
     r: np.ndarray,
@@ -58,7 +57,8 @@ def cause_of(
     Parameters
     ----------
     definition : Definition
-    assembly : Assembly
+    model : CompiledModel
+        With all expressions compiled in.
     t, x, r, p
         Where the equations are evaluated.
     """
@@ -66,14 +66,15 @@ def cause_of(
         if not np.isfinite(value):
             return f"The specified `{symbol}` is {value} there."
     equations = definition.equations
-    idle = _idle(assembly, equations.speeds)
+    idle = _idle(model.assembly, equations.speeds)
     if idle:
         return (
             f"The mass matrix has rows that are identically zero, of {describe(idle)}: no mass or "
             "inertia takes part in them, or it has cancelled. Check that velocities of points and "
             "angular velocities of frames hold these speeds, and that bodies have mass and inertia."
         )
-    values = _values(definition, assembly, t, x, r, p)
+    found = model.interpreted(_parts, (np.array([t]), x[None], r[None], p))
+    values = {name: part[0] for name, part in found.items()}
     kinematics = values["kinematics"].reshape(len(equations.coordinates), -1)
     wild = _wild(kinematics)
     if wild.any():
@@ -109,30 +110,15 @@ def _idle(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
     return [u for k, u in enumerate(speeds) if all(c == zero for c in cells[k * n : k * n + n])]
 
 
-def _values(
-    definition: Definition,
-    assembly: Assembly,
-    t: float,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-) -> dict[str, np.ndarray]:
-    """Evaluate the parts of the equations as they are, without simplifying or compiling them."""
-    own = assembly.fork()
-    graph, speeds = own.graph, own.speeds
-
-    def table(nodes: list[int]) -> list[int]:
-        rows = jacobian(graph, nodes, speeds)
-        return [row.get(k, graph.zero) for row in rows for k in range(len(speeds))]
-
-    parts = {
-        "kinematics": table(own.rates[: len(definition.equations.coordinates)]),
-        "slopes": table(own.velocity),
-        "matrix": own.mass_matrix,
+def _parts(assembly: Assembly) -> dict[str, list[int]]:
+    """Return the parts of the equations that are looked at, as nodes."""
+    graph, speeds = assembly.graph, assembly.speeds
+    first = graph.args[speeds[0]][1]
+    return {
+        "kinematics": dense_jacobian(graph, assembly.rates[:first], speeds),
+        "slopes": dense_jacobian(graph, assembly.velocity, speeds),
+        "matrix": assembly.mass_matrix,
     }
-    program = lower(graph, own.sizes, [(k, (len(n),), n) for k, n in parts.items()])
-    out, _ = run(program, np.array([t]), x[None], r[None], p)
-    return {b.name: out[0, b.start : b.stop] for b in program.blocks}
 
 
 def _wild(kinematics: np.ndarray) -> np.ndarray:

@@ -11,14 +11,14 @@ import sympy as sm
 
 from pydy._assembly.definition import Definition, lower_derivatives
 from pydy._assembly.outputs import Group, auxiliary_groups
-from pydy._checks import Places, listed
-from pydy._errors import UnsupportedFunctionError
+from pydy._checks import Places, check_mapping, describe, listed
+from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
-from pydy._system.inputs import check_forces, output_groups, sort_out
+from pydy._system.inputs import check_forces, named_outputs, output_groups, sort_out
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 
-__all__ = ["Given", "define", "given_in", "unfollowed"]
+__all__ = ["Definer", "unfollowed"]
 
 
 _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
@@ -70,9 +70,87 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
     return Given(expressions, tuple(keys), ordered)
 
 
+class Definer:
+    """Makes the Definition of what a user set; the latest is kept while that stays the same.
+
+    Parameters
+    ----------
+    equations : Equations
+    base : (constants, specifieds)
+        Those of the equations of motion, as found or as the user gave them.
+
+    Attributes
+    ----------
+    residuals : dict
+        The constraints as outputs.
+    latest : Definition
+        The last that was sound.
+    """
+
+    latest: Definition
+
+    def __init__(self, equations: Equations, base: tuple[Sequence[Any], Sequence[Any]]) -> None:
+        self._equations = equations
+        self._base = base
+        rows = (*equations.holonomic, *equations.nonholonomic)
+        self.residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}
+        self._key: tuple[dict[Any, Any], list[Any], Given] | None = None
+        self._warned_of: set[Any] = set()
+
+    def __call__(
+        self, outputs: Mapping[Any, Any], forces: Sequence[Any], specifieds: Mapping[Any, Any]
+    ) -> Definition:
+        """Return the Definition.
+
+        Parameters
+        ----------
+        outputs : mapping
+            With residuals and forces or without; the user may have edited it.
+        forces : sequence of symbols
+            Names of the noncontributing forces.
+        specifieds : mapping
+        """
+        if self._key is not None:
+            known, names, given = self._key
+            same = known == outputs and names == [*outputs, *forces]
+            if same and given.still_holds(specifieds):
+                return self.latest
+        given = given_in(specifieds)
+        own = self.users(outputs, forces)
+        self.latest = define(self._equations, own, self.residuals, forces, self._base, given)
+        self._key = (dict(outputs), [*outputs, *forces], given)
+        self._warn()
+        return self.latest
+
+    def users(self, outputs: Mapping[Any, Any], forces: Sequence[Any]) -> dict[Any, Any]:
+        """Return the user's own outputs among all."""
+        named = named_outputs(check_mapping("outputs", outputs))
+        mine = {*self.residuals, *([tuple(forces)] if forces else [])}
+        return {key: value for key, value in named.items() if key not in mine}
+
+    def merged(self, outputs: Mapping[Any, Any], forces: Sequence[Any]) -> dict[Any, Any]:
+        """Return the user's outputs, then the residuals, then the noncontributing forces."""
+        result = {**self.users(outputs, forces), **self.residuals}
+        if forces:
+            result[tuple(forces)] = list(self._equations.auxiliary_equations)
+        return result
+
+    def _warn(self) -> None:
+        for symbols in self.latest.of_one_name:
+            if symbols not in self._warned_of:
+                self._warned_of.add(symbols)
+                warn_user(
+                    f"The system has several symbols of one name: {describe(symbols)}. SymPy takes "
+                    "them for different symbols, because their assumptions differ, so that each "
+                    "has a value of its own. If one was meant, create it once and use it "
+                    "everywhere."
+                )
+
+
 def define(
     equations: Equations,
     outputs: Mapping[Any, Any],
+    residuals: Mapping[Any, Any],
     forces: Any,
     base: tuple[Sequence[Any], Sequence[Any]],
     given: Given,
@@ -82,8 +160,8 @@ def define(
     Parameters
     ----------
     equations : Equations
-    outputs : mapping
-        All outputs but the noncontributing forces.
+    outputs, residuals : mapping
+        The user's, and the constraints.
     forces : iterable of symbols or None
     base : (constants, specifieds)
         Those of the equations of motion, as found or as the user gave them.
@@ -92,7 +170,7 @@ def define(
         motions of which the equations hold derivatives only.
     """
     constants, specifieds = base
-    groups = output_groups(outputs)
+    groups = output_groups({**outputs, **residuals})
     names = check_forces(equations, forces)
     if names:
         groups.append(Group(tuple(names), equations.auxiliary_equations))
@@ -127,6 +205,8 @@ def define(
         auxiliaries,
         tuple(sort_symbols({*constants, *more_constants} - aux)),
         _ordered(sort_symbols({*specifieds, *more_specifieds}), given, set(results)),
+        tuple(residuals),
+        tuple(names),
     )
 
 

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from scipy import optimize
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, listed
 from pydy._errors import PyDyUserWarning, SingularMatrixError
+from pydy._system.snapshot import Snapshot
 from pydy.codegen.arguments import describe
 from pydy.solvers.run.constraints import satisfied
 
@@ -54,28 +53,14 @@ def check_dependents(definition: Definition, dep_vars: Any) -> tuple[list[int], 
 
 
 def solve_dependents(
-    model: CompiledModel,
-    definition: Definition,
-    x: np.ndarray,
-    t: float,
-    specified: Callable[[np.ndarray, float], np.ndarray],
-    p: np.ndarray,
-    places: tuple[list[int], list[int]],
-    use_jac: bool,
-    root_kwargs: dict[str, Any],
+    now: Snapshot, places: tuple[list[int], list[int]], use_jac: bool, root_kwargs: dict[str, Any]
 ) -> np.ndarray:
-    """Return x with its dependent coordinates and speeds solved for.
+    """Return the initial state with its dependent coordinates and speeds solved for.
 
     Parameters
     ----------
-    model : CompiledModel
-    definition : Definition
-    x : ndarray, shape (n,)
+    now : Snapshot
         Holds the independent values and the guesses.
-    t : float
-    specified : callable
-        Gives r at a state and time.
-    p : ndarray, shape (k,)
     places : (list of int, list of int)
         Of the dependent coordinates and speeds in x.
     use_jac : bool
@@ -83,8 +68,10 @@ def solve_dependents(
     root_kwargs : dict
         For `scipy.optimize.root`.
     """
+    model, definition, p = now.driven, now.definition, now.p
+    x, t, specified = now.x.copy(), now.t, now.plan
+    specified.check_times(np.array([t]), "times")
     coordinates, speeds = places
-    x = x.copy()
     instant = np.array([t])
 
     def value(kernel: Any, state: np.ndarray) -> np.ndarray:

@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, number, real_array, text, whole
 from pydy._names import latex_of, name_of, unique_names
-from pydy._system.solving import HANDLED, prepare
+from pydy._system.inputs import check_times
+from pydy._system.snapshot import Snapshot
+from pydy._system.solving import prepare
 from pydy._system.start import check_samples
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
@@ -24,7 +25,7 @@ from pydy.inputs import SampledInput
 from pydy.solvers.options import Options, read_options
 from pydy.solvers.solver import SOLVERS, Solver
 
-__all__ = ["make_ensemble", "split_specifieds"]
+__all__ = ["make_ensemble"]
 
 _BYTES = 8e6  # of results in a block, about
 _LEAST, _MOST = 64, 8192  # samples in a block
@@ -163,12 +164,9 @@ def _aligned(columns: list[tuple[Any, Any]], dims: Mapping[str, int]) -> tuple[n
 
 
 def make_ensemble(
-    definition: Definition,
-    exact: CompiledModel,
-    plan: SpecifiedsPlan,
-    base: tuple[np.ndarray, np.ndarray],
-    given: tuple[Mapping[Any, Any], Mapping[Any, Any], Mapping[Any, Any]],
-    times: np.ndarray,
+    now: Snapshot,
+    given: tuple[Any, Any, Any],
+    times: Any,
     ode_solver: Any,
     options: Mapping[str, Any],
     *,
@@ -183,22 +181,29 @@ def make_ensemble(
 
     Parameters
     ----------
-    definition : Definition
-    exact : CompiledModel
-        With its linear solve compiled in.
-    plan : SpecifiedsPlan
-        The specifieds that are the same for all samples.
-    base : (x0, p)
-        The values of what is not given.
+    now : Snapshot
+        Gives what is not given.
     given : (initial_conditions, constants, specifieds)
-        The latter only those that vary.
-    times : ndarray
+    times : array_like or None
     ode_solver : str or Solver
     options : mapping
         Of the solver, events and constraints included.
     product, chunks, reduce, workers, progress, units
         As in `System.integrate_ensemble`.
     """
+    definition = now.definition
+    varied, common = split_specifieds(given[2])
+    plan = now.plan
+    for values in (common, dict.fromkeys(varied, 0.0)):
+        new = SpecifiedsPlan(values, definition.places["specifieds"], argument="specifieds")
+        plan = plan.updated(new)
+    times = check_times(now.times if times is None else times)
+    if len(times) < 2:
+        raise ValueError(
+            f"`times` must have at least two values, got {len(times)}. Pass `times` or set "
+            "`system.times`."
+        )
+    plan.check_times(times, "times")
     solver = _native(ode_solver)
     workers = None if workers is None else whole(workers, "`workers`")
     variables = (*definition.states, *definition.outputs_symbols)
@@ -208,11 +213,12 @@ def make_ensemble(
     others = (*definition.constants, *definition.specifieds)
     for s, name in zip(others, unique_names(others), strict=True):
         labels[s] = f"{name} (constant)" if name in axes.taken else name
-    initial, constants, specifieds = given
+    initial = check_mapping("initial_conditions", given[0])
+    constants = check_mapping("constants", given[1])
     at = definition.places
-    x = _columns("initial_conditions", initial, at["states"], base[0], axes, labels, "initial")
-    p = _columns("constants", constants, at["constants"], base[1], axes, labels, "constant")
-    r = _columns("specifieds", specifieds, at["specifieds"], plan.values, axes, labels, "specified")
+    x = _columns("initial_conditions", initial, at["states"], now.x, axes, labels, "initial")
+    p = _columns("constants", constants, at["constants"], now.p, axes, labels, "constant")
+    r = _columns("specifieds", varied, at["specifieds"], plan.values, axes, labels, "specified")
     for s, (dims, value) in zip(definition.constants, p, strict=True):
         if not dims:
             attrs = {"role": "constant", "latex": latex_of(s)}
@@ -220,22 +226,19 @@ def make_ensemble(
     aligned = [_aligned(c, axes.dims) for c in (x, r, p)]
     samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
 
-    driving = driven(exact, definition, plan)
     constrained = definition.equations.holonomic or definition.equations.velocity
     if constrained and options.get("constraints") is None:
         start, shape = float(times[0]), tuple(axes.dims.values())
         columns = (aligned[0], aligned[1], aligned[2])
-        check_samples(definition, driving, start, plan, columns, shape)
-    integrated, rest = exact, dict(options)
-    if HANDLED & rest.keys():
-        integrated, rest = prepare(solver, definition, exact, driving, rest)
+        check_samples(definition, driven(now.model, definition, plan), start, plan, columns, shape)
+    integrated, rest = prepare(solver, definition, now.model, plan, dict(options))
     own = {k: v for k, v in rest.items() if k not in ("events", "constraints")}
     read = read_options(solver.name, solver.adaptive, own)
     read = Options(
         **{**vars(read), **{k: v for k, v in rest.items() if k not in own}, "full_output": True}
     )
     _check_tolerances(read, len(definition.states))
-    assembly = driven(integrated, definition, plan).assembly
+    assembly = integrated.assembly
     model = Model(
         rates=assembly.program("rates"),
         outputs=assembly.program("outputs") if definition.outputs_symbols else None,

@@ -3,21 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.definition import Definition, Layout
-from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._kernel import Kernel
-from pydy._system.energy import EnergyModel
-from pydy.codegen.arguments import SpecifiedsPlan, real_array
+from pydy.codegen.arguments import real_array
 
 __all__ = [
-    "Snapshot",
     "row_names",
     "samples",
     "specified_rows",
@@ -141,69 +136,3 @@ def warn_not_finite(
         f"These values are not finite: {describe(rows)} at t = {float(t[k])!r} in the state "
         f"{state}{more}. {why}"
     )
-
-
-@dataclass(frozen=True, eq=False)
-class Snapshot:
-    """The compiled model with the numbers of one simulation, as a `trajectory.Model`.
-
-    Attributes
-    ----------
-    model : CompiledModel
-        With the plan's expressions compiled into it.
-    plan : SpecifiedsPlan
-    p : ndarray
-    energies : EnergyModel
-    definition : Definition
-    """
-
-    model: CompiledModel
-    plan: SpecifiedsPlan
-    p: np.ndarray
-    energies: EnergyModel
-    definition: Definition
-
-    def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the specifieds, shape (m, s)."""
-        symbols = self.model.layout.specifieds
-        kernel = self.model.compiled_expressions("the specifieds", (len(symbols),), symbols)
-        return self._sweep(kernel, times, states)
-
-    def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the derivatives of the states, shape (m, n)."""
-        return self._sweep(self.model.compiled("rates"), times, states)
-
-    def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the outputs, shape (m, o)."""
-        return self._sweep(self.model.compiled("outputs"), times, states)
-
-    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return kinetic, potential and total energy, shape (m, 3)."""
-        return self._sweep(self.energies.kernel(self.model), times, states)
-
-    def scene(
-        self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
-    ) -> Any:
-        """Return a scene that shows the bodies, or some visuals; see `System.scene`."""
-        from pydy._system.scene import make_scene
-
-        definition = self.definition
-        values = dict(zip(definition.constants, self.p.tolist(), strict=True))
-        equations, states = definition.equations, definition.states
-        return make_scene(
-            equations,
-            visuals,
-            reference_frame,
-            origin,
-            values,
-            None,
-            None,
-            states,
-            options,
-            lambda: self.model.assembly,
-        )
-
-    def _sweep(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        states = np.ascontiguousarray(states)
-        rows = self.plan.rows(states, times)
-        return self.model.evaluate(kernel, times, states, rows, self.p)

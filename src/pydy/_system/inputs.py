@@ -11,6 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._assembly.outputs import Group
+from pydy._assembly.system import check_accelerations
 from pydy._checks import Places, check_mapping, listed, resolved, shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._mechanics.equations import Equations
@@ -20,6 +21,7 @@ from pydy.codegen.arguments import checked_expression, describe, real_array
 
 __all__ = [
     "SymbolSet",
+    "base_symbols",
     "check_forces",
     "check_mapping",
     "check_symbols",
@@ -91,6 +93,24 @@ def check_symbols(argument: str, symbols: Any, kind: str, equations: Equations) 
             expected = "symbols" if kind == "constant" else "functions of time"
             raise ValueError(f"`{argument}` must hold {expected}, got `{symbol}`.")
     return sort_symbols(unique)
+
+
+def base_symbols(
+    equations: Equations, constants: Any, specifieds: Any
+) -> tuple[list[Any], list[Any]]:
+    """Return the constants and specifieds of the equations, searched for where not given."""
+    found: tuple[list[Any], list[Any]] = ([], [])
+    if constants is None or specifieds is None:
+        found = sort_out(equations)
+        check_accelerations(equations)
+    if constants is not None:
+        constants = check_symbols("constants_symbols", constants, "constant", equations)
+    if specifieds is not None:
+        specifieds = check_symbols("specifieds_symbols", specifieds, "specified", equations)
+    return (
+        found[0] if constants is None else constants,
+        found[1] if specifieds is None else specifieds,
+    )
 
 
 def sort_out(

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
 from pydy._graph.from_sympy import NodeExpression
 from pydy._mechanics.equations import Equations
 from pydy.viz.defaults import find_origin, guess_up, skeleton
@@ -20,34 +21,34 @@ _LINES = "#7d8796"  # grey, to be seen on white and on nearly black
 
 
 def make_scene(
-    equations: Equations,
+    definition: Definition,
+    constants: Mapping[Any, float],
+    assembly: Callable[[], Assembly],
     visuals: Sequence[Any],
     reference_frame: Any,
     origin: Any,
-    constants: Mapping[Any, float],
-    times: Callable[[], Any] | None,
-    trajectory: Callable[[Any, Any], Any] | None,
-    states: tuple[Any, ...],
     options: dict[str, Any],
-    assembly: Callable[[], Assembly],
+    times: Callable[[], Any] | None = None,
+    trajectory: Callable[[Any, Any], Any] | None = None,
 ) -> Scene:
     """Return a scene, with what was not said taken from the bodies and loads.
 
     Parameters
     ----------
-    equations : Equations
+    definition : Definition
+    constants : mapping of symbols to numbers
+        To tell which way gravity pulls.
+    assembly : callable
+        Gives the equations of motion, where the scene holds derivatives of the speeds.
     visuals : sequence of Visual, RigidBody or Particle
         By default all bodies.
     reference_frame, origin : ReferenceFrame, Point, or None
-    constants : mapping of symbols to numbers
-        To tell which way gravity pulls.
-    times, trajectory, states
-        See `pydy.viz.motion.Model`.
     options : dict
         Of the Scene.
-    assembly : callable
-        Gives the equations of motion, where the scene holds derivatives of the speeds.
+    times, trajectory
+        See `pydy.viz.motion.Model`.
     """
+    equations = definition.equations
     mechanism = equations.mechanism
     bodies = mechanism.bodies if mechanism is not None else ()
     if not visuals and not bodies:
@@ -73,7 +74,7 @@ def make_scene(
     rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)
     definitions = _Definitions(equations, assembly)
     definitions.update({**dict(rates), **dict.fromkeys(equations.zeros, 0)})
-    model = Model(states, definitions, times, trajectory)
+    model = Model(definition.states, definitions, times, trajectory)
     if not visuals:
         # Bodies, and lines that show how they hang together.
         pairs = skeleton(origin, [body.masscenter for body in bodies])

@@ -10,19 +10,19 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.baumgarte import stabilised
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven
 from pydy._checks import Places, choice, number
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
-from pydy.codegen.arguments import describe
+from pydy.codegen.arguments import SpecifiedsPlan, describe
 from pydy.solvers.events import CompiledEvents, Event
 from pydy.solvers.options import StepOptions
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.solver import Solver
 
 __all__ = [
-    "HANDLED",
     "EnsembleOptions",
     "check_events",
     "constraint_names",
@@ -30,9 +30,6 @@ __all__ = [
     "prepare",
     "projection_program",
 ]
-
-HANDLED = {"constraints", "events", "gain"}
-"""Options of `System.integrate` that need the equations."""
 
 
 class EnsembleOptions(StepOptions, total=False):
@@ -47,7 +44,7 @@ def prepare(
     solver: Any,
     definition: Definition,
     model: CompiledModel,
-    exact: CompiledModel,
+    plan: SpecifiedsPlan,
     options: dict[str, Any],
 ) -> tuple[CompiledModel, dict[str, Any]]:
     """Turn events and constraints into what a solver takes.
@@ -57,16 +54,15 @@ def prepare(
     solver : callable
     definition : Definition
     model : CompiledModel
-        What would be integrated.
-    exact : CompiledModel
-        The same with its linear solve and all expressions compiled in.
+        Takes all specifieds as inputs.
+    plan : SpecifiedsPlan
     options : dict
         Of `System.integrate`.
 
     Returns
     -------
     model : CompiledModel
-        What is to be integrated.
+        What is to be integrated, with the expressions of `plan` compiled in.
     options : dict
         For the solver.
     """
@@ -100,12 +96,13 @@ def prepare(
             f"`{what}` needs a native solver: set `system.ode_solver = 'dop853'`, or another one "
             "of pydy.solvers."
         )
+    model = driven(model, definition, plan)
     if constraints == "project":
-        options["constraints"] = compile_constraints(exact, definition)
+        options["constraints"] = compile_constraints(model, definition)
     if events is not None:
         checked = check_events(events, definition.places["states"])
         if checked:
-            options["events"] = compile_events(exact, definition, checked)
+            options["events"] = compile_events(model, definition, checked)
     return model, options
 
 
@@ -235,16 +232,12 @@ def projection_program(assembly: Assembly) -> Program:
     coordinates = [graph.input("x", k) for k in range(first)]
     kinematics = assembly.rates[:first]
 
-    def cells(nodes: list[int], by: list[int]) -> list[int]:
-        rows = jacobian(graph, nodes, by)
-        return [row.get(k, graph.zero) for row in rows for k in range(len(by))]
-
     parts = {
         "holonomic": assembly.holonomic,
         "velocity": assembly.velocity,
-        "gradient": cells(assembly.holonomic, coordinates),
-        "kinematics": cells(kinematics, speeds),
-        "velocity_gradient": cells(assembly.velocity, speeds),
+        "gradient": dense_jacobian(graph, assembly.holonomic, coordinates),
+        "kinematics": dense_jacobian(graph, kinematics, speeds),
+        "velocity_gradient": dense_jacobian(graph, assembly.velocity, speeds),
         "kinetic_hessian": assembly.kinetic_hessian,
     }
     blocks = [(name, (len(nodes),), nodes) for name, nodes in parts.items()]

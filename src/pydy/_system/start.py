@@ -6,9 +6,11 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._errors import warn_user
+from pydy._graph.derivative import dense_jacobian
 from pydy._system.solving import constraint_names
 
 __all__ = ["TRIED", "check_samples", "check_start", "violations"]
@@ -20,7 +22,6 @@ _DIGITS = 1e-5  # six digits of each state, rounded
 def check_start(
     definition: Definition,
     model: CompiledModel,
-    exact: Callable[[], CompiledModel],
     t: float,
     x: np.ndarray,
     r: np.ndarray,
@@ -34,7 +35,7 @@ def check_start(
     whose : str
         Says in the warning which initial conditions are meant.
     """
-    told = violations(definition, model, exact, t, x, r, p)
+    told = violations(definition, model, t, x, r, p)
     if told:
         warn_user(
             f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
@@ -47,7 +48,6 @@ def check_start(
 def violations(
     definition: Definition,
     model: CompiledModel,
-    exact: Callable[[], CompiledModel],
     t: float,
     x: np.ndarray,
     r: np.ndarray,
@@ -63,8 +63,7 @@ def violations(
     ----------
     definition : Definition
     model : CompiledModel
-    exact : callable
-        Gives one whose Jacobians can be compiled.
+        With all expressions compiled in.
     t, x, r, p
 
     Returns
@@ -73,26 +72,16 @@ def violations(
         A sentence, or nothing.
     """
     equations = definition.equations
-    counts = {"holonomic": len(equations.holonomic), "velocity": len(equations.velocity)}
     at = (np.array([t]), x[None], r[None], p)
-    found = {
-        name: model.compiled(name).evaluate(*at)[0][0] if count else np.empty(0)
-        for name, count in counts.items()
-    }
-    residuals = np.concatenate(list(found.values()))
+    residuals = np.concatenate([part[0] for part in model.interpreted(_residuals, at).values()])
     if np.abs(residuals).max(initial=0.0) < 1e-12:  # NaN is not
         return ""
     n = len(equations.coordinates)
     size = np.abs(x)
     for part in (slice(n), slice(n, None)):
         size[part] = np.maximum(size[part], size[part].max(initial=0.0) or 1.0)
-    slopes = np.concatenate(
-        [
-            exact().compiled_jacobian(name, "x").evaluate(*at)[0].reshape(count, len(x))
-            for name, count in counts.items()
-            if count
-        ]
-    )
+    found = model.interpreted(_slopes, at).values()
+    slopes = np.concatenate([part.reshape(-1, len(x)) for part in found])
     allowed = _DIGITS * (np.abs(slopes) @ size)
     far = np.flatnonzero(~(np.abs(residuals) <= allowed))
     if not far.size:
@@ -104,9 +93,21 @@ def violations(
     return f"The residuals at t = {t!r} are {told}{more}."
 
 
+def _residuals(assembly: Assembly) -> dict[str, list[int]]:
+    return {"holonomic": assembly.holonomic, "velocity": assembly.velocity}
+
+
+def _slopes(assembly: Assembly) -> dict[str, list[int]]:
+    graph = assembly.graph
+    states = [graph.input("x", k) for k in range(assembly.sizes[0])]
+    return {
+        name: dense_jacobian(graph, nodes, states) for name, nodes in _residuals(assembly).items()
+    }
+
+
 def check_samples(
     definition: Definition,
-    exact: CompiledModel,
+    model: CompiledModel,
     t: float,
     specified: Callable[[np.ndarray, float], np.ndarray],
     columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
@@ -117,7 +118,7 @@ def check_samples(
     Parameters
     ----------
     definition : Definition
-    exact : CompiledModel
+    model : CompiledModel
     t : float
     specified : callable
         Gives r at a state and time, where no sample has its own.
@@ -133,5 +134,5 @@ def check_samples(
         varied = [np.size(a) > 1 for a in columns[1]]
         r = np.where(varied, own, specified(x, t)) if len(own) else own
         whose = f" of sample {', '.join(map(str, at))}" if shape else ""
-        if check_start(definition, exact, lambda: exact, t, x, r, p, whose):
+        if check_start(definition, model, t, x, r, p, whose):
             return

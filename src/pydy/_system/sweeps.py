@@ -12,7 +12,9 @@ from pydy._checks import check_mapping, number, real_array, whole
 from pydy._errors import EquilibriumError
 from pydy._names import unique_names
 from pydy._system.analysis import Point
-from pydy._system.balance import Balance, Numbers, located
+from pydy._system.balance import Balance, located
+from pydy._system.evaluation import samples
+from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_equilibrium, solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of
@@ -47,13 +49,13 @@ class Family:
 
     def __init__(
         self,
-        numbers: Numbers,
+        now: Snapshot,
         parameter: Any,
         unknowns: Iterable[Any] | None,
         given: Mapping[Any, Any] | None,
         moving: Iterable[Any],
     ) -> None:
-        self.balance = Balance(numbers, unknowns, given, moving, [parameter])
+        self.balance = Balance(now, unknowns, given, moving, [parameter])
         self.names = self.balance.wanted.names
 
     def equilibria(self, values: np.ndarray) -> np.ndarray:
@@ -140,7 +142,7 @@ class Family:
 
 
 def follow_equilibria(
-    numbers: Numbers,
+    now: Snapshot,
     over: Any,
     unknowns: Iterable[Any] | None,
     given: Mapping[Any, Any] | None,
@@ -149,12 +151,12 @@ def follow_equilibria(
     most: int,
 ) -> EquilibriumBranch:
     """Return what `System.follow_equilibria` describes."""
-    definition = numbers.definition
+    definition = now.definition
     parameter, values = parameter_of(definition, over)
     longest = number(step, "`step`", finite=True)
     if not longest > 0.0:
         raise ValueError(f"`step` must be positive, got {longest!r}.")
-    family = Family(numbers, parameter, unknowns, given, moving)
+    family = Family(now, parameter, unknowns, given, moving)
     balance = family.balance
     if len(family.names) < 2:
         raise ValueError("`unknowns` must name at least one state, constant or specified.")
@@ -192,15 +194,20 @@ def follow_equilibria(
 
 
 def eigenvalues(
-    numbers: Numbers,
+    now: Snapshot,
     over: Any,
-    at: np.ndarray | None,
+    at: Any,
     unknowns: Iterable[Any] | None,
     given: Mapping[Any, Any] | None,
     moving: Iterable[Any],
 ) -> EigenvalueSweep:
-    """Return what `System.eigenvalues` describes; `at` has the shape (n,) or (m, n)."""
-    definition = numbers.definition
+    """Return what `System.eigenvalues` describes."""
+    definition = now.definition
+    at = now.x_with(at, "at")
+    if at is not None:
+        t = np.zeros(len(at)) if np.ndim(at) == 2 else None
+        at, _, single = samples(at, t, lambda: now.x, now.times, len(definition.states))
+        at = at[0] if single else at
     parameter, values = parameter_of(definition, over)
     if at is not None:
         unknowns = definition.states if unknowns is None else unknowns
@@ -210,11 +217,11 @@ def eigenvalues(
                 f"`at` must have one state, or one for each of the {len(values)} values of "
                 f"`over`, got {len(at)}."
             )
-        family = Family(numbers, parameter, unknowns, given, moving)
+        family = Family(now, parameter, unknowns, given, moving)
         z = family.unknowns_at(values, np.broadcast_to(at, (len(values), at.shape[-1])))
         models = family.at
     else:
-        family = Family(numbers, parameter, unknowns, given, moving)
+        family = Family(now, parameter, unknowns, given, moving)
         z = family.equilibria(values)
         models = family.models
     A, x, free = family.matrices(z)

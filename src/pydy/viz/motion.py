@@ -12,7 +12,14 @@ from pydy._checks import check_mapping, listed, number, real_array
 from pydy._names import name_of
 from pydy.viz.poses import Names
 
-__all__ = ["Model", "Motion", "motion_of_arrays", "motion_of_trajectory", "sampled"]
+__all__ = [
+    "Model",
+    "Motion",
+    "checked_samples",
+    "motion_of_arrays",
+    "motion_of_trajectory",
+    "sampled",
+]
 
 
 @dataclass(frozen=True)
@@ -58,7 +65,7 @@ class Model:
     times : callable
         ``times() -> ndarray``, when the System's states are wanted.
     trajectory : callable
-        ``trajectory(times, states)`` returns an object with the attributes of a Trajectory.
+        ``trajectory(times, states)`` returns a Trajectory, of checked arrays.
     """
 
     states: tuple[Any, ...]
@@ -67,7 +74,8 @@ class Model:
     trajectory: Callable[[Any, Any], Any] | None = None
 
 
-def _samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:
+def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (m,) and states (m, width) as arrays, or say what is wrong with them."""
     t, x = real_array(times, "`times`"), real_array(states, "`states`")
     if t.ndim != 1 or not len(t):
         raise ValueError(
@@ -134,7 +142,7 @@ def motion_of_trajectory(trajectory: Any, model: Model | None, constants: Any = 
     values = {**dict(getattr(trajectory, "constants", None) or {}), **_constants(constants)}
     specified = tuple(getattr(trajectory, "specifieds_symbols", None) or ())
     names = Names(symbols, specified, tuple(values), model.definitions if model is not None else {})
-    times, states = _samples(trajectory.times, trajectory.states, len(symbols))
+    times, states = checked_samples(trajectory.times, trajectory.states, len(symbols))
     rows = np.asarray(trajectory.specifieds, dtype=float) if specified else np.zeros((1, 0))
     rows = np.ascontiguousarray(np.broadcast_to(rows, (len(times), len(specified))))
     _finite(names, times, states, symbols)
@@ -167,7 +175,7 @@ def motion_of_arrays(
         )
     symbols = tuple(listed("symbols", symbols, "functions of time", hashable=True))
     symbols = tuple(s.removesuffix("(t)") if isinstance(s, str) else s for s in symbols)
-    t, x = _samples(times, states, len(symbols))
+    t, x = checked_samples(times, states, len(symbols))
     columns = []
     given = check_mapping("specifieds", specifieds)
     for symbol, value in given.items():

@@ -35,7 +35,7 @@ from pydy.viz.arguments import (
     within,
 )
 from pydy.viz.defaults import unit_vector
-from pydy.viz.motion import Model, motion_of_arrays, motion_of_trajectory, sampled
+from pydy.viz.motion import Model, checked_samples, motion_of_arrays, motion_of_trajectory, sampled
 from pydy.viz.page import Look, page
 from pydy.viz.views import direction_of
 from pydy.viz.visuals import Visual
@@ -226,7 +226,11 @@ class Scene:
         if states is None:
             motion = motion_of_trajectory(trajectory, model, constants)
         elif symbols is None and model is not None and model.trajectory is not None:
-            motion = motion_of_trajectory(model.trajectory(trajectory, states), model, constants)
+            motion = motion_of_trajectory(
+                model.trajectory(*checked_samples(trajectory, states, len(model.states))),
+                model,
+                constants,
+            )
         else:
             motion = motion_of_arrays(trajectory, states, symbols, constants, specifieds)
         if fps is not None:

@@ -28,7 +28,7 @@ def nothing_cached(monkeypatch):
 def rates_kernel(name):
     system = System(zoo.MODELS[name]().kane)
     system.generate_ode_function()
-    return system._current().compiled("rates")
+    return system.model.compiled("rates")
 
 
 def sample(kernel, m=50):

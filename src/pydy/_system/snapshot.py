@@ -1,0 +1,197 @@
+"""The numbers of a System at one moment, with the model that they belong to."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven
+from pydy._checks import vector
+from pydy._errors import warn_user
+from pydy._forks import cached_property
+from pydy._kernel import Kernel
+from pydy._system.definition import unfollowed
+from pydy._system.energy import EnergyModel
+from pydy._system.numbers import read_constants, read_states
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.trajectory import Trajectory
+
+__all__ = ["Snapshot", "checked_plan"]
+
+
+@dataclass(frozen=True, eq=False)
+class Snapshot:
+    """What a System is while one of its methods runs; it does not change with the System.
+
+    A Trajectory keeps it as its `trajectory.Model`.
+
+    Attributes
+    ----------
+    definition : Definition
+    model : CompiledModel
+        Takes all specifieds as inputs.
+    user : dict of str to dict
+        'constants', 'specifieds' and 'initial_conditions' as the user gave them; each is checked
+        when it is first needed.
+    times : ndarray
+    energies : EnergyModel
+    told : set
+        Derivatives of specifieds that the user has been warned of.
+    """
+
+    definition: Definition
+    model: CompiledModel
+    user: dict[str, dict[Any, Any]]
+    times: np.ndarray
+    energies: EnergyModel
+    told: set[Any]
+
+    @cached_property
+    def x(self) -> np.ndarray:
+        """The initial conditions in order."""
+        return read_states(self.definition, self.user["initial_conditions"])
+
+    @cached_property
+    def p(self) -> np.ndarray:
+        """The constants in order."""
+        return read_constants(self.definition, self.user["constants"])
+
+    @property
+    def constants(self) -> dict[Any, float]:
+        """The constants' values by symbol."""
+        return dict(zip(self.definition.constants, self.p.tolist(), strict=True))
+
+    @property
+    def t(self) -> float:
+        """The first of the times, or zero."""
+        return float(self.times[0]) if len(self.times) else 0.0
+
+    @cached_property
+    def plan(self) -> SpecifiedsPlan:
+        """How r is computed."""
+        return checked_plan(self.definition, self.user["specifieds"], self.told)
+
+    @cached_property
+    def driven(self) -> CompiledModel:
+        """The model with the expressions for specifieds compiled in."""
+        return driven(self.model, self.definition, self.plan)
+
+    # -- values for one call ----------------------------------------------------------------------
+
+    def x_with(self, x: Any, argument: str = "x") -> Any:
+        """Return states; a dictionary gives some of the initial conditions instead."""
+        if isinstance(x, Mapping):
+            return self.definition.places["states"].read(argument, x, self.x)
+        return x
+
+    def p_with(self, p: Any) -> np.ndarray:
+        """Return the constants, with a user's values for one call."""
+        if p is None:
+            return self.p
+        places = self.definition.places["constants"]
+        if isinstance(p, Mapping):
+            return places.read("p", p, self.p)
+        return vector(p, len(places), "`p`")
+
+    def plan_with(self, r: Any) -> SpecifiedsPlan:
+        """Return how r is computed, with a user's values for one call."""
+        if r is None:
+            return self.plan
+        places = self.definition.places["specifieds"]
+        if callable(r):
+            return SpecifiedsPlan({places.symbols: r}, places, argument="r")
+        plan = self.plan.updated(SpecifiedsPlan(r, places, argument="r"))
+        return _warned_of(self.definition, plan, self.told)
+
+    def motion(self, times: np.ndarray, states: np.ndarray) -> Trajectory:
+        """Return states at some times with what moves a scene: names, specifieds, constants."""
+        kinds = {**self.definition.symbols_by_kind}
+        symbols = {k: v for k, v in kinds.items() if k not in ("output", "constraint", "force")}
+        along = self.specifieds(times, states)
+        return Trajectory(times, states, symbols, specifieds=along, constants=self.constants)
+
+    # -- along a trajectory -----------------------------------------------------------------------
+
+    def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the specifieds, shape (m, s)."""
+        symbols = self.definition.specifieds
+        if not self.plan.expressions:
+            rows = self.plan.rows(np.ascontiguousarray(states), times)
+            return np.array(np.broadcast_to(rows, (len(times), len(symbols))))
+        kernel = self.driven.compiled_expressions("the specifieds", (len(symbols),), symbols)
+        return self._along(kernel, times, states)
+
+    def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the states, shape (m, n)."""
+        return self._along(self.driven.compiled("rates"), times, states)
+
+    def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the outputs, shape (m, o)."""
+        if not self.definition.outputs_symbols:
+            return np.empty((len(times), 0))
+        return self._along(self.driven.compiled("outputs"), times, states)
+
+    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return kinetic, potential and total energy, shape (m, 3)."""
+        return self._along(self.energies.kernel(self.driven), times, states)
+
+    def _along(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        states = np.ascontiguousarray(states)
+        return self.driven.evaluate(kernel, times, states, self.plan.rows(states, times), self.p)
+
+    def trajectory(self, times: np.ndarray, states: np.ndarray, **more: Any) -> Trajectory:
+        """Return states at some times with their names, outputs and specifieds."""
+        return Trajectory(
+            times,
+            states,
+            self.definition.symbols_by_kind,
+            outputs=self.outputs(times, states),
+            specifieds=self.specifieds(times, states),
+            constants=self.constants,
+            model=self,
+            **more,
+        )
+
+    def scene(
+        self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
+    ) -> Any:
+        """Return a scene that shows the bodies, or some visuals; see `System.scene`."""
+        from pydy._system.scene import make_scene
+
+        return make_scene(
+            self.definition,
+            self.constants,
+            lambda: self.model.assembly,
+            visuals,
+            reference_frame,
+            origin,
+            options,
+        )
+
+
+def checked_plan(
+    definition: Definition, specifieds: dict[Any, Any], told: set[Any]
+) -> SpecifiedsPlan:
+    """Return how a System's dictionary of specifieds, in either format, gives r."""
+    places = definition.places["specifieds"]
+    plan = SpecifiedsPlan(specifieds, places, argument="specifieds")
+    return _warned_of(definition, plan, told)
+
+
+def _warned_of(definition: Definition, plan: SpecifiedsPlan, told: set[Any]) -> SpecifiedsPlan:
+    """Warn once of derivatives that stay zero although their function moves."""
+    for rate, function in unfollowed(definition, plan):
+        if rate not in told:
+            told.add(rate)
+            warn_user(
+                f"`specifieds` gives `{function}` as a function or as samples, but the "
+                f"equations also hold `{rate}`, which stays zero: the motion contradicts "
+                f"itself. Give `{function}` as a SymPy expression of time, from which its "
+                f"derivatives follow, or give `{rate}` a function too."
+            )
+    return plan
