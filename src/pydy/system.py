@@ -1516,7 +1516,7 @@ class System:
         Parameters
         ----------
         *visuals : pydy.viz.Visual, RigidBody or Particle
-            By default all bodies of the method: a box with the body's inertia for each RigidBody, a
+            By default all bodies of the method: the solid with its inertia for each RigidBody, a
             ball for each Particle, and lines between the points that were located from each other.
         reference_frame : ReferenceFrame, optional
             By default the inertial frame.
@@ -1544,7 +1544,7 @@ class System:
         >>> system.times = np.linspace(0.0, 1.0, num=61)
         >>> scene = system.scene().animate(system.simulate())
         >>> scene.poses.shape
-        (61, 6, 4, 4)
+        (61, 5, 4, 4)
 
         ``scene.to_html('pendulum.html')`` writes the page, ``scene.show()`` opens it.
         """

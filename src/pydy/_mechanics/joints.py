@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from sympy import Derivative
@@ -37,7 +38,10 @@ def equations_of_system(system: System, source: str | None = None) -> Equations:
     system : sympy.physics.mechanics.System
     source : {'graph', 'method'}, optional
     """
-    return _read(system.eom_method, source, lambda: _definition(system), lambda: _lagrange(system))
+    read = _read(system.eom_method, source, lambda: _definition(system), lambda: _lagrange(system))
+    if read.mechanism is None:
+        return read
+    return replace(read, mechanism=replace(read.mechanism, joints=tuple(system.joints)))
 
 
 def equations_of_joints(method: JointsMethod, source: str | None = None) -> Equations:

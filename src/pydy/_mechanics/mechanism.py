@@ -26,12 +26,15 @@ class Mechanism:
     loads : tuple of (Point, force Vector) and (ReferenceFrame, torque Vector)
     known_energy : expression or None
         The kinetic energy, where it was formed already.
+    joints : tuple of Joint
+        Those of SymPy that connect the bodies, where they are known.
     """
 
     frame: Any
     bodies: tuple[Any, ...]
     loads: tuple[tuple[Any, Any], ...] = ()
     known_energy: Any = None
+    joints: tuple[Any, ...] = ()
     _rotations: dict[Any, Any] = field(default_factory=dict, repr=False)
 
     @cached_property

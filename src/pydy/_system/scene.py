@@ -9,7 +9,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._graph.from_sympy import NodeExpression
 from pydy._mechanics.equations import Equations
-from pydy.viz.defaults import find_origin, guess_up, skeleton
+from pydy.viz.defaults import arms, find_origin, guess_up, skeleton
 from pydy.viz.motion import Model
 from pydy.viz.scene import Scene
 from pydy.viz.shapes import Line
@@ -70,14 +70,18 @@ def make_scene(
             )
     if "up" not in options and mechanism is not None:
         up = guess_up(reference_frame, mechanism.loads, constants)
-        options = options if up is None else {**options, "up": up}
+        # Without gravity z is up and there is no ground to fall on.
+        options = {"up": "z", "ground": False, **options} if up is None else {**options, "up": up}
     rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)
     definitions = _Definitions(equations, assembly)
     definitions.update({**dict(rates), **dict.fromkeys(equations.zeros, 0)})
     model = Model(definition.states, definitions, times, trajectory)
     if not visuals:
         # Bodies, and lines that show how they hang together.
-        pairs = skeleton(origin, [body.masscenter for body in bodies])
+        assert mechanism is not None
+        pairs = arms(mechanism.joints)
+        if not mechanism.joints:
+            pairs = skeleton(origin, [body.masscenter for body in bodies], mechanism.loads)
         lines = [Visual(Line(pair, colour=_LINES), name="lines") for pair in pairs]
         visuals = [*bodies, *lines]
     return Scene(reference_frame, origin, *visuals, model=model, **options)

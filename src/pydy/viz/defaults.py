@@ -7,21 +7,28 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
+from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import Vector
 
 from pydy._checks import real_array, shown
 from pydy._mechanics.reader import given_velocity, places
-from pydy.viz.shapes import Box, Shape, Sphere
+from pydy.viz.shapes import Box, Cylinder, Shape, Sphere
 
-__all__ = ["default_shape", "find_origin", "guess_up", "skeleton", "unit_vector"]
+__all__ = ["arms", "default_shape", "find_origin", "guess_up", "skeleton", "unit_vector"]
+
+# Moments of inertia that differ by no more than this part of the greatest count as equal.
+_ALIKE = 1e-6
 
 # A plate is drawn no thinner than this part of its greatest edge.
 _THINNEST = 0.03
 
 
 def default_shape(body: Any, values: Mapping[Any, float], size: float) -> Shape:
-    """Return the box that has a body's inertia, or a ball for what has none.
+    """Return the simplest solid that has a body's inertia, or a ball for what has none.
+
+    Where all three moments are equal that is a sphere, where two are a cylinder or disc about the
+    third axis, else a box.
 
     Parameters
     ----------
@@ -39,16 +46,40 @@ def default_shape(body: Any, values: Mapping[Any, float], size: float) -> Shape:
     inertia = body.central_inertia.to_matrix(body.frame)
     try:
         moments = [float(sm.sympify(inertia[k, k]).xreplace(numbers)) for k in range(3)]
-        mass = float(sm.sympify(body.mass).xreplace(numbers))
-    except TypeError:  # a symbol without a value: the body's mass need not be in the equations
+    except TypeError:  # a symbol without a value
         return ball
+    try:
+        mass = float(sm.sympify(body.mass).xreplace(numbers))
+    except TypeError:  # it is not in the equations: its size is free, its proportions are not
+        mass = 12 * max(moments) / (0.4 * size) ** 2
     # I_x = m (y² + z²) / 12 and so on, solved for the edges.
     ix, iy, iz = moments
     squares = [iy + iz - ix, iz + ix - iy, ix + iy - iz]
     if not mass > 0 or not max(squares) > 0 or not np.isfinite(squares).all():
         return ball
+    round_one = _round_shape(moments, mass)
+    if round_one is not None:
+        return round_one
     edges = [float(np.sqrt(max(6 * s / mass, 0.0))) for s in squares]
     return Box(*(max(edge, _THINNEST * max(edges)) for edge in edges))
+
+
+def _round_shape(moments: list[float], mass: float) -> Shape | None:
+    """Return the sphere or cylinder of uniform density with these moments, or None for a box."""
+    greatest = max(moments)
+    if np.ptp(moments) <= _ALIKE * greatest:
+        return Sphere(float(np.sqrt(2.5 * greatest / mass)))
+    for k, axis in enumerate("xyz"):
+        own, (one, other) = moments[k], np.delete(moments, k)
+        if abs(one - other) > _ALIKE * greatest:
+            continue
+        # I = m r² / 2 about the axis, m (3 r² + l²) / 12 across it.
+        radius = np.sqrt(2 * max(own, 0.0) / mass)
+        length = np.sqrt(max(12 * one / mass - 3 * radius**2, 0.0))
+        size = max(2 * radius, length)
+        thick = max(length, _THINNEST * size)
+        return Cylinder(float(thick), float(max(radius, _THINNEST * size / 2)), axis)
+    return None
 
 
 def find_origin(frame: Any, points: Iterable[Any]) -> Any:
@@ -65,11 +96,28 @@ def find_origin(frame: Any, points: Iterable[Any]) -> Any:
     return None
 
 
-def skeleton(origin: Any, points: Iterable[Any]) -> list[tuple[Any, Any]]:
+def arms(joints: Iterable[Any]) -> list[tuple[Any, Any]]:
+    """Return the pairs of points between which bodies reach: mass centres and joints."""
+    pairs = []
+    for joint in joints:
+        for body, point in (
+            (joint.parent, joint.parent_point),
+            (joint.child, joint.child_point),
+        ):
+            if point.pos_from(body.masscenter) != Vector(0):
+                pairs.append((body.masscenter, point))
+    return pairs
+
+
+def skeleton(
+    origin: Any, points: Iterable[Any], loads: Iterable[tuple[Any, Any]] = ()
+) -> list[tuple[Any, Any]]:
     """Return the pairs of points that lead from the origin to the given ones.
 
-    Two points make a pair where the position of one was given relative to the other.
+    Two points make a pair where the position of one was given relative to the other, unless
+    nothing holds them together: one floats, rolls or slides freely with respect to the other.
     """
+    driven = {f for _, vector in loads for f in _functions(vector)}
     before = {origin: origin}
     waiting = [origin]
     while waiting:
@@ -80,9 +128,21 @@ def skeleton(origin: Any, points: Iterable[Any]) -> list[tuple[Any, Any]]:
     pairs: dict[tuple[Any, Any], None] = {}
     for point in points:
         while before.get(point, point) is not point:
-            pairs[before[point], point] = None
+            moving = _functions(point.pos_from(before[point]))
+            if not moving or (len(moving) == 1 and moving <= driven):
+                pairs[before[point], point] = None
             point = before[point]
     return list(pairs)
+
+
+def _functions(vector: Any) -> set[Any]:
+    """Return the functions of time in a vector's components, whatever its frames do."""
+    return {
+        f
+        for components, _ in vector.args
+        for c in components
+        for f in sm.sympify(c).atoms(AppliedUndef)
+    }
 
 
 def guess_up(

@@ -21,7 +21,7 @@ class Visual:
     Parameters
     ----------
     shape : Shape or None
-        None stands for a default that suits the body: a box with its inertia, a ball for a
+        None stands for a default that suits the body: the solid with its inertia, a ball for a
         particle.
     *where : ReferenceFrame and Point, Point, RigidBody, or Particle
         Without a frame the shape keeps the orientation of the scene. A `Line` needs nothing, for it
