@@ -21,10 +21,11 @@ from pydy._mechanics.reader import Multibody
 
 __all__ = ["Chosen", "constrained"]
 
-_TRIALS = 6
+_TRIALS = 12
 _STATES = 3  # of those at which the constraints hold
 _OPEN = 1e-7  # a residual above this is no rounding error
 _SMALL = 1e-8  # of a pivot, with rows of unit size
+_NEARLY = (1e-9, 1e-4)  # singular values between are neither zero nor sound
 
 
 class Chosen:
@@ -104,6 +105,8 @@ def constrained(
         velocity=tuple(body.velocity[k] for k in motions.rows),
         dependent_coordinates=q_dep,
         dependent_speeds=u_dep,
+        redundant=tuple(e for k, e in enumerate(body.velocity) if k not in motions.rows),
+        changing=speeds is None,
     )
 
 
@@ -156,7 +159,7 @@ def _choose(
             "Check what they divide by."
         )
     m = len(equations.holonomic)
-    samples = [s for s in every if np.abs(s["residuals"]).max(initial=0.0) < _OPEN][:_STATES]
+    samples = [s for s in every if np.abs(s["residuals"]).max(initial=0.0) < _OPEN]
     if not samples:
         best = min(every, key=lambda s: float(np.abs(s["residuals"]).max()))["residuals"]
         worst = int(np.abs(best).argmax())
@@ -171,12 +174,28 @@ def _choose(
         ("holonomic", equations.coordinates, coordinates),
         ("velocity", equations.speeds, speeds),
     ):
-        matrices = [s[name] for s in samples]
+        matrices = _of_full_rank([s[name] for s in samples])[:_STATES]
         best_choice = Chosen(matrices)
         if chosen is not None:
             best_choice = _checked(name, symbols, chosen, matrices, len(best_choice.columns))
         found.append((best_choice, tuple(symbols[k] for k in best_choice.columns)))
     return found[0], found[1]
+
+
+def _of_full_rank(matrices: list[np.ndarray]) -> list[np.ndarray]:
+    """Return those of highest rank, away from singular positions as far as there are such.
+
+    A linkage may be assembled in a degenerate way too, in which its constraints are redundant.
+    """
+    clear = [m for m in matrices if not _nearly_singular(m)] or matrices
+    ranks = [len(Chosen([matrix]).rows) for matrix in clear]
+    return [m for m, rank in zip(clear, ranks, strict=True) if rank == max(ranks)]
+
+
+def _nearly_singular(matrix: np.ndarray) -> bool:
+    sizes = np.linalg.svd(matrix, compute_uv=False) if matrix.size else np.zeros(1)
+    low, high = _NEARLY
+    return bool(((sizes > low * sizes[0]) & (sizes < high * sizes[0])).any())
 
 
 def _checked(

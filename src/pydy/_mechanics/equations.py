@@ -137,5 +137,9 @@ class Equations:
             self.multibody,
             {k: self.holonomic[k] for k in self.enforced},
             {len(self.holonomic) + k: e for k, e in enumerate(self.nonholonomic)},
+            {
+                len(self.holonomic) + len(self.nonholonomic) + k: e
+                for k, e in enumerate(self.multibody.redundant)
+            },
             [s for s in found if not s.is_Symbol and s not in states and s not in self.symbols],
         )

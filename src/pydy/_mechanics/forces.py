@@ -30,6 +30,7 @@ from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import moving
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.lagrangian import lagranges_equations
+from pydy._mechanics.multipliers import multipliers_of
 from pydy._mechanics.reader import Multibody, is_rigid
 
 __all__ = ["ConstraintForces"]
@@ -46,6 +47,8 @@ class ConstraintForces:
         the constraints.
     nonholonomic : mapping of int to expressions
         The other velocity constraints likewise. Together they imply all velocity constraints.
+    redundant : mapping of int to expressions
+        Further velocity constraints, that follow from these.
     idle : sequence of functions of time
         Noncontributing forces in the loads: they stand for what is computed here.
     """
@@ -55,14 +58,16 @@ class ConstraintForces:
         body: Multibody,
         holonomic: dict[int, Any],
         nonholonomic: dict[int, Any],
+        redundant: dict[int, Any],
         idle: Sequence[Any],
     ) -> None:
         self.body, self.holonomic, self.nonholonomic = body, holonomic, nonholonomic
-        self.idle = tuple(idle)
+        self.redundant, self.idle = redundant, tuple(idle)
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Graphs and expressions are made again when they are asked for.
-        return type(self), (self.body, self.holonomic, self.nonholonomic, self.idle)
+        parts = (self.body, self.holonomic, self.nonholonomic, self.redundant, self.idle)
+        return type(self), parts
 
     @cached_property
     def _kinematics(self) -> Kinematics:
@@ -75,7 +80,7 @@ class ConstraintForces:
     @cached_property
     def multipliers(self) -> dict[Any, Any]:
         """λ of each constraint: symbols lambda0, lambda1, … to expressions in q, u and u'."""
-        places = [*self.holonomic, *self.nonholonomic]
+        places = [*self.holonomic, *self.nonholonomic, *self.redundant]
         if not places:
             return {}
         names = [f"lambda{k}" for k in places]
@@ -90,14 +95,15 @@ class ConstraintForces:
         rows = [
             *kinematics.dt(kinematics.read.all(self.holonomic.values())),
             *kinematics.read.all(self.nonholonomic.values()),
+            *kinematics.read.all(self.redundant.values()),
         ]
-        if self.body.lagrangian is not None:  # no speed is dependent in all configurations
+        if self.body.changing:  # no speed is dependent in all configurations
             d = n
         bound = jacobian(g, rows, kinematics.speeds[n - d :])
         columns = [[row.get(k, g.zero) for k in range(d)] for row in bound]  # Jᵀ, by columns
         force = [g.neg(x) for x in rest[n - d :]]
-        if len(columns) < d:
-            found = self._least(columns, force)
+        if self.body.changing:
+            found = multipliers_of(g, columns, force, redundant=bool(self.redundant))
         elif len(columns) == d:
             found = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[0]
         else:
@@ -117,15 +123,6 @@ class ConstraintForces:
             loads.append(Load(part.velocity, [g.neg(x) for x in needed]))
         parts = (g, kinematics.rows, kinematics.groups, kinematics.speeds)
         return composite(*parts, [], loads)[1]
-
-    def _least(self, columns: Sequence[Vec], force: Vec) -> Vec:
-        """Return the multipliers of independent constraints from the forces on all speeds.
-
-        With A = Jᵀ, (Aᵀ A) λ = Aᵀ f.
-        """
-        g = self._kinematics.graph
-        square = [self._kinematics.turned(columns, c) for c in columns]
-        return g.solve(square, [self._kinematics.turned(columns, force)], "ldl")[0]
 
     def _shortest(self, columns: Sequence[Vec], force: Vec) -> Vec:
         """Return the least multipliers where more constraints than are independent share a force.

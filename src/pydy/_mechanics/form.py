@@ -13,6 +13,7 @@ from pydy._graph.rewrite import substitute
 from pydy._mechanics.dynamics import Inertia, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.kinematics import Kinematics
+from pydy._mechanics.multipliers import accelerations_of_held
 from pydy._mechanics.reader import Multibody
 
 __all__ = ["Formed", "auxiliary_equations", "form", "forms", "moving", "reduced"]
@@ -242,7 +243,7 @@ def reduced(
     g, n = kinematics.graph, len(forcing)
     d = len(kinematics.body.velocity)
     p = n - d
-    rows, drift = _constraints(kinematics)
+    rows, drift = _constraints(kinematics, kinematics.body.velocity)
     held = [row[p:] for row in rows]
     columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in drift]]
     solved = g.solve(held, columns, "lu")
@@ -259,6 +260,10 @@ def reduced(
     whole = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
     if given or moved:
         return *whole, None
+    if kinematics.body.changing and all(matrix[k][k] != g.zero for k in range(n)):
+        more, pull = _constraints(kinematics, kinematics.body.redundant)
+        parts = (matrix, forcing, [*rows, *more], [*drift, *pull])
+        return *whole, accelerations_of_held(g, *parts, rank=d)
     both = [
         [
             g.sum([(upper[i][j], 1.0), *((g.mul(upper[i][p + k], a[j][k]), 1.0) for k in range(d))])
@@ -277,9 +282,11 @@ def reduced(
     return *whole, [*free, *bound]
 
 
-def _constraints(kinematics: Kinematics) -> tuple[list[list[int]], list[int]]:
-    """Return K and b of the differentiated velocity constraints K u' + b = 0."""
-    nodes = kinematics.read.all(kinematics.body.velocity)
+def _constraints(
+    kinematics: Kinematics, velocity: Sequence[Any]
+) -> tuple[list[list[int]], list[int]]:
+    """Return K and b of differentiated velocity constraints K u' + b = 0."""
+    nodes = kinematics.read.all(velocity)
     return _slopes(kinematics.graph, nodes, kinematics.speeds), kinematics.dt(nodes)
 
 

@@ -26,6 +26,7 @@ __all__ = ["Block", "GenericStates"]
 
 _STEPS = 50
 _CLOSED = 1e-13
+_SHARES = (0.05, 1e-14)
 
 Block = tuple[str, tuple[int, ...], list[int]]
 
@@ -132,16 +133,30 @@ class GenericStates:
             out, _ = run(program, t, x[None], r[None], np.empty(0))
             return {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
 
-        for _ in range(_STEPS):
-            now = values()
-            if not np.isfinite(now["_gradient"]).all() or not np.isfinite(now["_holonomic"]).all():
-                return now
-            if np.abs(now["_holonomic"]).max(initial=0.0) < _CLOSED:
-                break
-            step = -np.linalg.lstsq(now["_gradient"], now["_holonomic"], rcond=None)[0]
-            x[:n] += step[:n]
-            r += step[n:]
+        # With full steps redundant constraints draw Newton's method to singular positions.
+        for share in _SHARES:
+            for _ in range(_STEPS):
+                now = values()
+                if not all(np.isfinite(now[k]).all() for k in ("_gradient", "_holonomic")):
+                    return now
+                if np.abs(now["_holonomic"]).max(initial=0.0) < _CLOSED:
+                    break
+                step = -_solved(now["_gradient"], now["_holonomic"], share)
+                x[:n] += step[:n]
+                r += step[n:]
+            else:
+                continue
+            break
         if now["_velocity"].size and np.isfinite(now["_slope"]).all():
             x[n:] -= np.linalg.lstsq(now["_slope"], now["_velocity"], rcond=None)[0]
             now = values()
         return now
+
+
+def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.ndarray:
+    """Return the least step along directions that move the residuals by more than a share."""
+    sizes = np.linalg.norm(gradient, axis=1)
+    scale = np.where(sizes > 0.0, sizes, 1.0)
+    rows, right = gradient / scale[:, None], residuals / scale
+    step: np.ndarray = np.linalg.lstsq(rows, right, rcond=share)[0]
+    return step

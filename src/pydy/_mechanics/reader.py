@@ -61,6 +61,11 @@ class Multibody:
         Of the coordinates and speeds, where they are last.
     lagrangian : expression or None
         In place of bodies; the speeds are then the derivatives of the coordinates.
+    redundant : tuple of expressions
+        More velocity constraints, which follow from the others at generic states.
+    changing : bool
+        Whether no choice of dependent speeds is to be relied on: the rank of the constraints, or
+        what they can be solved for, may change as the system moves.
     """
 
     frame: Any
@@ -78,6 +83,8 @@ class Multibody:
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
     lagrangian: Any = None
+    redundant: tuple[Any, ...] = ()
+    changing: bool = False
 
     @cached_property
     def speed_rates(self) -> tuple[Any, ...]:

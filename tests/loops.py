@@ -1,0 +1,124 @@
+"""Closed loops with more constraints than their rank, and with positions where the rank falls.
+
+The first is IFToMM's benchmark of a mechanism that is always redundantly constrained; the others
+pass positions in which they could change over to another branch.
+"""
+
+import numpy as np
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy.mechanics import Definition
+
+GRAVITY = sm.Symbol("g")
+
+
+def _ground():
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    return frame, origin
+
+
+def _chain(axes, arms):
+    """Uniform rods of unit mass, each turning about an axis of the one before it."""
+    frame, point = _ground()
+    inertial, origin = frame, point
+    q = list(me.dynamicsymbols(f"q1:{len(axes) + 1}"))
+    u = list(me.dynamicsymbols(f"u1:{len(axes) + 1}"))
+    bodies = []
+    for k, (axis, arm) in enumerate(zip(axes, arms, strict=True)):
+        own = me.ReferenceFrame(f"B{k}")
+        own.orient_axis(frame, getattr(frame, axis), q[k])
+        own.set_ang_vel(frame, u[k] * getattr(frame, axis))
+        reach = arm[0] * own.x + arm[1] * own.y + arm[2] * own.z
+        centre = point.locatenew(f"C{k}", reach / 2)
+        square = sum(a * a for a in arm)
+        inertia = me.inertia(own, *(sm.Rational(square - a * a, 12) for a in arm))
+        bodies.append(me.RigidBody(f"rod{k}", centre, own, 1, (inertia, centre)))
+        point, frame = point.locatenew(f"E{k}", reach), own
+    return inertial, origin, q, u, bodies, frame, point
+
+
+def _defined(frame, q, u, bodies, rows):
+    loads = [(b.masscenter, -b.mass * GRAVITY * frame.y) for b in bodies]
+    return Definition(frame, q, u, bodies=bodies, loads=loads, holonomic_constraints=rows)
+
+
+def bricard():
+    """Bricard's mechanism: six revolute joints on edges of a cube, five rows of rank four."""
+    arms = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (-1, 0, 0), (0, -1, 0)]
+    frame, origin, q, u, bodies, last, end = _chain("yzxyz", arms)
+    gap = end.pos_from(origin) - frame.z
+    rows = [gap.dot(e) for e in frame] + [last.x.dot(frame.y), last.x.dot(frame.z)]
+    return _defined(frame, q, u, bodies, rows), dict.fromkeys([*q, *u], 0.0)
+
+
+def parallelogram(rate=6.0):
+    """A parallelogram of four revolutes, all five rows of the last one, along skew axes."""
+    frame, origin, q, u, bodies, last, end = _chain("zzz", [(1, 0, 0), (2, 0, 0), (1, 0, 0)])
+    skew = me.ReferenceFrame("S")
+    skew.orient_body_fixed(frame, (0.3, 0.5, 0.7), "123")
+    gap = end.pos_from(origin) - 2 * frame.x
+    rows = [gap.dot(e) for e in skew] + [last.z.cross(frame.z).dot(e) for e in (skew.x, skew.y)]
+    angles = (np.pi / 3, -np.pi / 3, -2 * np.pi / 3)
+    start = dict(zip([*q, *u], [*angles, rate, -rate, rate], strict=True))
+    return _defined(frame, q, u, bodies, rows), start
+
+
+def spatial_four_bar(rate=3.0):
+    """Bennett's linkage: four revolutes in space, whose five rows have rank two."""
+    frame, point = _ground()
+    inertial, origin = frame, point
+    q, u = list(me.dynamicsymbols("q1:4")), list(me.dynamicsymbols("u1:4"))
+    lengths, twists = (1.0, 1.5), (0.5, float(np.arcsin(1.5 * np.sin(0.5))))
+    bodies = []
+    for k in range(4):
+        length, twist = lengths[k % 2], twists[k % 2]
+        own = me.ReferenceFrame(f"B{k}")
+        if k < 3:  # the fourth link is the ground
+            own.orient_axis(frame, frame.z, q[k])
+            own.set_ang_vel(frame, u[k] * frame.z)
+            centre = point.locatenew(f"C{k}", length / 2 * own.x)
+            flat = length**2 / 12
+            inertia = me.inertia(own, 0, flat, flat)
+            bodies.append(me.RigidBody(f"rod{k}", centre, own, 1, (inertia, centre)))
+            point = point.locatenew(f"E{k}", length * own.x)
+            frame = me.ReferenceFrame(f"J{k}")
+            frame.orient_axis(own, own.x, twist)
+    # The ground's own link leads from the last joint back to the first.
+    length, twist = lengths[1], twists[1]
+    back = me.ReferenceFrame("J3")
+    back.orient_axis(inertial, inertial.x, -twist)
+    target = origin.locatenew("F", -length * inertial.x)
+    gap = point.pos_from(origin) - target.pos_from(origin)
+    rows = [gap.dot(e) for e in inertial] + [frame.z.dot(back.x), frame.z.dot(back.y)]
+    start = dict(zip([*q, *u], [0.9, -3.38062562, -0.9, rate, 0.0, -rate], strict=True))
+    return _defined(inertial, q, u, bodies, rows), start
+
+
+def three_cranks(rate=6.0):
+    """A coupler on three parallel cranks: four rows of rank three."""
+    frame, origin = _ground()
+    q, u = list(me.dynamicsymbols("q1:5")), list(me.dynamicsymbols("u1:5"))
+    tips, bodies = [], []
+    for k in range(4):
+        own = me.ReferenceFrame(f"B{k}")
+        own.orient_axis(frame, frame.z, q[k])
+        own.set_ang_vel(frame, u[k] * frame.z)
+        length = 1 if k < 3 else 2
+        root = origin.locatenew(f"O{k}", k * frame.x) if k < 3 else tips[0]
+        if k < 3:
+            root.set_vel(frame, 0)
+        centre = root.locatenew(f"C{k}", sm.Rational(length, 2) * own.x)
+        centre.v2pt_theory(root, frame, own)
+        if k < 3:
+            tips.append(root.locatenew(f"T{k}", own.x))
+            tips[-1].v2pt_theory(root, frame, own)
+        flat = sm.Rational(length**3, 12)
+        inertia = me.inertia(own, 0, flat, flat)
+        bodies.append(me.RigidBody(f"rod{k}", centre, own, length, (inertia, centre)))
+    along = bodies[3].frame.x
+    gaps = [tips[k].pos_from(tips[0]) - k * along for k in (1, 2)]
+    rows = [gap.dot(e) for gap in gaps for e in (frame.x, frame.y)]
+    start = dict(zip([*q, *u], [*[np.pi / 3] * 3, 0.0, *[rate] * 3, 0.0], strict=True))
+    return _defined(frame, q, u, bodies, rows), start

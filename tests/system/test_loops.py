@@ -1,0 +1,163 @@
+"""Redundant constraints, and motion through positions in which their rank falls."""
+
+import warnings
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import loops
+from cases import close
+from pydy import System
+from pydy.errors import PyDyUserWarning
+from pydy.mechanics import Definition
+
+T = me.dynamicsymbols._t
+RANKS = {
+    "bricard": (4, 1),
+    "spatial_four_bar": (2, 3),
+    "parallelogram": (2, 1),  # two rows vanish for all motions of the plane
+    "three_cranks": (3, 1),
+}
+
+
+def loop(name):
+    definition, start = getattr(loops, name)()
+    system = System(
+        definition,
+        {loops.GRAVITY: 9.81},
+        initial_conditions=start,
+        times=np.linspace(0.0, 10.0, 101),
+        ode_solver="tsit5",
+    )
+    system.set_dependent_initial_conditions()
+    return system
+
+
+@pytest.mark.parametrize("name", RANKS)
+def test_rows_of_full_rank_are_found(name):
+    system = loop(name)
+    body = system.eom_method.multibody
+    assert (len(body.velocity), len(body.redundant)) == RANKS[name]
+    assert system.num_constraints == RANKS[name][0]
+    close(system.evaluate_holonomic_constraints(), np.zeros(RANKS[name][0]), 1e-12)
+
+
+@pytest.mark.parametrize("name", RANKS)
+def test_a_loop_keeps_its_energy_through_singular_positions(name):
+    system = loop(name)
+    with warnings.catch_warnings():  # that it passed some
+        warnings.filterwarnings("ignore", "`tsit5` passed a singular", PyDyUserWarning)
+        run = system.simulate(constraints="project", rtol=1e-10, atol=1e-10)
+    energy = system.evaluate_energy(run.states, run.times)
+    assert np.ptp(energy.kinetic) > 10.0
+    assert np.abs(energy.total - energy.total[0]).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", ["parallelogram", "three_cranks"])
+def test_a_parallelogram_moves_on_as_one(name):
+    system = loop(name)
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "`tsit5` passed a singular", PyDyUserWarning)
+        run = system.simulate(constraints="project", rtol=1e-10, atol=1e-10)
+    assert np.ptp(run["q1"]) > 4 * np.pi
+    coupler = run["q1"] + run["q2"] if name == "parallelogram" else run["q4"]
+    assert np.abs(coupler).max() < 1e-5
+
+
+@pytest.mark.parametrize("name", RANKS)
+def test_accelerations_keep_all_rows_at_consistent_states(name):
+    system = loop(name)
+    definition = system.eom_method
+    moved = [r.diff(T).diff(T) for r in definition.holonomic_constraints]
+    rates = dict(zip(definition.coordinates, definition.speeds, strict=True))
+    moved = [
+        r.subs({q.diff(T, 2): u.diff(T) for q, u in rates.items()}).subs(
+            {q.diff(T): u for q, u in rates.items()}
+        )
+        for r in moved
+    ]
+    system.outputs = {sm.Symbol(f"row{k}"): r for k, r in enumerate(moved)}
+    close(system.evaluate_outputs()[: len(moved)], np.zeros(len(moved)), 1e-10)
+
+
+def test_no_acceleration_is_lost_where_a_parallelogram_lies_flat():
+    definition, start = loops.three_cranks()
+    q1, q2, q3 = definition.coordinates[:3]
+    system = System(definition, {loops.GRAVITY: 9.81})
+    system.initial_conditions = {**start, q1: 0.0, q2: 0.0, q3: 0.0}
+    found = dict(zip(system.states, system.evaluate_ode(), strict=True))
+    # As one body: three cranks of inertia 1/3 and the coupler's mass 2 at the tips.
+    cranks = [found[u] for u in definition.speeds[:3]]
+    close(cranks, [-9.81 * (1.5 + 2.0) / 3.0] * 3, 1e-9)
+
+
+def bead(*rows):
+    x, y, vx, vy = me.dynamicsymbols("x y vx vy")
+    m, g = sm.symbols("m g")
+    frame, origin, end = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    origin.set_vel(frame, 0)
+    end.set_pos(origin, x * frame.x + y * frame.y)
+    return System(
+        Definition(
+            frame,
+            [x, y],
+            [vx, vy],
+            bodies=[me.Particle("bead", end, m)],
+            loads=[(end, -m * g * frame.y)],
+            holonomic_constraints=[row(x, y) for row in rows],
+        ),
+        {m: 2.0, g: 9.0},
+    )
+
+
+def multipliers(system):
+    system.outputs = system.constraint_forces
+    return system.evaluate_outputs([0.3, 0.09, 1.0, 0.6])[: len(system.constraint_forces)]
+
+
+def test_constraints_that_say_the_same_share_the_force():
+    single = bead(lambda x, y: y - x**2)
+    double = bead(lambda x, y: y - x**2, lambda x, y: y - x**2)
+    triple = bead(lambda x, y: y - x**2, lambda x, y: 3 * x**2 - 3 * y)
+    (whole,) = multipliers(single)
+    close(multipliers(double), [whole / 2, whole / 2], 1e-10)
+    first, second = multipliers(triple)
+    close(abs(first - 3 * second), abs(whole), 1e-10)
+    assert set(map(str, triple.constraint_forces)) == {"lambda0", "lambda1"}
+
+
+def mass_matrix(system, x):
+    """The mass matrix of all speeds, from the kinetic energy."""
+    n = system.num_speeds
+
+    def energy(*moving):
+        speeds = np.zeros(n)
+        for k in moving:
+            speeds[k] += 1.0
+        return system.evaluate_energy([*x[:-n], *speeds]).kinetic
+
+    return np.array([[energy(i, j) - energy(i) - energy(j) for j in range(n)] for i in range(n)])
+
+
+@pytest.mark.parametrize("name", RANKS)
+def test_multipliers_of_all_rows_balance_every_speed(name):
+    system = loop(name)
+    body = system.eom_method.multibody
+    free = System(
+        Definition(body.frame, body.coordinates, body.speeds, bodies=body.bodies, loads=body.loads),
+        system.constants,
+    )
+    rates = dict(zip(body.coordinate_rates, body.coordinate_derivatives, strict=True))
+    rows = [sm.sympify(row).subs(rates) for row in (*body.velocity, *body.redundant)]
+    slopes = [row.diff(u) for row in rows for u in body.speeds]
+    forces = system.constraint_forces
+    assert len(forces) == len(rows)
+    system.outputs = {**forces, **{sm.Symbol(f"s{k}"): e for k, e in enumerate(slopes)}}
+    x = np.array([system.initial_conditions[s] for s in system.states])
+    values = system.evaluate_outputs(x)
+    n, m = len(body.speeds), len(rows)
+    slopes = values[m : m * (n + 1)].reshape(m, n)
+    change = (system.evaluate_ode(x) - free.evaluate_ode(x))[n:]
+    close(slopes.T @ values[:m], mass_matrix(free, x) @ change, 1e-10)
