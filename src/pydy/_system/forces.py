@@ -68,14 +68,14 @@ def find_multipliers(equations: Equations) -> Multipliers:
     """Return the multipliers of all constraints that bind the motion."""
     if not equations.velocity:
         return Multipliers()
-    return Multipliers(_forces(equations).multipliers)
+    return Multipliers(_forces(equations, bodies=False).multipliers)
 
 
 def find_reaction(
     equations: Equations, bodies: Any, point: Any, frame: Any, loads: Any
 ) -> Reaction:
     """Return the reaction on some bodies; see `System.reaction`."""
-    forces = _forces(equations)
+    forces = _forces(equations, bodies=True)
     members = [_member(forces, item) for item in _several(bodies)]
     own = forces.body.bodies
     if not any(item in own for item in members):
@@ -100,9 +100,9 @@ def find_reaction(
     return Reaction(*forces.reaction(members, point, frame, more, f"reaction_{point}"), frame)
 
 
-def _forces(equations: Equations) -> ConstraintForces:
+def _forces(equations: Equations, *, bodies: bool) -> ConstraintForces:
     forces = equations.constraint_forces
-    if forces is None:
+    if forces is None or (bodies and not forces.body.bodies):
         raise ValueError(
             "Constraint forces follow from bodies and loads, but `eom_method` holds no bodies: "
             "construct a KanesMethod with `bodies=` and `forcelist=`, or call its "
