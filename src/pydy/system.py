@@ -1523,8 +1523,8 @@ class System:
         origin : Point, optional
             By default a point at rest in that frame with which the bodies are connected.
         **options
-            Of `pydy.viz.Scene`: `up` (by default against gravity), `ground`, `follow`, `view`,
-            `series` and `title`.
+            `loads`: whether arrows show the forces and torques. Of `pydy.viz.Scene`: `up` (by
+            default against gravity), `ground`, `follow`, `view`, `series`, `units` and `title`.
 
         Returns
         -------

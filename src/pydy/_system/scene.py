@@ -7,9 +7,10 @@ from typing import Any
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
+from pydy._checks import flag
 from pydy._graph.from_sympy import NodeExpression
 from pydy._mechanics.equations import Equations
-from pydy.viz.defaults import arms, find_origin, guess_up, skeleton
+from pydy.viz.defaults import arms, find_origin, guess_up, load_arrows, skeleton
 from pydy.viz.motion import Model
 from pydy.viz.scene import Scene
 from pydy.viz.shapes import Line
@@ -49,6 +50,8 @@ def make_scene(
         See `pydy.viz.motion.Model`.
     """
     equations = definition.equations
+    options = dict(options)
+    loads = flag(options.pop("loads", False), "`loads`")
     mechanism = equations.mechanism
     bodies = mechanism.bodies if mechanism is not None else ()
     if not visuals and not bodies:
@@ -84,6 +87,8 @@ def make_scene(
             pairs = skeleton(origin, [body.masscenter for body in bodies], mechanism.loads)
         lines = [Visual(Line(pair, colour=_LINES), name="lines") for pair in pairs]
         visuals = [*bodies, *lines]
+    if loads and mechanism is not None:
+        visuals = [*visuals, *load_arrows(mechanism.bodies, mechanism.loads)]
     return Scene(reference_frame, origin, *visuals, model=model, **options)
 
 

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-import sympy as sm
 from scipy.spatial.transform import Rotation, Slerp
 
 from pydy.viz.colours import CYCLE
@@ -217,6 +216,7 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
     first.update(zip(motion.names.states, motion.states[0].tolist(), strict=True))
     first.update(zip(motion.names.specifieds, motion.specifieds[0].tolist(), strict=True))
     colours: dict[str, str] = {}
+    scales = _scales(visuals, placed, size)
     items, arrows = [], 0
     for visual in visuals:
         shape = visual.shape or default_shape(visual.body, first, size)
@@ -226,7 +226,7 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
             shape = replace(shape, colour=colour)
         vector = line = None
         if isinstance(shape, Arrow):
-            vector = placed.vectors[:, arrows] * float(sm.Float(shape.scale))
+            vector = placed.vectors[:, arrows] * scales[visual.name, shape.scale]
             arrows += 1
             if shape.radius is None:
                 shape = replace(shape, radius=0.01 * size)
@@ -239,6 +239,24 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
     reach = np.stack([item.reach(rows) for item in shown])
     bounds = np.stack([reach[:, :, 0].min(0), reach[:, :, 1].max(0)], 1)
     return Animation(motion.times, tuple(items), placed.series, bounds)
+
+
+def _scales(
+    visuals: Sequence[Visual], placed: Placement, size: float
+) -> dict[tuple[str, float | None], float]:
+    """Return lengths of arrows for vectors of magnitude one, by name and what was asked for."""
+    longest: dict[str, float] = {}
+    arrows = [v for v in visuals if isinstance(v.shape, Arrow)]
+    for k, visual in enumerate(arrows):
+        lengths = np.linalg.norm(placed.vectors[:, k], axis=1)
+        longest[visual.name] = max(longest.get(visual.name, 0.0), float(lengths.max()))
+    scales: dict[tuple[str, float | None], float] = {}
+    for visual in arrows:
+        assert isinstance(visual.shape, Arrow)
+        asked = visual.shape.scale
+        own = size / 3 / (longest[visual.name] or 1.0) if asked is None else float(asked)
+        scales[visual.name, asked] = own
+    return scales
 
 
 def _size(placed: Placement) -> float:

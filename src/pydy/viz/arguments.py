@@ -10,6 +10,8 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 
 from pydy._checks import check_mapping, number, real_array, shown, text
+from pydy._mechanics.symbols import find_symbols
+from pydy.viz.shapes import Arrow
 from pydy.viz.visuals import Visual
 
 __all__ = [
@@ -19,6 +21,7 @@ __all__ = [
     "ground_height",
     "in_notebook",
     "series_of",
+    "symbols_of",
     "units_of",
     "watchable_speed",
     "within",
@@ -90,6 +93,15 @@ def columns_of(series: Mapping[str, Any] | None, count: int) -> dict[str, np.nda
             )
         columns[str(label)] = column
     return columns
+
+
+def symbols_of(visuals: Iterable[Visual], series: Mapping[str, Any]) -> set[Any]:
+    """Return the symbols and derivatives in arrows and series."""
+    expressions = [sm.sympify(e) for e in series.values() if not isinstance(e, str)]
+    for visual in visuals:
+        if isinstance(visual.shape, Arrow):
+            expressions += [c for own, _ in visual.shape.vector.args for c in own]
+    return set(find_symbols(expressions))
 
 
 def units_of(units: Any) -> dict[str, str]:

@@ -9,13 +9,22 @@ import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import RigidBody
-from sympy.physics.vector import Vector
+from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import real_array, shown
 from pydy._mechanics.reader import given_velocity, places
-from pydy.viz.shapes import Box, Cylinder, Shape, Sphere
+from pydy.viz.shapes import Arrow, Box, Cylinder, Shape, Sphere
+from pydy.viz.visuals import Visual
 
-__all__ = ["arms", "default_shape", "find_origin", "guess_up", "skeleton", "unit_vector"]
+__all__ = [
+    "arms",
+    "default_shape",
+    "find_origin",
+    "guess_up",
+    "load_arrows",
+    "skeleton",
+    "unit_vector",
+]
 
 # Moments of inertia that differ by no more than this part of the greatest count as equal.
 _ALIKE = 1e-6
@@ -107,6 +116,20 @@ def arms(joints: Iterable[Any]) -> list[tuple[Any, Any]]:
             if point.pos_from(body.masscenter) != Vector(0):
                 pairs.append((body.masscenter, point))
     return pairs
+
+
+def load_arrows(bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> list[Visual]:
+    """Return arrows for forces at their points and torques at the mass centres of their bodies."""
+    centres = {getattr(body, "frame", None): body.masscenter for body in bodies}
+    arrows = []
+    for where, vector in loads:
+        point, name, colour = where, "forces", "#c93a3a"
+        if isinstance(where, ReferenceFrame):
+            point, name, colour = centres.get(where), "torques", "#7d4cc4"
+        if point is not None and vector != Vector(0):
+            arrow = Arrow(vector, scale=None, colour=colour)
+            arrows.append(Visual(arrow, point, name=name))
+    return arrows
 
 
 def skeleton(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -105,7 +105,9 @@ def _finite(names: Names, times: np.ndarray, table: np.ndarray, symbols: Sequenc
         )
 
 
-def motion_of_trajectory(trajectory: Any, model: Model | None, constants: Any = None) -> Motion:
+def motion_of_trajectory(
+    trajectory: Any, model: Model | None, constants: Any = None, wanted: Iterable[Any] = ()
+) -> Motion:
     """Return the Motion of a Trajectory.
 
     Parameters
@@ -117,6 +119,8 @@ def motion_of_trajectory(trajectory: Any, model: Model | None, constants: Any = 
         Of the System that the scene belongs to.
     constants : mapping of symbols to numbers, optional
         More of them, or others.
+    wanted : iterable of symbols
+        Those of them that are outputs are taken from the trajectory.
 
     Raises
     ------
@@ -141,12 +145,16 @@ def motion_of_trajectory(trajectory: Any, model: Model | None, constants: Any = 
         )
     values = {**dict(getattr(trajectory, "constants", None) or {}), **_constants(constants)}
     specified = tuple(getattr(trajectory, "specifieds_symbols", None) or ())
-    names = Names(symbols, specified, tuple(values), model.definitions if model is not None else {})
+    definitions = model.definitions if model is not None else {}
+    outputs = tuple(getattr(trajectory, "outputs_symbols", ()))
+    more = {symbol: trajectory[symbol] for symbol in wanted if symbol in outputs}
+    names = Names(symbols, (*specified, *more), tuple(values), definitions)
     times, states = checked_samples(trajectory.times, trajectory.states, len(symbols))
     rows = np.asarray(trajectory.specifieds, dtype=float) if specified else np.zeros((1, 0))
-    rows = np.ascontiguousarray(np.broadcast_to(rows, (len(times), len(specified))))
+    rows = np.broadcast_to(rows, (len(times), len(specified)))
+    rows = np.ascontiguousarray(np.column_stack([rows, *more.values()]))
     _finite(names, times, states, symbols)
-    _finite(names, times, rows, specified)
+    _finite(names, times, rows, names.specifieds)
     return Motion(names, times, states, rows, np.array([float(v) for v in values.values()]))
 
 

@@ -30,11 +30,13 @@ from pydy.viz.arguments import (
     ground_height,
     in_notebook,
     series_of,
+    symbols_of,
     units_of,
     watchable_speed,
     within,
 )
 from pydy.viz.defaults import unit_vector
+from pydy.viz.ghosts import compared
 from pydy.viz.motion import Model, checked_samples, motion_of_arrays, motion_of_trajectory, sampled
 from pydy.viz.page import Look, page
 from pydy.viz.views import direction_of
@@ -76,8 +78,7 @@ class Scene:
     system : System, optional
         What moves the scene when it is displayed and `animate` was not called.
     cameras : sequence of PerspectiveCamera, optional
-        The first gives the `view`. Lights, and the width and height of a window, are accepted for
-        scripts written elsewhere; the page has its own.
+        The first gives the `view`. Lights and the size of a window are accepted and not used.
 
     Raises
     ------
@@ -86,8 +87,8 @@ class Scene:
 
     Notes
     -----
-    A scene may also be moved by attributes: `states_symbols`, `states_trajectories`, `constants`
-    and `times`, which are the arguments of `animate`; `display` then animates and shows it.
+    A scene may also be moved by its attributes `states_symbols`, `states_trajectories`, `constants`
+    and `times`: `display` then animates and shows it.
 
     Examples
     --------
@@ -176,6 +177,7 @@ class Scene:
         constants: Mapping[Any, Any] | None = None,
         specifieds: Mapping[Any, Any] | None = None,
         series: Mapping[str, Any] | None = None,
+        compare: Any = None,
         fps: float | None = 60.0,
         speed: float | None = None,
     ) -> Self:
@@ -197,6 +199,9 @@ class Scene:
             With `symbols` only.
         series : mapping of str to array_like, shape (m,), optional
             More to plot over time, already evaluated, such as outputs.
+        compare : Trajectory, xarray.Dataset, or a list or dictionary of these, optional
+            Other runs, shown faintly beside this one at the same times, under their labels. Of an
+            ensemble's Dataset a dozen members are taken, evenly.
         fps : float or None, optional
             How many instants to keep for each second shown, at most; None keeps all.
         speed : float, optional
@@ -223,8 +228,9 @@ class Scene:
         if states is None and model is not None and not hasattr(trajectory, "state_symbols"):
             # `animate(states)` at the times of the system.
             trajectory, states = (model.times() if model.times else None), trajectory
+        wanted = symbols_of(self.visuals, self.series)
         if states is None:
-            motion = motion_of_trajectory(trajectory, model, constants)
+            motion = motion_of_trajectory(trajectory, model, constants, wanted)
         elif symbols is None and model is not None and model.trajectory is not None:
             motion = motion_of_trajectory(
                 model.trajectory(*checked_samples(trajectory, states, len(model.states))),
@@ -251,6 +257,13 @@ class Scene:
         animation = animate(
             self.reference_frame, self.origin, self.visuals, formulas, motion.taken(rows)
         )
+
+        def moved(run: Any) -> Animation:
+            values = {**motion.values, **dict(run.constants)}
+            other = motion_of_trajectory(run, model, values, wanted)
+            return animate(self.reference_frame, self.origin, self.visuals, (), other)
+
+        animation = compared(animation, compare, moved)
         values = {**animation.series, **{label: c[rows] for label, c in columns.items()}}
         order = dict.fromkeys((*self.series, *columns))
         self._animation = replace(
@@ -379,9 +392,7 @@ class Scene:
         webbrowser.open(path.as_uri())
         return path
 
-    def display(self) -> Any:
-        """Animate the scene if that is still to be done, and `show` it."""
-        return self.show()
+    display = show
 
     def display_jupyter(
         self, window_size: Any = None, axes_arrow_length: float | None = None

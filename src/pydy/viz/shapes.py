@@ -168,8 +168,9 @@ class Arrow(Shape):
     Attributes
     ----------
     vector : sympy.physics.vector.Vector
-    scale : float
-        Length of the arrow for a vector of magnitude one.
+    scale : float or None
+        Length of the arrow for a vector of magnitude one. None: arrows of one name get the same,
+        with which the longest ever is a third of the scene.
     radius : length, optional
         Of the shaft; by default it suits the size of the scene.
 
@@ -183,7 +184,7 @@ class Arrow(Shape):
     """
 
     vector: Any
-    scale: float = 1.0
+    scale: float | None = 1.0
     radius: Any = None
     lengths = ("radius",)
 
@@ -194,9 +195,11 @@ class Arrow(Shape):
                 "`vector` of Arrow must be a vector of sympy.physics.mechanics, such as F*N.x, got "
                 f"{self.vector!r}."
             )
+        if self.scale is None:
+            return
         scale = real_number(self.scale)
         if scale is None or not np.isfinite(scale):
-            raise ValueError(f"`scale` of Arrow must be a number, got {shown(self.scale)}.")
+            raise ValueError(f"`scale` of Arrow must be a number or None, got {shown(self.scale)}.")
         self._set("scale", scale)
 
 
