@@ -79,7 +79,20 @@ def main(small=False):
         found = slow_frequency(system.times, angle, 2 * np.pi / rate)
         print(f"at {rate / CRITICAL:g} of it: sways with {found:.2f} rad/s, theory {theory:.2f}")
         assert abs(found / theory - 1) < 0.02
+    floquet(system, acceleration, rates)
     draw(system.times, rates, angles)
+
+
+def floquet(system, acceleration, rates):
+    """Upright is a periodic orbit of the shaking; its multipliers tell exactly if it is stable."""
+    t = me.dynamicsymbols._t
+    system.initial_conditions = {}
+    for rate in rates:
+        system.specifieds = {acceleration: (AMPLITUDE * sm.cos(rate * t)).diff(t, 2)}
+        orbit = system.find_periodic_orbit(2 * np.pi / rate)
+        largest = np.abs(orbit.multipliers).max()
+        print(f"at {rate / CRITICAL:g} of it: largest Floquet multiplier {largest:.6f}")
+        assert orbit.stable == (rate > CRITICAL)
 
 
 def slow_frequency(times, angle, fast_period):

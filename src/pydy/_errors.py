@@ -18,6 +18,7 @@ __all__ = [
     "IntegrationError",
     "IntegrationInterrupted",
     "MissingDependencyError",
+    "PeriodicOrbitError",
     "PyDyUserWarning",
     "SingularMatrixError",
     "UnsupportedFunctionError",
@@ -137,6 +138,26 @@ class EnsembleInterrupted(KeyboardInterrupt):
 
     def __reduce__(self) -> tuple[object, ...]:
         return (type(self), (str(self), self.results))
+
+
+class PeriodicOrbitError(RuntimeError):
+    """No periodic orbit was found. Where the search ended is here.
+
+    Attributes
+    ----------
+    values : numpy.ndarray, shape (k,)
+        Of the unknown states at the beginning of the period.
+    residuals : numpy.ndarray, shape (k,)
+        By how much they change over it.
+    """
+
+    def __init__(self, message: str, values: np.ndarray, residuals: np.ndarray) -> None:
+        super().__init__(message)
+        self.values = values
+        self.residuals = residuals
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (str(self), self.values, self.residuals))
 
 
 class EquilibriumError(RuntimeError):

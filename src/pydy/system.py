@@ -30,6 +30,7 @@ from pydy._system.forces import Multipliers, Reaction, find_multipliers, find_re
 from pydy._system.generation import Generated, checked_options, generate
 from pydy._system.inputs import SymbolSet, base_symbols, check_times, named_forces
 from pydy._system.numbers import read_constants, read_states
+from pydy._system.orbits import find_orbit
 from pydy._system.products import BLOCKS
 from pydy._system.scipy_ivp import resolve_ode_solver
 from pydy._system.simulation import integrate, simulate
@@ -37,7 +38,13 @@ from pydy._system.snapshot import Snapshot, checked_plan
 from pydy._system.summary import as_html, as_text, facts
 from pydy._system.sweeps import eigenvalues, follow_equilibria
 from pydy._system.values import evaluate_block, evaluate_energy, evaluate_product
-from pydy.analysis import EigenvalueSweep, Equilibrium, EquilibriumBranch, LinearModel
+from pydy.analysis import (
+    EigenvalueSweep,
+    Equilibrium,
+    EquilibriumBranch,
+    LinearModel,
+    PeriodicOrbit,
+)
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -47,6 +54,7 @@ if TYPE_CHECKING:
 
     from pydy._system.solving import EnsembleOptions
     from pydy.export import Exported, Model
+    from pydy.solvers.events import Event
     from pydy.viz.scene import Scene
 
 __all__ = ["System"]
@@ -1175,6 +1183,55 @@ class System:
         7 equilibria, c0 from 1 to -1: Hopf at 0
         """
         return follow_equilibria(self._now(), over, unknowns, given, moving, step, most)
+
+    def find_periodic_orbit(
+        self,
+        period: float,
+        *,
+        moving: Iterable[Any] = (),
+        until: Event | None = None,
+        **solver_kwargs: Any,
+    ) -> PeriodicOrbit:
+        """Find a motion that repeats itself, by shooting, and its Floquet multipliers.
+
+        The search starts from the initial conditions.
+
+        Parameters
+        ----------
+        period : float
+            In s. Where the equations depend on time, the period itself; otherwise where to begin
+            the search for it.
+        moving : iterable of coordinates, optional
+            Those that may move on from period to period, such as the position of a vehicle.
+        until : Event, optional
+            The period ends when this happens, after its reset: the impact of a walker's foot, say.
+        **solver_kwargs
+            Options of the native solver, ``'dop853'`` where `ode_solver` is none; `rtol` and `atol`
+            are 1e-12 by default. Where constraints tie states, they are held by projection.
+
+        Returns
+        -------
+        PeriodicOrbit
+
+        Raises
+        ------
+        PeriodicOrbitError
+            None was found; the message tells how near the search came.
+
+        Examples
+        --------
+        A pendulum that swings to 1 rad on either side takes 4 K(sin ½) √(l/g):
+
+        >>> import sympy.physics.mechanics as me
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1)
+        >>> system.constants = {'m0': 1e12}
+        >>> system.initial_conditions = {'q1': 3.141592653589793 - 1.0}
+        >>> orbit = system.find_periodic_orbit(6.0, moving=['q0'])
+        >>> round(orbit.period, 6)
+        6.699979
+        """
+        return find_orbit(self, self._now(), period, moving, until, solver_kwargs)
 
     # -- simulation -------------------------------------------------------------------------------
 

@@ -1,6 +1,6 @@
-"""What derivatives answer: where a system balances, and how it moves near there.
+"""What derivatives answer: where a system balances or repeats itself, and how it moves near there.
 
-`System.find_equilibrium`, `System.linearize` and `System.eigenvalues` return these.
+`System.find_equilibrium`, `System.linearize`, `System.eigenvalues` and the like return these.
 """
 
 from __future__ import annotations
@@ -8,6 +8,7 @@ from __future__ import annotations
 from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel
+from pydy.analysis.orbits import PeriodicOrbit
 from pydy.analysis.sweeps import Crossing, EigenvalueSweep
 
 __all__ = [
@@ -16,5 +17,6 @@ __all__ = [
     "Equilibrium",
     "EquilibriumBranch",
     "LinearModel",
+    "PeriodicOrbit",
     "SpecialPoint",
 ]

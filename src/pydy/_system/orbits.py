@@ -1,0 +1,141 @@
+"""Periodic orbits of a System: its simulations with sensitivities as a map of states."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from copy import copy
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import listed, number
+from pydy._errors import PeriodicOrbitError
+from pydy._names import unique_names
+from pydy._system.snapshot import Snapshot
+from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
+from pydy.solvers.events import Event
+from pydy.solvers.solver import Solver
+
+__all__ = ["find_orbit"]
+
+# An event that ends the period may be where it begins: it is looked for after this share.
+_BEGINNING = 1e-3
+# How long an event is waited for, in periods as guessed.
+_PATIENCE = 5.0
+_SAMPLES = 201
+
+
+def find_orbit(
+    system: Any,
+    now: Snapshot,
+    period: Any,
+    moving: Iterable[Any],
+    until: Any,
+    options: dict[str, Any],
+) -> PeriodicOrbit:
+    """Return what `System.find_periodic_orbit` describes."""
+    guess = number(period, "`period`", finite=True)
+    if not guess > 0.0:
+        raise ValueError(f"`period` must be positive, got {guess!r}.")
+    if until is not None and not isinstance(until, Event):
+        raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
+    definition = now.definition
+    equations, states = definition.equations, definition.places["states"]
+    steady = {states.find(s, "moving") for s in listed("moving", moving)}
+    tied = {
+        definition.states.index(s)
+        for s in (*equations.dependent_coordinates, *equations.dependent_speeds)
+    }
+    count = len(equations.coordinates) + len(equations.speeds)
+    free = [k for k in range(count) if k not in tied | steady]
+    kept = [definition.states[k] for k in range(count) if k not in tied]
+    names = unique_names(definition.states)
+    columns = [kept.index(definition.states[k]) for k in free]
+    rows = [definition.states.index(s) for s in kept]
+    runner = copy(system)
+    if not isinstance(runner.ode_solver, Solver):
+        runner.ode_solver = "dop853"
+    options = {"rtol": 1e-12, "atol": 1e-12, **options}
+    if tied:
+        options.setdefault("constraints", "project")
+    t0 = now.t
+    autonomous = until is None and not _depends_on_time(now)
+
+    def begin(z: np.ndarray) -> None:
+        """Set the states at the start; the dependent ones follow."""
+        x = now.x.copy()
+        x[free] = z
+        runner.initial_conditions = dict(zip(definition.states, x.tolist(), strict=True))
+        if tied:
+            runner.set_dependent_initial_conditions()
+
+    def run(times: list[float], **more: Any) -> Any:
+        runner.times = times
+        # A state that stays would be followed in steps that are too long for its neighbours.
+        return runner.simulate(sensitivities=kept, control_sensitivities=True, **more, **options)
+
+    def fly(z: np.ndarray, length: float) -> Flight:
+        begin(z)
+        if until is None:
+            ride = run([t0, t0 + length])
+            end, slopes, instant = ride.states[-1], ride.sensitivity.values[-1], t0 + length
+            rates = runner.evaluate_ode(end, instant)
+        else:
+            first = run([t0, t0 + _BEGINNING * guess])
+            runner.initial_conditions = dict(
+                zip(definition.states, first.states[-1].tolist(), strict=True)
+            )
+            ending = replace(until, terminal=True)
+            ride = run([t0 + _BEGINNING * guess, t0 + _PATIENCE * guess], events=ending)
+            if not ride.events:
+                raise PeriodicOrbitError(
+                    f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
+                    f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
+                    "conditions.",
+                    z,
+                    np.full(len(z), np.nan),
+                )
+            event = ride.events[-1]
+            end, instant = event.after, event.time
+            rates = runner.evaluate_ode(end, instant)
+            after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
+            slopes = after @ first.sensitivity.values[-1][rows]
+        return Flight(end[free], slopes[np.ix_(free, columns)], rates[free], instant - t0)
+
+    start = now.x[free]
+    slope = None
+    if autonomous:
+        begin(start)
+        slope = runner.evaluate_ode()[free]
+        size = float(np.linalg.norm(slope))
+        if size <= 1e-9:
+            raise ValueError(
+                "The initial conditions are an equilibrium, which is no orbit. Start elsewhere, or "
+                "use `find_equilibrium`."
+            )
+        slope = slope / size
+    z, flight, residual = shoot(fly, start, guess, slope, [names[k] for k in free])
+    begin(z)
+    initial = dict(runner.initial_conditions)
+    runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
+    return PeriodicOrbit(
+        period=flight.period,
+        initial_conditions=initial,
+        states=tuple(names[k] for k in free),
+        monodromy=flight.by_start,
+        residual=residual,
+        autonomous=autonomous,
+        trajectory=runner.simulate(**options),
+    )
+
+
+def _depends_on_time(now: Snapshot) -> bool:
+    plan = now.plan
+    if plan.functions or plan.sampled:
+        return True
+    assembly = now.driven.assembly
+    graph = assembly.graph
+    return any(
+        graph.ops[n] == "input" and graph.args[n][0] == "t" for n in graph.reachable(assembly.rates)
+    )

@@ -1,0 +1,188 @@
+"""Periodic motions by shooting, and their stability by Floquet multipliers.
+
+A motion is periodic where its state after a period is the state it began with. Newton's method
+solves for the state, and for the period where the equations do not depend on time, with the
+monodromy matrix ∂x(T)/∂x(0) from the sensitivities. The eigenvalues of that matrix, the Floquet
+multipliers, tell how small deviations grow from one period to the next.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._errors import PeriodicOrbitError
+
+__all__ = ["Flight", "PeriodicOrbit", "shoot"]
+
+_ITERATIONS = 40
+_ROUNDING = 1e-9
+_STUCK = 1e8
+# The least period, and the least rates of the states at its end, as shares of those at first.
+_SHORTEST = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class PeriodicOrbit:
+    """A motion that repeats itself.
+
+    Attributes
+    ----------
+    period : float
+        In s.
+    initial_conditions : dict
+        All states at its beginning; they fit the System's attribute.
+    states : tuple of str
+        The independent states, but for those that move on steadily.
+    monodromy : ndarray, shape (k, k)
+        The derivatives of these states after a period by those at its beginning; where an event
+        ends the period, of the state after the event.
+    residual : float
+        The largest change of a state over a period.
+    autonomous : bool
+        Whether the equations leave the beginning of the period open: one multiplier is then 1.
+    trajectory : Trajectory
+        Over one period.
+    """
+
+    period: float
+    initial_conditions: dict[Any, float]
+    states: tuple[str, ...]
+    monodromy: np.ndarray
+    residual: float
+    autonomous: bool
+    trajectory: Any
+
+    @property
+    def multipliers(self) -> np.ndarray:
+        """Floquet multipliers, the largest first, shape (k,)."""
+        values = np.linalg.eigvals(self.monodromy).astype(complex)
+        order = np.lexsort((-values.imag, -values.real, -np.abs(values).round(12)))
+        result: np.ndarray = values[order]
+        return result
+
+    @property
+    def stable(self) -> bool:
+        """Whether no multiplier but the one of an autonomous system is larger than 1."""
+        values = self.multipliers
+        if self.autonomous and values.size:
+            values = np.delete(values, np.abs(values - 1.0).argmin())
+        return bool((np.abs(values) <= 1.0 + 1e-5).all())
+
+    def __str__(self) -> str:
+        largest = np.abs(self.multipliers).max(initial=0.0)
+        return (
+            f"Periodic orbit of {self.period:.10g} s, {'' if self.stable else 'un'}stable: "
+            f"largest multiplier {largest:.6g}; residual {self.residual:.2g}"
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Flight:
+    """A motion over one period.
+
+    Attributes
+    ----------
+    end : ndarray, shape (k,)
+        The unknown states after it.
+    by_start : ndarray, shape (k, k)
+    rates : ndarray, shape (k,)
+        Their time derivatives at the end.
+    period : float
+    """
+
+    end: np.ndarray
+    by_start: np.ndarray
+    rates: np.ndarray
+    period: float
+
+
+def shoot(
+    fly: Callable[[np.ndarray, float], Flight],
+    start: np.ndarray,
+    period: float,
+    slope: np.ndarray | None,
+    names: Sequence[str],
+) -> tuple[np.ndarray, Flight, float]:
+    """Solve for a state that comes back.
+
+    Parameters
+    ----------
+    fly : callable
+        Of the unknown states and the period.
+    start : ndarray, shape (k,)
+    period : float
+        The period, or where to begin the search for it.
+    slope : ndarray, shape (k,), or None
+        The states' rates at the start: the search keeps to the plane normal to them. None where
+        the period is not an unknown.
+    names : sequence of str
+        Of the states.
+
+    Raises
+    ------
+    PeriodicOrbitError
+        The search does not converge.
+    """
+    z, k = start.copy(), len(start)
+    flight = fly(z, period)
+    gap = flight.end - z
+    guess, speed = period, float(np.linalg.norm(flight.rates))
+    weight = 1.0
+    for _ in range(_ITERATIONS):
+        size = float(np.abs(gap).max(initial=0.0))
+        scale = max(1.0, float(np.abs(z).max(initial=0.0)))
+        whole = flight.by_start - np.eye(k)
+        right = -gap
+        if slope is not None:
+            whole = np.block([[whole, flight.rates[:, None]], [slope[None], np.zeros((1, 1))]])
+            right = np.append(right, -slope @ (z - start))
+        new = None
+        while weight < _STUCK:
+            # After Levenberg and Marquardt, with a weight that vanishes with the gap: orbits of
+            # conservative systems come in families, of which the nearest is wanted.
+            held = np.sqrt(weight * min(size, 1.0)) * np.eye(whole.shape[1])
+            both = np.append(right, np.zeros(whole.shape[1]))
+            step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=1e-13)[0]
+            after = z + step[:k]
+            new_period = period + float(step[k]) if slope is not None else period
+            try:
+                # Every motion comes back after no time at all, and an equilibrium after any.
+                new = fly(after, new_period) if new_period > _SHORTEST * guess else None
+                if new is not None and slope is not None:
+                    slow = float(np.linalg.norm(new.rates)) < _SHORTEST * speed
+                    new = None if slow else new
+            except RuntimeError:  # no event, or a failure of the integration
+                new = None
+            if new is not None and float(np.abs(new.end - after).max()) < size:
+                break
+            new = None
+            if size <= _ROUNDING * scale:
+                break
+            weight = max(10.0 * weight, 1e-6)
+        if new is None:
+            break
+        z, period, flight, gap = after, new_period, new, new.end - after
+        weight *= 0.1
+    size = float(np.abs(gap).max(initial=0.0))
+    if not size <= _ROUNDING * max(1.0, float(np.abs(z).max(initial=0.0))):
+        raise _lost(names, z, gap, period)
+    return z, flight, size
+
+
+def _lost(
+    names: Sequence[str], z: np.ndarray, gap: np.ndarray, period: float
+) -> PeriodicOrbitError:
+    order = np.argsort(-np.abs(gap))[:3]
+    left = ", ".join(f"{names[k]} by {gap[k]:.3g}" for k in order)
+    at = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names, z, strict=True))
+    return PeriodicOrbitError(
+        f"No periodic orbit was found. Nearest, at {at} with the period {period:.6g} s, these "
+        f"change over it: {left}. Start nearer to one, or name coordinates that move on steadily "
+        "in `moving`.",
+        z,
+        gap,
+    )

@@ -1,0 +1,179 @@
+"""Periodic orbits and their Floquet multipliers, against published numbers and closed forms."""
+
+import runpy
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.integrate import solve_ivp
+from scipy.special import ellipk
+
+from pydy import System
+from pydy.errors import PeriodicOrbitError
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.solvers import Event
+
+t = me.dynamicsymbols._t
+WALKER = runpy.run_path(str(Path(__file__).parents[2] / "examples" / "walker.py"))
+
+
+def simplest_walker():
+    """The walker of the gallery, and its heel strike."""
+    kane, constants, strike = WALKER["derive"]()
+    start = dict(zip((*kane.q, *kane.u), (0.2, 0.4, -0.2, -0.02), strict=True))
+    return System(kane, constants=constants, initial_conditions=start), strike
+
+
+def on_a_line(force):
+    """A unit mass under a force of x, v and the constant mu."""
+    x, v = me.dynamicsymbols("x v")
+    mu = sm.Symbol("mu")
+    N, P, O = me.ReferenceFrame("N"), me.Point("P"), me.Point("O")
+    O.set_vel(N, 0)
+    P.set_vel(N, v * N.x)
+    kane = me.KanesMethod(N, [x], [v], [x.diff() - v])
+    kane.kanes_equations([me.Particle("b", P, sm.Integer(1))], [(P, force(x, v, mu) * N.x)])
+    return System(kane, initial_conditions={x: 2.0, v: 0.1})
+
+
+def test_van_der_pols_limit_cycle_has_its_period():
+    system = on_a_line(lambda x, v, mu: mu * (1 - x**2) * v - x)
+    orbit = system.find_periodic_orbit(6.5)
+    assert orbit.period == pytest.approx(6.66328685932313, rel=1e-10)
+    assert orbit.autonomous
+    assert orbit.stable
+    first, second = orbit.multipliers
+    assert first == pytest.approx(1.0, abs=1e-8)
+    # Liouville: the determinant of the monodromy matrix is exp(∫ div f dt).
+    x = orbit.trajectory["x"]
+    h = orbit.trajectory.times[1]
+    divergence = 1.0 - x**2
+    integral = h * (divergence[:-1].sum())
+    assert second == pytest.approx(np.exp(integral), rel=1e-6)
+    np.testing.assert_allclose(orbit.trajectory.states[0], orbit.trajectory.states[-1], atol=1e-9)
+
+
+def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():
+    system = n_link_pendulum_on_cart(1)
+    system.constants = {"m0": 1e13, "g": 9.81, "l0": 0.7}
+    system.initial_conditions = {"q1": np.pi - 1.2}
+    orbit = system.find_periodic_orbit(1.7, moving=["q0"])
+    amplitude = np.pi - orbit.initial_conditions[system.states[1]]
+    assert amplitude == pytest.approx(1.2, abs=0.3)  # one of a family
+    expected = 4.0 * ellipk(np.sin(amplitude / 2) ** 2) * np.sqrt(0.7 / 9.81)
+    assert orbit.period == pytest.approx(expected, rel=1e-9)
+
+
+def shaken(rate, amplitude=0.01, length=0.2, gravity=9.81):
+    m, l, g, a, w = sm.symbols("m l g a w")
+    q, u = me.dynamicsymbols("q u")
+    y = a * sm.cos(w * t)
+    N = me.ReferenceFrame("N")
+    rod = N.orientnew("R", "Axis", (q, N.z))
+    rod.set_ang_vel(N, u * N.z)
+    pivot, bob = me.Point("P"), me.Point("B")
+    pivot.set_vel(N, y.diff(t) * N.y)
+    bob.set_pos(pivot, l * rod.y)
+    bob.v2pt_theory(pivot, N, rod)
+    kane = me.KanesMethod(N, [q], [u], [q.diff(t) - u])
+    kane.kanes_equations([me.Particle("bob", bob, m)], [(bob, -m * g * N.y)])
+    return System(kane, constants={l: length, g: gravity, a: amplitude, w: rate})
+
+
+@pytest.mark.parametrize("share", [0.8, 1.5, 3.0])
+def test_kapitzas_pendulum_stands_where_its_multipliers_say_so(share):
+    length, gravity, amplitude = 0.2, 9.81, 0.01
+    rate = share * np.sqrt(2.0 * gravity * length) / amplitude
+    orbit = shaken(rate).find_periodic_orbit(2.0 * np.pi / rate)
+    assert not orbit.autonomous
+    assert orbit.stable == (share > 1.0)
+
+    def mathieu(instant, columns):
+        a, b = columns.reshape(2, 2)
+        stiffness = (gravity - amplitude * rate**2 * np.cos(rate * instant)) / length
+        return np.concatenate([b, stiffness * a])
+
+    whole = (
+        solve_ivp(
+            mathieu, (0.0, 2.0 * np.pi / rate), np.eye(2).ravel(), "DOP853", rtol=1e-12, atol=1e-14
+        )
+        .y[:, -1]
+        .reshape(2, 2)
+    )
+    np.testing.assert_allclose(orbit.monodromy, whole, rtol=1e-8, atol=1e-8)
+    assert np.prod(orbit.multipliers) == pytest.approx(1.0, abs=1e-8)  # no damping
+
+
+def test_the_simplest_walker_walks_with_the_published_gait():
+    """Garcia et al. 1998, long-period gait on a slope of 0.009 rad."""
+    system, strike = simplest_walker()
+    orbit = system.find_periodic_orbit(3.8, until=strike)
+    found = [orbit.initial_conditions[s] for s in system.states]
+    np.testing.assert_allclose(
+        found,
+        [0.200310900544287, 0.400621801088574, -0.199832473004977, -0.015822999948318],
+        atol=2e-9,
+    )
+    assert np.abs(orbit.multipliers[:2]) == pytest.approx([0.5891] * 2, abs=1e-4)
+    np.testing.assert_allclose(orbit.multipliers[2:], 0.0, atol=1e-7)
+    assert orbit.stable
+    assert not orbit.autonomous
+
+
+def test_the_monodromy_matrix_is_that_of_differences():
+    system, strike = simplest_walker()
+    orbit = system.find_periodic_orbit(3.8, until=strike)
+    system.ode_solver, system.times = "dop853", [0.0, 8.0]
+    x = np.array([orbit.initial_conditions[s] for s in system.states])
+    ending = Event(
+        strike.expression, direction=1, terminal=True, reset=dict(strike.reset), name="strike"
+    )
+
+    def step(start):
+        system.initial_conditions = dict(zip(system.states, start, strict=True))
+        return system.simulate(events=ending, rtol=1e-13, atol=1e-13).events[-1].after
+
+    for k in (2, 3):
+        h = np.zeros(4)
+        h[k] = 2e-6
+        change = (step(x + h) - step(x - h)) / 4e-6
+        np.testing.assert_allclose(orbit.monodromy[:, k], change, atol=1e-6)
+
+
+def test_a_forced_oscillator_has_the_multipliers_of_its_eigenvalues():
+    system = multi_mass_spring_damper(apply_external_forces=True, external_force_as_sin_of_t=True)
+    system.constants = {"c0": 0.2}
+    orbit = system.find_periodic_orbit(2.0 * np.pi)
+    roots = np.roots([1.0, 0.2, 1.0])
+    np.testing.assert_allclose(
+        np.sort_complex(orbit.multipliers), np.sort_complex(np.exp(2.0 * np.pi * roots)), atol=1e-9
+    )
+    # Resonance: x = −cos(t) / c.
+    assert orbit.initial_conditions[system.states[0]] == pytest.approx(-5.0, abs=1e-8)
+
+
+def test_where_there_is_no_orbit_what_is_left_is_told():
+    system = on_a_line(lambda x, v, mu: mu + 0 * x)
+    with pytest.raises(PeriodicOrbitError, match=r"Nearest, at x = .*change over it"):
+        system.find_periodic_orbit(1.0)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda s: s.find_periodic_orbit(-1.0), "`period` must be positive"),
+        (lambda s: s.find_periodic_orbit("long"), "`period`"),
+        (lambda s: s.find_periodic_orbit(1.0, until="strike"), "`until` must be a pydy.solvers.Ev"),
+        (lambda s: s.find_periodic_orbit(1.0, moving=["bogus"]), "bogus"),
+        (lambda s: s.find_periodic_orbit(1.0, until=Event(s.states[0] - 99)), "does not happen"),
+    ],
+)
+def test_what_does_not_fit_is_named(call, message):
+    with pytest.raises((ValueError, TypeError, PeriodicOrbitError), match=message):
+        call(on_a_line(lambda x, v, mu: -mu * x))
+    system = on_a_line(lambda x, v, mu: -mu * x)
+    system.initial_conditions = {}
+    with pytest.raises(ValueError, match="are an equilibrium, which is no orbit"):
+        system.find_periodic_orbit(1.0)
