@@ -98,7 +98,8 @@ class System:
     equations : {'graph', 'method'}, optional
         Where the equations of motion come from: formed from the bodies and loads, or from the
         Lagrangian; or those that ``kanes_equations()`` or ``form_lagranges_equations()`` derived.
-        By default the method's of a KanesMethod where they have been derived, else the graph's.
+        By default they are formed. Where a KanesMethod has derived its own, those are used if there
+        are constraints, or if the formed ones give other numbers or take no fewer operations.
 
     Raises
     ------

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
+from sympy.physics.mechanics import models as sympy_models
 
 import mechanisms
 import zoo
@@ -270,3 +271,53 @@ def test_the_kinetic_energy_that_is_shown_is_an_expression_of_sympys():
     model = zoo.undamped_chain()
     shown = System(model.kane, equations="graph").kinetic_energy
     assert sm.simplify(shown - System(model.kane).kinetic_energy) == 0
+
+
+def test_equations_that_were_derived_are_formed_again_where_that_is_shorter():
+    kane = sympy_models.n_link_pendulum_on_cart(6)
+    system, own = System(kane), System(kane, equations="method")
+    assert system._equations.formed is not None
+    assert own._equations.formed is None
+    assert system.constants_symbols == own.constants_symbols
+    counts = [
+        sum(s._current().compiled("rates").program.operation_count["run"].values())
+        for s in (system, own)
+        if s.evaluate_ode(np.full(14, 0.3)).size
+    ]
+    assert counts[0] < counts[1]
+    x = np.linspace(0.2, 0.9, 14)
+    close(system.evaluate_ode(x), own.evaluate_ode(x), 1e-12)
+
+
+def test_equations_that_were_derived_hold_where_the_bodies_give_others(caplog):
+    kane = sympy_models.n_link_pendulum_on_cart(3)
+    kane.bodies[1].mass = 2 * kane.bodies[1].mass
+    with caplog.at_level("INFO", logger="pydy"):
+        system = System(kane)
+    assert system._equations.formed is None
+    assert "they give other numbers" in caplog.text
+    assert System(kane, equations="graph")._equations.formed is not None
+
+
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [("branches", "no fewer operations"), ("disc", "there are constraints")],
+)
+def test_why_the_equations_of_the_method_hold_is_logged(name, why, caplog):
+    model = derived({**zoo.MODELS, **MECHANISMS}[name].__wrapped__())
+    with caplog.at_level("INFO", logger="pydy"):
+        assert System(model.kane)._equations.formed is None
+        assert why in caplog.text
+        caplog.clear()
+        System(model.kane)  # what was found out is kept
+    assert not caplog.text
+
+
+def test_a_method_that_is_derived_anew_is_looked_at_anew():
+    kane = sympy_models.n_link_pendulum_on_cart(6)
+    assert System(kane)._equations.formed is not None
+    g, m6 = sm.symbols("g m6")
+    kane.kanes_equations(kane.bodies, [(kane.bodies[6].masscenter, -3 * m6 * g * kane._inertial.y)])
+    system = System(kane)
+    x = np.linspace(0.2, 0.9, 14)
+    close(system.evaluate_ode(x), System(kane, equations="method").evaluate_ode(x), 1e-12)

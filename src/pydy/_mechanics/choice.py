@@ -18,7 +18,7 @@ from pydy._graph.switches import Passes
 from pydy._mechanics.form import Formed, forms
 from pydy._mechanics.reader import Multibody
 
-__all__ = ["chosen"]
+__all__ = ["chosen", "counted", "estimated"]
 
 
 # Estimates for the two kinds of forms that differ by less are too near to decide.
@@ -33,15 +33,15 @@ def chosen(body: Multibody) -> Formed:
     best: list[Formed] = []
     costs: list[int] = []
     for pair in zip(in_bodies, in_ground, strict=True):  # of each kind
-        own = [_estimated(formed) for formed in dict.fromkeys(pair)]
+        own = [estimated(formed) for formed in dict.fromkeys(pair)]
         costs.append(min(own))
         best.append(pair[own.index(costs[-1])])
     if len(best) == 2 and max(costs) < _NEAR * min(costs):
-        costs = [_counted(formed) for formed in best]
+        costs = [counted(formed) for formed in best]
     return best[costs.index(min(costs))]
 
 
-def _estimated(formed: Formed) -> int:
+def estimated(formed: Formed) -> int:
     """Estimate the operations of q' and u': those of a graph in which equal nodes are one."""
     graph, n = formed.graph, len(formed.forcing)
     if formed.accelerations is not None:
@@ -61,7 +61,7 @@ def _estimated(formed: Formed) -> int:
     return operations(graph, merge_equal(graph, [*formed.rates, *roots])) + solving
 
 
-def _counted(formed: Formed) -> int:
+def counted(formed: Formed) -> int:
     """Count the operations of q' and u' as they are compiled."""
     graph = formed.graph.copy()
     solved = formed.accelerations

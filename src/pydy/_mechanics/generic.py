@@ -107,50 +107,49 @@ class GenericStates:
     def samples(self, blocks: Sequence[Block], trials: int) -> Iterator[dict[str, np.ndarray]]:
         """Yield the values of blocks at states that keep the constraints, where all are finite."""
         free = [*self.coordinates, *self._others]
-        program = lower(
-            self.graph,
-            (len(self.coordinates) + len(self.speeds), len(self._others), 0),
+        closing = self._program(
             [
-                *blocks,
-                ("_holonomic", (len(self.holonomic),), self.holonomic),
-                self.table("_gradient", self.holonomic, free),
-                ("_velocity", (len(self.velocity),), self.velocity),
-                self.table("_slope", self.velocity, self.speeds),
-            ],
+                ("holonomic", (len(self.holonomic),), self.holonomic),
+                self.table("gradient", self.holonomic, free),
+                ("velocity", (len(self.velocity),), self.velocity),
+                self.table("slope", self.velocity, self.speeds),
+            ]
         )
+        wanted = self._program(blocks)
         for seed in range(trials):
-            values = self._consistent(program, np.random.default_rng(seed))
-            if all(np.isfinite(values[name]).all() for name, _, _ in blocks):
+            values = _values(wanted, *self._consistent(closing, np.random.default_rng(seed)))
+            if all(np.isfinite(v).all() for v in values.values()):
                 yield values
 
-    def _consistent(self, program: Program, rng: np.random.Generator) -> dict[str, np.ndarray]:
+    def _program(self, blocks: Sequence[Block]) -> Program:
+        sizes = (len(self.coordinates) + len(self.speeds), len(self._others), 0)
+        return lower(self.graph, sizes, blocks)
+
+    def _consistent(
+        self, closing: Program, rng: np.random.Generator
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         n = len(self.coordinates)
         x = rng.uniform(0.3, 1.3, n + len(self.speeds))
         r = rng.uniform(0.5, 1.5, len(self._others))
         t = rng.uniform(0.1, 1.0, 1)
-
-        def values() -> dict[str, np.ndarray]:
-            out, _ = run(program, t, x[None], r[None], np.empty(0))
-            return {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
-
         # With full steps redundant constraints draw Newton's method to singular positions.
         for share in _SHARES:
             for _ in range(_STEPS):
-                now = values()
-                if not all(np.isfinite(now[k]).all() for k in ("_gradient", "_holonomic")):
-                    return now
-                if np.abs(now["_holonomic"]).max(initial=0.0) < _CLOSED:
+                now = _values(closing, t, x, r)
+                if not all(np.isfinite(now[k]).all() for k in ("gradient", "holonomic")):
+                    return t, x, r
+                if np.abs(now["holonomic"]).max(initial=0.0) < _CLOSED:
                     break
-                step = -_solved(now["_gradient"], now["_holonomic"], share)
+                step = -_solved(now["gradient"], now["holonomic"], share)
                 x[:n] += step[:n]
                 r += step[n:]
             else:
                 continue
             break
-        if now["_velocity"].size and np.isfinite(now["_slope"]).all():
-            x[n:] -= np.linalg.lstsq(now["_slope"], now["_velocity"], rcond=None)[0]
-            now = values()
-        return now
+        now = _values(closing, t, x, r)
+        if now["velocity"].size and np.isfinite(now["slope"]).all():
+            x[n:] -= np.linalg.lstsq(now["slope"], now["velocity"], rcond=None)[0]
+        return t, x, r
 
 
 def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.ndarray:
@@ -160,3 +159,8 @@ def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.nda
     rows, right = gradient / scale[:, None], residuals / scale
     step: np.ndarray = np.linalg.lstsq(rows, right, rcond=share)[0]
     return step
+
+
+def _values(program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray) -> dict[str, np.ndarray]:
+    out, _ = run(program, t, x[None], r[None], np.empty(0))
+    return {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}

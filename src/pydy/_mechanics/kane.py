@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from typing import Any
+from weakref import WeakKeyDictionary
 
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
+from pydy._mechanics.agreement import formed_alike
 from pydy._mechanics.classify import classify
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.form import Formed
 from pydy._mechanics.formed import equations_of, kinematics_of
 from pydy._mechanics.mechanism import Mechanism
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
@@ -55,7 +58,8 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
     kane : KanesMethod
     source : {'graph', 'method'}, optional
         Whether the equations of motion are formed from bodies and loads, or those of
-        ``kanes_equations()``. By default the latter where that has been called.
+        ``kanes_equations()``. By default, where that has been called, the former if they give the
+        same numbers with fewer operations.
 
     Raises
     ------
@@ -82,7 +86,7 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
     body = multibody_of_kane(kane)
     if formed:
         return equations_of(body)
-    return classify(
+    base = classify(
         replace(
             kinematics_of(body),
             mass_matrix=kane.mass_matrix,
@@ -91,3 +95,16 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
             mechanism=Mechanism(body.frame, body.bodies, body.loads),
         )
     )
+    return base if source == "method" else replace(base, formed=_alike(kane, base, body))
+
+
+# What was found out about a method, with its equations: they may be derived anew.
+_known: WeakKeyDictionary[KanesMethod, tuple[Any, Formed | None]] = WeakKeyDictionary()
+
+
+def _alike(kane: KanesMethod, base: Equations, body: Multibody) -> Formed | None:
+    equations, found = _known.get(kane, (None, None))
+    if equations is not kane._frstar:
+        found = formed_alike(base, body)
+        _known[kane] = kane._frstar, found
+    return found

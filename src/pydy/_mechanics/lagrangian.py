@@ -21,8 +21,8 @@ __all__ = ["form_lagrangian", "lagranges_equations"]
 def form_lagrangian(body: Multibody) -> Formed:
     """Return the equations of motion of a Lagrangian.
 
-    With constraints, q'' is solved for together with the multipliers: that holds in every
-    configuration, whatever speeds are dependent. M and F are reduced as Kane's.
+    With constraints, q'' follows from multipliers: that holds in every configuration, whatever
+    speeds are dependent. M and F are reduced as Kane's.
 
     Parameters
     ----------
@@ -40,8 +40,7 @@ def form_lagrangian(body: Multibody) -> Formed:
     accelerations = None
     if body.velocity:
         moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
-        accelerations = None if moved else _held(kinematics, matrix, forcing)
-        matrix, forcing, _ = reduced(kinematics, matrix, forcing, moved)
+        matrix, forcing, accelerations = reduced(kinematics, matrix, forcing, moved)
     return Formed(
         g,
         read.constants,
@@ -52,18 +51,6 @@ def form_lagrangian(body: Multibody) -> Formed:
         accelerations,
         g.zero,
     )
-
-
-def _held(kinematics: Kinematics, matrix: list[Vec], forcing: Vec) -> Vec:
-    """Return q'' of M q'' = F + Jᵀ λ with J q'' + b = 0."""
-    g, n = kinematics.graph, len(forcing)
-    nodes = kinematics.read.all(kinematics.body.velocity)
-    slopes = jacobian(g, nodes, kinematics.speeds)
-    held = [[row.get(k, g.zero) for k in range(n)] for row in slopes]
-    whole = [[*matrix[i], *(g.neg(row[i]) for row in held)] for i in range(n)]
-    whole += [[*row, *([g.zero] * len(held))] for row in held]
-    drift = [g.neg(b) for b in kinematics.dt(nodes)]
-    return g.solve(whole, [[*forcing, *drift]], "lu")[0][:n]
 
 
 def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:

@@ -1,0 +1,143 @@
+"""Whether equations that a method derived may be replaced by those formed from its bodies.
+
+They may where there are no constraints, both give the same numbers at random states and hold the
+same symbols, and the formed ones cost fewer operations. What decides is logged.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from pydy._graph.collector import collector_paused
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import transplanted
+from pydy._mechanics.choice import chosen, counted, estimated
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.form import Formed
+from pydy._mechanics.generic import GenericStates
+from pydy._mechanics.reader import Multibody
+
+__all__ = ["formed_alike"]
+
+_LOG = logging.getLogger("pydy")
+_STATES = 2
+_TOLERANCE = 1e-8
+# Estimates that differ by more need no counting: the simplification of the method's would take
+# longer than all the rest.
+_CLEAR = 0.5
+
+
+@collector_paused()
+def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
+    """Return the formed equations of motion, or None where those of the method hold.
+
+    Parameters
+    ----------
+    equations : Equations
+        With the method's mass matrix and forcing.
+    body : Multibody
+    """
+    why = _unfit(equations, body)
+    if not why:
+        try:
+            formed = chosen(body)
+        except (ValueError, TypeError, NotImplementedError) as error:
+            why = str(error)
+        else:
+            own = set(formed.symbols(equations.speed_rates))
+            if more := [s for s in own if s not in equations.symbols]:
+                why = f"they hold {more[0]}, which the method's do not"
+            elif not _agree(equations, formed):
+                why = "they give other numbers: a velocity or a load differs"
+            elif not _costs_less(equations, formed):
+                why = "they take no fewer operations"
+    if not why:
+        return formed
+    _LOG.info("The equations of the method are used, not those formed from its bodies: %s.", why)
+    return None
+
+
+def _unfit(equations: Equations, body: Multibody) -> str:
+    if not body.bodies:
+        return "it holds no bodies"
+    if any(rate in equations.symbols for rate in equations.speed_rates):
+        return "loads depend on accelerations"
+    if equations.velocity:
+        # Near a singular configuration they say other things: where it is met, and how near.
+        return "there are constraints"
+    return ""
+
+
+def _agree(equations: Equations, formed: Formed) -> bool:
+    """Return whether both give the same accelerations.
+
+    With those of the one, M u' − F of the other must vanish: u' itself is less accurate where M is
+    nearly singular.
+    """
+    n = len(equations.speeds)
+    written = [*equations.mass_matrix, *equations.forcing]
+    symbols = [*formed.constants, *formed.specifieds]
+    states = GenericStates(equations, [*written, *symbols], "the equations of motion")
+    g = formed.graph
+    inputs = {g.input("x", k): node for k, node in enumerate((*states.coordinates, *states.speeds))}
+    inputs[g.input("t", 0)] = states.read(equations.time)
+    inputs |= {g.input("p", k): states.read(s) for k, s in enumerate(formed.constants)}
+    inputs |= {g.input("r", k): states.read(s) for k, s in enumerate(formed.specifieds)}
+    nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
+    blocks = [
+        ("written", (n * (n + 1),), states.read.all(written)),
+        ("formed", (n * (n + 1),), transplanted(g, nodes, states.graph, inputs)),
+    ]
+    samples = list(states.samples(blocks, _STATES))
+    return bool(samples) and all(_alike(s["written"], s["formed"], n) for s in samples)
+
+
+def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:
+    matrix, forcing = written[: n * n].reshape(n, n), written[n * n :]
+    try:
+        rates = np.linalg.solve(formed[: n * n].reshape(n, n), formed[n * n :])
+    except np.linalg.LinAlgError:
+        return False
+    size = np.abs(matrix) @ np.abs(rates) + np.abs(forcing)
+    return bool((np.abs(matrix @ rates - forcing) <= _TOLERANCE * size + 1e-300).all())
+
+
+def _costs_less(equations: Equations, formed: Formed) -> bool:
+    own = _as_formed(equations, formed)
+    if estimated(formed) < _CLEAR * estimated(own):
+        return True
+    return counted(formed) < counted(own)
+
+
+def _as_formed(equations: Equations, formed: Formed) -> Formed:
+    """Return the method's equations as nodes."""
+    graph, n = Graph(), len(equations.speeds)
+    constants = [s for s in _others(equations) if s.is_Symbol]
+    specifieds = [s for s in _others(equations) if not s.is_Symbol]
+    atoms: dict[Any, int] = {s: graph.input("p", k) for k, s in enumerate(constants)}
+    atoms |= {s: graph.input("r", k) for k, s in enumerate(specifieds)}
+    states = (*equations.coordinates, *equations.speeds)
+    atoms |= {s: graph.input("x", k) for k, s in enumerate(states)}
+    atoms[equations.time] = graph.input("t", 0)
+    atoms |= dict.fromkeys(equations.zeros, graph.zero)
+    read = SymPyReader(graph, atoms, "the equations of motion")
+    rates = read.all(equations.coordinate_derivatives)
+    for symbol, node in zip(equations.coordinate_rates, rates, strict=True):
+        read.define(symbol, node)
+    cells = read.all(equations.mass_matrix)
+    matrix = [cells[k * n : (k + 1) * n] for k in range(n)]
+    forcing = read.all(equations.forcing)
+    return Formed(graph, constants, specifieds, rates, matrix, forcing, None, formed.kinetic)
+
+
+def _others(equations: Equations) -> Sequence[Any]:
+    known = {
+        *equations.coordinates, *equations.speeds, *equations.coordinate_rates,
+        *equations.speed_rates, *equations.zeros, equations.time,
+    }  # fmt: skip
+    return [s for s in equations.symbols if s not in known]
