@@ -145,9 +145,13 @@ class CompiledModel:
 
     def compiled_by(self, key: tuple[Any, ...], build: Callable[[], Program]) -> Kernel:
         """Return the Kernel of a Program that `build` makes, at most once for each key."""
+        return self.kernel_by(key, lambda: self.backend.compile(build()))
+
+    def kernel_by(self, key: tuple[Any, ...], make: Callable[[], Kernel]) -> Kernel:
+        """Return the Kernel that `make` gives, at most once for each key."""
         kernel = self._kernels.get(key)
         if kernel is None:
-            kernel = self._kernels[key] = self.backend.compile(build())
+            kernel = self._kernels[key] = make()
         return kernel
 
     def interpreted(

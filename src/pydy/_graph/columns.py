@@ -19,6 +19,7 @@ from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
+from pydy._graph.split import split
 from pydy._graph.switches import Passes
 
 __all__ = ["Columns"]
@@ -55,7 +56,12 @@ class Columns:
         return self.states * (1 + self.count)
 
     def together(self, states: np.ndarray, columns: np.ndarray) -> np.ndarray:
-        """Return states (..., n) and sensitivities (..., n, k) as (..., n (1 + k))."""
+        """Return states (..., n) and sensitivities (..., n, k) as (..., n (1 + k)).
+
+        Columns that are missing at the end are zero.
+        """
+        missing = self.count - columns.shape[-1]
+        columns = np.pad(columns, [(0, 0)] * (columns.ndim - 1) + [(0, missing)])
         flat = columns.reshape(*columns.shape[:-2], self.states * self.count)
         return np.concatenate([states, flat], axis=-1)
 
@@ -95,6 +101,40 @@ class Columns:
         nodes = simplify(graph, nodes, passes)
         cells = self._cells(graph, nodes, passes)
         return self._lowered(graph, [("rates", (self.size,), [*nodes, *cells])], sizes, passes)
+
+    @property
+    def _inputs(self) -> list[tuple[str, int] | tuple[str, int, int]]:
+        """What the equations are differentiated by, each once."""
+        return [*dict.fromkeys(d for d in self.directions if d)]
+
+    def table(self) -> np.ndarray:
+        """Return the direction of each column in the inputs of `split_programs`, shape (d, k)."""
+        rows = [[float(d == own) for d in self.directions] for own in self._inputs]
+        return np.array(rows, dtype=float).reshape(len(rows), self.count)
+
+    def split_programs(
+        self, graph: Graph, nodes: Sequence[int], sizes: tuple[int, int, int], passes: Passes
+    ) -> tuple[Program, Program]:
+        """Return the same with the derivatives of one column apart; see `split.SplitProgram`.
+
+        The parameters are those of `rates_program`.
+        """
+        n, (_, s, c), inputs = self.states, sizes, self._inputs
+        nodes = simplify(graph, nodes, passes)
+        terms: dict[int, list[tuple[int, float]]] = {}
+        for k, direction in enumerate(inputs):
+            size = graph.input("p", c + k)
+            if len(direction) == 3:
+                size = graph.mul(size, graph.input("r", direction[2]))
+            terms.setdefault(graph.input(*direction[:2]), []).append((size, 1.0))
+        given = {node: {0: graph.sum(parts)} for node, parts in terms.items()}
+        given.update({graph.input("x", i): {0: graph.input("x", n + i)} for i in range(n)})
+        rows = Rows(graph, given)
+        cells = [rows(node).get(0, graph.zero) for node in nodes]
+        cells = factor_sums(graph, cells) if "factor" in passes else cells
+        blocks = [("rates", (n,), nodes), ("column", (n,), cells)]
+        whole = (2 * n, s + self.weights, c + len(inputs))
+        return split(lower(graph, whole, blocks, passes=passes), n, c)
 
     def program(
         self,

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -17,9 +18,12 @@ import sympy as sm
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.stored import stored_program
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.columns import compile_columns, lanes_for
 from pydy._checks import Places, describe, listed
 from pydy._graph.columns import Columns
 from pydy._graph.program import Program
+from pydy._graph.split import SplitProgram
 from pydy._kernel import Kernel, KernelCall
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
@@ -159,7 +163,19 @@ class Sensitive:
                     directions.append(("r", parameter.place, s + weights))
                     weights += 1
         n = len(self.definition.states)
+        if self._side_by_side:  # whole blocks; what is left over stays zero
+            directions += [None] * (-len(directions) % lanes_for(len(directions)))
         object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
+
+    @property
+    def count(self) -> int:
+        """The number of columns that are wanted; there may be more."""
+        return sum(parameter.count for parameter in self.parameters)
+
+    @property
+    def _side_by_side(self) -> bool:
+        """Whether the back end takes several columns at a time."""
+        return isinstance(self.model.backend, LLVMBackend)
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -178,9 +194,24 @@ class Sensitive:
             return columns.program(graph, nodes, assembly.sizes, assembly.passes)
 
         what = f"sensitivities of {', '.join(blocks)} {columns}"
+        if not blocks and self._side_by_side:
+            return self.model.kernel_by(("sensitivities", columns), self._compiled_apart)
         return self.model.compiled_by(
             ("sensitivities", blocks, columns), lambda: stored_program(assembly, what, make)
         )
+
+    def _compiled_apart(self) -> Kernel:
+        columns, assembly = self.columns, self.model.assembly
+
+        @cache
+        def made() -> tuple[Program, Program]:
+            nodes, sizes, passes = assembly.rates, assembly.sizes, assembly.passes
+            return columns.split_programs(assembly.graph.copy(), nodes, sizes, passes)
+
+        what = f"of sensitivities {columns}"
+        shared = stored_program(assembly, f"shared part {what}", lambda: made()[0])
+        column = stored_program(assembly, f"one column {what}", lambda: made()[1])
+        return compile_columns(SplitProgram(shared, column, columns.table()))
 
     def call(self) -> KernelCall:
         """Return the equations with sensitivities and their numbers, for native solvers."""
@@ -230,6 +261,7 @@ class Sensitive:
         return CompiledSensitivities(
             n,
             k,
+            self.count,
             scales,
             lambda event: self._jump(events[event]),
             lambda: self.kernel("holonomic", "velocity"),
@@ -262,12 +294,12 @@ class Sensitive:
     def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
         out = self._sweep(self.kernel(), times, states, values)
-        return self.columns.apart(out)[1]
+        return self.columns.apart(out)[1][..., : self.count]
 
     def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the sensitivities of the outputs, shape (m, o, k)."""
         out = self._sweep(self.kernel("outputs"), times, states, values)
-        return out.reshape(len(times), -1, self.columns.count)
+        return out.reshape(len(times), -1, self.columns.count)[..., : self.count]
 
     def _sweep(
         self, kernel: Kernel, times: np.ndarray, states: np.ndarray, values: np.ndarray
@@ -414,7 +446,9 @@ class Wanted:
     def results(self, whole: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
         """Return the states of a solver's result, and what a Trajectory takes beside them."""
         sensitive = self.sensitive
-        states, values = (np.ascontiguousarray(part) for part in sensitive.columns.apart(whole))
+        states, values = sensitive.columns.apart(whole)
+        states = np.ascontiguousarray(states)
+        values = np.ascontiguousarray(values[..., : sensitive.count])
         counts = {parameter.symbol: parameter.count for parameter in sensitive.parameters}
         return states, {"sensitivities": (counts, values), "sensitivity_model": sensitive}
 
@@ -435,7 +469,7 @@ class Wanted:
             else:
                 own = abs((p if parameter.kind == "constants" else x0)[parameter.place])
             sizes += [own if own > 0.0 else 1.0] * parameter.count
-        return np.array(sizes)
+        return np.array(sizes + [1.0] * (self.sensitive.columns.count - len(sizes)))
 
 
 def _by_samples(parameter: Parameter) -> SampledInput:

@@ -26,7 +26,7 @@ from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["LLVMBackend", "kernel_text"]
+__all__ = ["LLVMBackend", "kernel_text", "shared_routines"]
 
 
 class LLVMBackend:
@@ -60,7 +60,7 @@ class LLVMBackend:
             loops=lanes == 1 and _repeats(program),
         )
         calls = bool({*SOLVES, *ANGLES} & set(program.ops))
-        routines = _routines(lanes, at_best=lanes > 1) if calls else None
+        routines = shared_routines(lanes, at_best=lanes > 1) if calls else None
         code = jit.load(source, routines) if lanes > 1 else jit.find(source, routines)
         quick = code is None
         if code is None:
@@ -109,7 +109,7 @@ def _repeats(program: Program) -> bool:
 
 def _improve(known: ref[Entry], source: jit.Source, calls: bool, compile_source: Compile) -> None:
     """Compile at LLVM's best and put the result in the entry's place, if it is still there."""
-    routines = _routines(1, True, compile_source) if calls else None
+    routines = shared_routines(1, True, compile_source) if calls else None
     code = jit.load(source, routines, compile_source)
     entry = known()
     if entry is not None:
@@ -120,7 +120,7 @@ _ROUTINES: dict[tuple[int, bool], jit.Code] = {}
 _ROUTINES_LOCK = _forks.Lock()
 
 
-def _routines(lanes: int, at_best: bool, compile_source: Compile = object_code) -> jit.Code:
+def shared_routines(lanes: int, at_best: bool, compile_source: Compile = object_code) -> jit.Code:
     """Return the routines kernels call; unless they are cached, quickly compiled will do."""
     best = _ROUTINES.get((lanes, True))
     if best is not None:
@@ -151,12 +151,18 @@ def _routines_text(lanes: int, brief: bool) -> str:
     return "\n".join([*parts, solver_functions(lanes)])
 
 
-def kernel_text(program: Program, lanes: int, brief: bool = False) -> str:
+def kernel_text(program: Program, lanes: int, brief: bool = False, columns: int = 0) -> str:
     """Return the module of a Program, with the functions `kernel` and `prepare`.
 
-    A `brief` one calls a routine for sines and cosines instead of writing them in line.
+    A `brief` one calls a routine for sines and cosines instead of writing them in line. With
+    `columns` a lane is one of so many columns, which lie side by side in each row of x and of the
+    output, and the inputs r are numbers that all have in common.
     """
-    body = _prepare(program, lanes, brief) + _kernel(program, lanes, brief)
+    body = _prepare(program, lanes, brief)
+    if columns:
+        body += _column_kernel(program, lanes, brief, columns)
+    else:
+        body += _kernel(program, lanes, brief)
     parts = [_declarations(program, lanes)]
     if f"{MALLOC}(" in body:
         parts.append(HEAP_DECLARATIONS)
@@ -264,6 +270,19 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
     if lanes > 1:
         parts.insert(0, _strided(program, lanes, brief, small))
     return "\n".join(parts)
+
+
+def _column_kernel(program: Program, lanes: int, brief: bool, columns: int) -> str:
+    f = Function("kernel", "i32", _parameters(), "|nounwind")
+    e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+    e.solves.status = f.variable("i32", "0")
+    e.names.steps.update({"%x": str(columns), "%out": str(columns)})
+    e.names.spread.add("%r")
+    e.stage()
+    f.do(f"ret i32 {f.get('i32', e.solves.status)}")
+    f.label("%bail")
+    f.do("ret i32 0")
+    return "\n".join([*BRANCH_WEIGHTS, "", f.text()])
 
 
 def _strided(program: Program, lanes: int, brief: bool, loop: bool) -> str:

@@ -112,7 +112,8 @@ class Emitter:
             for index, k in enumerate(program.outputs):
                 if program.setup[k]:
                     self.load_carried(k)
-                    self.f.store(self.v, self.names[k], self.names.place("%out", index))
+                    value = self._as_number(k, self.names[k])
+                    self.f.store(self.v, value, self.names.place("%out", index))
 
     def computed(self, node: int) -> bool:
         """Return whether an operation of this stage gives the value."""
@@ -144,10 +145,16 @@ class Emitter:
                 continue
             value = self.names[node]
             if self.program.ops[node] in TRUTHS:
-                value = self.f.let(f"uitofp {self.b} {value} to {self.v}")
+                value = self._as_number(node, value)
             elif until == -1 or until >= self.names.last_use(node):
                 self.names.home(node, pointer, index)
             self.f.store(self.v, value, self.names.place(pointer, index))
+
+    def _as_number(self, node: int, value: str) -> str:
+        """Return a value as it is written to memory, a truth as 0 or 1."""
+        if self.program.ops[node] not in TRUTHS:
+            return value
+        return self.f.let(f"uitofp {self.b} {value} to {self.v}")
 
     def node(self, node: int) -> None:
         """Write one operation; what only a fallback needs is written there."""

@@ -51,7 +51,8 @@ class Registers:
         self._homes: dict[int, tuple[str, int]] = {}
         self._slots: dict[int, str] = {}  # of values that were moved to memory to make room
         self._free: list[str] = []
-        self.steps: dict[str, str] = {}  # the distance between items, where it is no constant
+        self.steps: dict[str, str] = {}  # the distance between items, where it is not one vector
+        self.spread: set[str] = set()  # arrays of numbers that all lanes have in common
 
     def fix(self, node: int, name: str) -> None:
         """Name what takes no register of this kind: a literal, a truth value."""
@@ -79,8 +80,21 @@ class Registers:
     def __getitem__(self, node: int) -> str:
         name = self._fixed.get(node) or self._names.get(node)
         if name is None:
-            name = self._names[node] = self._f.load(self._v, self.place(*self._homes[node]))
+            pointer, index = self._homes[node]
+            if pointer in self.spread:
+                name = self._spread(pointer, index)
+            else:
+                name = self._f.load(self._v, self.place(pointer, index))
+            self._names[node] = name
         return name
+
+    def _spread(self, pointer: str, index: int) -> str:
+        """Read one number for all lanes."""
+        f, v = self._f, self._v
+        number = f.load("double", pointer, str(index))
+        one = f.let(f"insertelement {v} poison, double {number}, i32 0")
+        zeros = v.replace("double", "i32")
+        return f.let(f"shufflevector {v} {one}, {v} poison, {zeros} zeroinitializer")
 
     def place(self, pointer: str, index: int) -> str:
         """Return the address of an item."""

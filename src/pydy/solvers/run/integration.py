@@ -338,7 +338,7 @@ class Integration:
 
     def _act(self) -> bool:
         """See to the events at which compiled code stopped; tell whether the integration ends."""
-        wanted, call = self.options.events, self.call
+        wanted, call, beside = self.options.events, self.call, self.options.sensitivities
         assert wanted is not None
         assert call is not None
         self._empty_log()
@@ -352,9 +352,11 @@ class Integration:
                 self._stop(RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
             record = self._record(t, k, before, after, acting=True)
             self.records.append(record)
-            before = after
-            if record.sensitivity_after is not None:
-                before = np.concatenate([after[:n], record.sensitivity_after.ravel()])
+            if beside is None:
+                before = after
+            else:
+                before = np.concatenate([after[:n], before[n:]])
+                beside.table(before)[:, : beside.wanted] = record.sensitivity_after
         self.memory.x[: self.n] = before
         if any(wanted.terminal[k] for k in fired):
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
@@ -401,12 +403,13 @@ class Integration:
             if acting:
                 self._stop(EVENT_GRAZES, event=wanted.names[event], depth=jump.depth)
             jump = jump._replace(time=np.full(beside.columns, np.nan))
-        table = beside.table(before).copy()
+        k = beside.wanted
+        table = beside.table(before)[:, :k].copy()
         return replace(
             record,
-            time_sensitivity=jump.time,
+            time_sensitivity=jump.time[:k],
             sensitivity_before=table,
-            sensitivity_after=jump.after if acting else table,
+            sensitivity_after=jump.after[:, :k] if acting else table,
         )
 
     # -- results ----------------------------------------------------------------------------------
