@@ -14,7 +14,6 @@ from pydy._assembly.specifieds import driven
 from pydy._checks import Places, choice, number
 from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.program import Program
-from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
 from pydy.codegen.arguments import SpecifiedsPlan, describe
 from pydy.solvers.events import CompiledEvents, Event
@@ -163,14 +162,15 @@ def compile_events(
         inputs = [graph.args[n] for n in graph.reachable([node]) if graph.ops[n] == "input"]
         return any(group != "p" for group, _ in inputs)
 
-    resets: list[Kernel | None] = []
-    for event in events:
-        if not event.reset:
-            resets.append(None)
-            continue
-        after = tuple(event.reset.get(s, s) for s in states)
-        name = f"`reset` of the event `{event.name}`"
-        resets.append(model.compiled_expressions(name, (len(states),), after))
+    def resets() -> Program:
+        own, after = model.assembly.fork(), []
+        for event in events:
+            own_after = [event.reset.get(s, s) for s in states]
+            after += own.read(own_after, f"`reset` of the event `{event.name}`")
+        return own.lowered([("resets", (len(events), len(states)), after)], own.graph)
+
+    resetting = tuple(bool(event.reset) for event in events)
+    key = ("resets of the events", *(tuple(event.reset.items()) for event in events))
     return CompiledEvents(
         names=tuple(event.name for event in events),
         directions=tuple(event.direction for event in events),
@@ -181,7 +181,8 @@ def compile_events(
             ("rates of the events", *expressions),
             lambda: event_rates_program(model.assembly, expressions),
         ),
-        resets=tuple(resets),
+        resetting=resetting,
+        resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
     )
 

@@ -49,8 +49,8 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
     kernels = [None if constraints is None else constraints.kernel]
     about_events = None
     if events is not None:
-        kernels += [events.values, *events.resets]
-        about_events = events.names, events.directions, events.terminal
+        kernels += [events.values, events.resets]
+        about_events = events.names, events.directions, events.terminal, events.resetting
     programs = [model.rates, model.outputs, model.jacobian]
     programs += [None if k is None else k.program for k in kernels]
     functions = [r for r in work.reductions if callable(r)]

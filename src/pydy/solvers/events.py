@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from numbers import Real
 from typing import Any
@@ -125,8 +125,10 @@ class CompiledEvents:
         The expressions.
     rates : Kernel
         Their time derivatives along the motion.
-    resets : tuple of Kernel or None
-        The states after each event.
+    resetting : tuple of bool
+        Whether the states change at each.
+    resets : Kernel or None
+        The states after each event, one below the other; None where no event changes them.
     sources : tuple of Event
         What they were compiled from.
     """
@@ -137,5 +139,6 @@ class CompiledEvents:
     constant: tuple[bool, ...]
     values: Kernel
     rates: Kernel
-    resets: Sequence[Kernel | None]
+    resetting: tuple[bool, ...]
+    resets: Kernel | None
     sources: tuple[Event, ...] = ()

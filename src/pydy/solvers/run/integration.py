@@ -346,8 +346,9 @@ class Integration:
         fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
         before = self.memory.x[: self.n].copy()
         for k in fired:
-            reset, n = wanted.resets[k], self.states
-            after = before if reset is None else call.evaluate(reset, before, t)
+            after, n = before, self.states
+            if wanted.resetting[k] and wanted.resets is not None:
+                after = call.evaluate(wanted.resets, before, t)[k * n : (k + 1) * n]
             if not np.isfinite(after).all():
                 self._stop(RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
             record = self._record(t, k, before, after, acting=True)

@@ -259,8 +259,8 @@ class Workspace:
             return _NO_EVENTS
         number = len(wanted.names)
         place, c = self._bind_kernel(wanted.values)
-        stops = zip(wanted.terminal, wanted.resets, strict=True)
-        acting = [end or reset is not None for end, reset in stops]
+        stops = zip(wanted.terminal, wanted.resetting, strict=True)
+        acting = [end or resets for end, resets in stops]
         rows = _LOG if number else 0
         scan = shipped.address_of("scan_events")
         return watch_arrays((place, scan), c, wanted.directions, acting, self.n, rows)
