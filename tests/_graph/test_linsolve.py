@@ -334,3 +334,27 @@ def test_a_block_that_is_diagonal_and_constant_goes_first():
     found, failed = run(program, np.zeros(1), state, np.empty((1, 0)), matrix.diagonal().copy())
     assert not failed[0]
     np.testing.assert_allclose(found[0], np.linalg.solve(matrix, right), rtol=1e-12)
+
+
+@both_engines
+def test_a_triangular_system_needs_no_check_of_its_residual(engine):
+    graph = Graph()
+    cells = [graph.input("x", k) for k in range(10)]
+    (a, b, c, d, e, f), right = cells[:6], cells[6:9]
+    zero = graph.zero
+    # Triangular once rows and columns are ordered.
+    matrix = [[b, c, zero], [d, e, f], [a, zero, zero]]
+    (solution,) = graph.solve(matrix, [right], "lu")
+    program = on_tape(graph, solution, (10, 0, 0))
+    assert "le" not in program.operation_count["run"]
+    x = np.random.default_rng(5).normal(size=(200, 10))
+    x[0, 0] = 0.0
+    arguments = np.zeros(200), x, np.empty((1, 0)), np.empty(0)
+    evaluate = run if engine == "interpreted" else LLVMBackend().compile(program).evaluate
+    found, failed = evaluate(*(arguments if engine != "interpreted" else (program, *arguments)))
+    assert failed.nonzero()[0].tolist() == [0]
+    whole = np.zeros((200, 3, 3))
+    whole[:, 0, 0], whole[:, 0, 1], whole[:, 2, 0] = x[:, 1], x[:, 2], x[:, 0]
+    whole[:, 1] = x[:, 3:6]
+    residual = (whole @ found[:, :, None])[:, :, 0] - x[:, 6:9]
+    small(residual[1:], whole[1:], found[1:], x[1:, 6:9])

@@ -12,6 +12,7 @@ from pydy._graph.solve.choose import solve_accelerations
 from pydy._graph.switches import Passes
 from pydy._mechanics.choice import chosen
 from pydy._mechanics.kane import multibody_of_kane
+from pydy.examples import whipple_bicycle
 from pydy.models import n_link_pendulum_on_cart
 from pydy.system import System
 from zoo import T
@@ -83,8 +84,9 @@ def operations(formed):
         (lambda: springs(30), 179),
         (lambda: rods(3), 664),
         (lambda: rods(5), 1545),
+        (lambda: whipple_bicycle.derive().kane, 1175),
     ],
-    ids=["pendulum-10", "pendulum-20", "springs-30", "rods-3", "rods-5"],
+    ids=["pendulum-10", "pendulum-20", "springs-30", "rods-3", "rods-5", "bicycle"],
 )
 def test_no_model_costs_more_operations_than_it_did(kane, limit):
     assert operations(chosen(multibody_of_kane(kane()))) <= limit

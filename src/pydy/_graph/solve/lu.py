@@ -103,7 +103,8 @@ class UnrolledLU:
     Otherwise partial pivoting decides. Further columns are taken with the first, unless its
     solution is zero and tells nothing: what spoils a solution is the growth of the factors, which
     they have in common (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., theorem
-    9.3).
+    9.3). The factors of a matrix that is triangular in the order of its pivots are its own entries:
+    there, substitution is always accurate (ibid., theorem 8.5).
     """
 
     def __init__(
@@ -121,6 +122,7 @@ class UnrolledLU:
         self.lower: list[list[int]] = [[zero] * n for _ in range(n)]
         self.inverse: list[int] = []
         self.sound = tape.make("bool", True)
+        self.triangular = True
         for k in range(n):
             pivot = cell[k][k]
             condition = tape.make("lt", tape.mul(small, sizes[k]), self._size(pivot))
@@ -133,6 +135,7 @@ class UnrolledLU:
                 factor = self.lower[i][k] = tape.mul(cell[i][k], inverse)
                 for j in range(k + 1, n):
                     if cell[k][j] != zero:
+                        self.triangular = False
                         cell[i][j] = tape.sub(cell[i][j], tape.mul(factor, cell[k][j]))
         self.upper = cell
         self.first: tuple[int, list[int]] | None = None  # its soundness and solution
@@ -173,7 +176,9 @@ class UnrolledLU:
         fast = [0] * n
         for place, value in zip(self.columns, y, strict=True):
             fast[place] = value
-        if self.first is None:
+        if self.triangular:
+            sound = self.sound
+        elif self.first is None:
             sound = self._accurate(column, fast)
             self.first = (sound, fast)
         else:
