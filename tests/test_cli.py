@@ -114,7 +114,14 @@ def test_the_demo_saves_its_animation_and_says_where(demo):
     path = output / "bicycle.html"
     assert str(path) in text
     assert path.read_text(encoding="utf-8") == ride.scene.html()
-    assert {p.name for p in output.iterdir()} == {"bicycle.png", "bicycle.html"}
+
+
+def test_the_demo_ends_with_a_page_that_simulates(demo):
+    _, text, output, _ = demo
+    path = output / "bicycle-live.html"
+    assert text.rindex(str(path)) > text.rindex("bicycle.html")
+    assert "liveModel" in path.read_text(encoding="utf-8")
+    assert {p.name for p in output.iterdir()} == {"bicycle.png", "bicycle.html", path.name}
 
 
 def test_the_output_is_ascii_for_any_terminal(demo):
@@ -133,7 +140,7 @@ def test_without_matplotlib_the_demo_goes_on_and_says_what_to_install(
     monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
     assert main(["demo", "--output", str(tmp_path)]) == 0
     assert "pip install matplotlib" in capsys.readouterr().out
-    assert [p.name for p in tmp_path.iterdir()] == ["bicycle.html"]
+    assert {p.name for p in tmp_path.iterdir()} == {"bicycle.html", "bicycle-live.html"}
 
 
 def test_a_plot_that_cannot_be_saved_is_reported(same_ride, tmp_path, capsys):
@@ -145,7 +152,7 @@ def test_a_plot_that_cannot_be_saved_is_reported(same_ride, tmp_path, capsys):
 def test_an_animation_that_cannot_be_saved_is_reported(same_ride, tmp_path, capsys):
     (tmp_path / "bicycle.html").mkdir()
     assert main(["demo", "--output", str(tmp_path)]) == 1
-    assert "cannot save the animation: " in capsys.readouterr().err
+    assert "cannot save the page: " in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ __all__ = ["main"]
 
 PLOT = "bicycle.png"
 ANIMATION = "bicycle.html"
+LIVE = "bicycle-live.html"
 # What the demo promises; it fails when a number is worse.
 DRIFT_LIMIT = 1e-6
 EIGENVALUE_LIMIT = 1e-9  # 1/s
@@ -82,7 +83,8 @@ def _parser() -> argparse.ArgumentParser:
         type=Path,
         default=Path("build"),
         metavar="DIR",
-        help=f"directory for {PLOT} and {ANIMATION}, made when missing (default: %(default)s)",
+        help=f"directory for {PLOT}, {ANIMATION} and {LIVE}, made when missing "
+        "(default: %(default)s)",
     )
     demo.add_argument("--no-plot", action="store_true", help="save no plot and no animation")
     demo.set_defaults(command=_demo, refuse=demo.error)
@@ -210,14 +212,22 @@ def _demo(options: argparse.Namespace) -> int:
             return 1
         else:
             print(f"  {path}")
-        _title("Animation (open it in a browser)")
-        path = options.output / ANIMATION
-        try:
-            bicycle_ride.animate(ride, path)
-        except OSError as error:
-            print(f"python -m pydy demo: cannot save the animation: {error}", file=sys.stderr)
-            return 1
-        print(f"  {path}")
+        for title, name, write in (
+            ("Animation (open it in a browser)", ANIMATION, bicycle_ride.animate),
+            (
+                "Live page (drag the speed below 4.29 m/s: the bicycle falls)",
+                LIVE,
+                bicycle_ride.simulate,
+            ),
+        ):
+            _title(title)
+            path = options.output / name
+            try:
+                write(ride, path)
+            except OSError as error:
+                print(f"python -m pydy demo: cannot save the page: {error}", file=sys.stderr)
+                return 1
+            print(f"  {path}")
     return _verdict(ride)
 
 

@@ -1564,6 +1564,14 @@ class System:
         numbers = now.x, now.p, now.times
         return export_model(now.definition, now.model, now.plan, numbers, **options)
 
+    def _live_system(self, **options: Any) -> Any:
+        """Return what a page that simulates needs."""
+        from pydy._system.exporting import live_system
+
+        now = self._now()
+        numbers = now.x, now.p, now.times
+        return live_system(now.definition, now.model, now.plan, numbers, **options)
+
     # -- animation --------------------------------------------------------------------------------
 
     def scene(
@@ -1620,6 +1628,7 @@ class System:
             options,
             lambda: self._times,
             lambda times, states: self._now().motion(times, states),
+            self._live_system,
         )
 
     def plot(self, names: list[Any] | None = None, **options: Any) -> Any:

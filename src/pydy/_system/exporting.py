@@ -21,8 +21,9 @@ from pydy._names import name_of, unique_names
 from pydy._system.solving import check_events, event_rates_program, projection_program
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.export.model import EventData, Model, Variable, identifiers, with_inputs
+from pydy.viz.live import LiveSystem
 
-__all__ = ["export_model"]
+__all__ = ["export_model", "live_system"]
 
 
 def export_model(
@@ -124,6 +125,57 @@ def export_model(
         stop=stop,
         constraints=held,
     )
+
+
+def live_system(
+    definition: Definition,
+    model: CompiledModel,
+    plan: SpecifiedsPlan,
+    numbers: tuple[np.ndarray, np.ndarray, np.ndarray],
+    *,
+    constraints: Any = "auto",
+    **options: Any,
+) -> LiveSystem:
+    """Return what a live page needs of a System; `options` are those of `export_model`.
+
+    Constraints are held where there are any, unless `constraints` is None.
+    """
+    equations = definition.equations
+    constrained = bool(equations.holonomic or equations.velocity)
+    if constraints == "auto":
+        constraints = "project" if constrained else None
+    exported = export_model(definition, model, plan, numbers, constraints=constraints, **options)
+    formulas = dict(plan.expressions)
+    for symbol in followed(definition, plan) - formulas.keys():
+        # A derivative of a motion that is an expression.
+        whole = plan.expressions.get(symbol.expr)
+        if whole is not None:
+            formulas[symbol] = whole.diff(equations.time, symbol.derivative_count)
+    dependents: tuple[list[int], list[int]] = ([], [])
+    if constraints is not None:
+        dependents = _dependents(definition)
+    return LiveSystem(
+        model=exported,
+        states=definition.states,
+        inputs=tuple(definition.specifieds[k] for k in _input_places(definition, plan, ())),
+        constants=definition.constants,
+        outputs=definition.outputs_symbols,
+        definitions=formulas,
+        dependents=dependents,
+    )
+
+
+def _dependents(definition: Definition) -> tuple[list[int], list[int]]:
+    """Return the places in x of what the constraints determine, of all if that is not known."""
+    equations = definition.equations
+    states = list(definition.states)
+    q = [states.index(s) for s in equations.dependent_coordinates]
+    u = [states.index(s) for s in equations.dependent_speeds]
+    if len(q) < len(equations.holonomic):
+        q = [states.index(s) for s in equations.coordinates]
+    if len(u) < len(equations.velocity):
+        u = [states.index(s) for s in equations.speeds]
+    return q, u
 
 
 def _input_places(

@@ -31,6 +31,7 @@ def make_scene(
     options: dict[str, Any],
     times: Callable[[], Any] | None = None,
     trajectory: Callable[[Any, Any], Any] | None = None,
+    live: Callable[..., Any] | None = None,
 ) -> Scene:
     """Return a scene, with what was not said taken from the bodies and loads.
 
@@ -46,7 +47,7 @@ def make_scene(
     reference_frame, origin : ReferenceFrame, Point, or None
     options : dict
         Of the Scene.
-    times, trajectory
+    times, trajectory, live
         See `pydy.viz.motion.Model`.
     """
     equations = definition.equations
@@ -78,7 +79,7 @@ def make_scene(
     rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)
     definitions = _Definitions(equations, assembly)
     definitions.update({**dict(rates), **dict.fromkeys(equations.zeros, 0)})
-    model = Model(definition.states, definitions, times, trajectory)
+    model = Model(definition.states, definitions, times, trajectory, live)
     if not visuals:
         # Bodies, and lines that show how they hang together.
         assert mechanism is not None

@@ -1,10 +1,10 @@
 """The demo: a bicycle without a rider's help is pushed sideways, and everything is checked.
 
-`ride` does the work and returns numbers, `draw` makes the figure, `animate` the page; nothing is
-printed here.  Read
-`ride` from top to bottom to see each part of `pydy.system.System` at work: constants, consistent
-initial conditions, a force that is a Python function, outputs, constraint residuals, contact
-forces, and the exact linear model.
+`ride` does the work and returns numbers, `draw` makes the figure, `animate` the page, `simulate`
+the page that computes the motion itself; nothing is printed here.  Read `ride` from top to bottom
+to see each part of `pydy.system.System` at work: constants, consistent initial conditions, a force
+that is a Python function, outputs, constraint residuals, contact forces, and the exact linear
+model.
 
 Examples
 --------
@@ -27,11 +27,12 @@ import sympy as sm
 
 from pydy.examples import bicycle_scene, whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
+from pydy.solvers import Event
 from pydy.system import System
 from pydy.trajectory import Trajectory
-from pydy.viz import Scene
+from pydy.viz import Live, Scene, Slider
 
-__all__ = ["Ride", "animate", "draw", "push", "ride"]
+__all__ = ["Ride", "animate", "draw", "push", "ride", "simulate"]
 
 SPEED = 5.0  # m/s; the riderless bicycle is stable between 4.29 and 6.02 m/s
 ROLL = STEER = 0.05  # rad at the start
@@ -41,6 +42,8 @@ TIMES = np.linspace(0.0, 5.0, num=501)
 # odeint may step across a push that it has not felt yet, hence the longest step.
 SOLVER = {"rtol": 1e-10, "atol": 1e-10, "hmax": 0.02}
 TITLE = f"Carvallo–Whipple bicycle at {SPEED:g} m/s, hands off: it recovers from a push"
+LIVE_TITLE = "Carvallo–Whipple bicycle, hands off: slower than 4.29 m/s it sways, and falls"
+FALLEN, TURNED = 0.8, 1.2  # rad of roll and of steer, where the ride ends
 MODES = ("weave", "weave", "capsize", "castering")  # in the order they were published
 
 
@@ -79,6 +82,9 @@ class Ride:
         The ride with the push.
     scene : pydy.viz.Scene
         The same, ready to be shown.
+    bicycle : pydy.examples.whipple_bicycle.Bicycle
+    system : pydy.system.System
+        The model with the numbers of the ride.
     """
 
     states: Mapping[str, int]
@@ -102,6 +108,8 @@ class Ride:
     seconds: Mapping[str, float]
     trajectory: Trajectory
     scene: Scene
+    bicycle: whipple_bicycle.Bicycle
+    system: System
 
     @property
     def eigenvalue_error(self) -> float:
@@ -222,6 +230,8 @@ def ride() -> Ride:
         seconds=clock.seconds,
         trajectory=pushed,
         scene=scene,
+        bicycle=bicycle,
+        system=system,
     )
 
 
@@ -236,6 +246,47 @@ def animate(ride: Ride, path: Path) -> None:
         Where to, conventionally with the suffix ``.html``.
     """
     ride.scene.to_html(path)
+
+
+def simulate(ride: Ride, path: Path) -> None:
+    """Write the page that simulates: its reader chooses speed, push and start.
+
+    Slower than 4.29 m/s it sways more and more, and falls; there the motion ends.
+
+    Parameters
+    ----------
+    ride : Ride
+        What `ride` returned.
+    path : Path
+        Where to, conventionally with the suffix ``.html``.
+    """
+    bicycle = ride.bicycle
+    t, speed, most = bicycle.kane.q[0].args[0], sm.Symbol("speed"), sm.Symbol("push")
+    pulse = most * sm.sin(sm.pi * (t - PUSH_START) / (PUSH_END - PUSH_START)) ** 2
+    pushing = (t > PUSH_START) & (t < PUSH_END)
+    phi, delta = bicycle["phi"], bicycle["delta"]
+    states = (*bicycle.coordinates, *bicycle.speeds)
+    system = System(
+        bicycle.kane,
+        constants={**whipple_bicycle.benchmark_parameters(bicycle), most: PUSH},
+        specifieds={bicycle.push: sm.Piecewise((pulse, pushing), (0, True))},
+        initial_conditions={s: ride.system.initial_conditions[s] for s in states},
+        times=2.0 * TIMES,
+        ode_solver="dop853",
+    )
+    scene = bicycle_scene.scene(system, bicycle, LIVE_TITLE)
+    scene.animate(system.simulate(constraints="project", max_step=0.02), fps=50)
+    sliders = {
+        speed: Slider(1.0, 8.0, SPEED, "m/s", sets={bicycle["omega_R"]: -speed / bicycle["r_R"]}),
+        most: Slider(0.0, 600.0, PUSH, "N"),
+        phi: Slider(-0.3, 0.3, unit="rad", label="roll at the start"),
+        delta: Slider(-0.3, 0.3, unit="rad", label="steer at the start"),
+    }
+    falls = [
+        Event(phi**2 - FALLEN**2, direction=1, terminal=True, name="fall"),
+        Event(delta**2 - TURNED**2, direction=1, terminal=True, name="fork across"),
+    ]
+    scene.to_html(path, live=Live(sliders, events=falls, max_step=0.02))
 
 
 def draw(ride: Ride, path: Path) -> None:

@@ -27,7 +27,8 @@ from pydy.export.c import c_header, c_literal, c_model_source, c_string
 from pydy.export.model import Model, Variable
 from pydy.export.resources import resource
 from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT, GROW, SAFETY, SHRINK
-from pydy.solvers.run.methods import method_arrays, tableau_of
+from pydy.solvers.run.methods import method_arrays
+from pydy.solvers.tableaus import tableau_of
 
 __all__ = ["compiler", "model_description", "write_fmu"]
 

@@ -11,7 +11,8 @@ from pydy.export.model import Model, Variable
 from pydy.export.resources import resource
 from pydy.export.straight import PRELUDE, javascript_of
 from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT
-from pydy.solvers.run.methods import method_arrays, tableau_of
+from pydy.solvers.run.methods import method_arrays
+from pydy.solvers.tableaus import tableau_of
 from pydy.solvers.tuning import ROUNDINGS
 
 __all__ = ["javascript_module", "javascript_object", "literal"]

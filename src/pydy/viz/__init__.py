@@ -9,6 +9,7 @@ A `Scene` takes trajectories and expressions; ``system.scene(...)`` is the short
 
 from __future__ import annotations
 
+from pydy.viz.live import Live, Slider
 from pydy.viz.scene import Scene
 from pydy.viz.shapes import (
     Arrow,
@@ -49,6 +50,7 @@ __all__ = [
     "Cylinder",
     "Icosahedron",
     "Line",
+    "Live",
     "Mesh",
     "Octahedron",
     "OrthoGraphicCamera",
@@ -57,6 +59,7 @@ __all__ = [
     "PointLight",
     "Scene",
     "Shape",
+    "Slider",
     "Sphere",
     "Tetrahedron",
     "Torus",

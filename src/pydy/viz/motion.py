@@ -66,12 +66,15 @@ class Model:
         ``times() -> ndarray``, when the System's states are wanted.
     trajectory : callable
         ``trajectory(times, states)`` returns a Trajectory, of checked arrays.
+    live : callable
+        Returns what a live page needs, a `pydy.viz.live.LiveSystem`, for events and constraints.
     """
 
     states: tuple[Any, ...]
     definitions: Mapping[Any, Any] = field(default_factory=dict)
     times: Callable[[], np.ndarray] | None = None
     trajectory: Callable[[Any, Any], Any] | None = None
+    live: Callable[..., Any] | None = None
 
 
 def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from base64 import b64encode
+from collections.abc import Sequence
 from functools import cache
 from hashlib import sha256
 from html import escape
@@ -24,6 +25,7 @@ from pydy.viz.animation import Animation, Item
 from pydy.viz.colours import CYCLE
 from pydy.viz.framing import Look, frame
 from pydy.viz.labels import typeset
+from pydy.viz.live import LivePage, Witness
 from pydy.viz.shapes import Arrow, Line, Mesh, Trace
 from pydy.viz.solids import Circle, Cube, Icosahedron, Octahedron, Tetrahedron, TorusKnot, Tube
 from pydy.viz.surfaces import surface
@@ -41,19 +43,28 @@ SCRIPTS = (
 _TRIANGLES = (Circle, Cube, Icosahedron, Octahedron, Tetrahedron, TorusKnot, Tube)
 
 
-def page(animation: Animation, look: Look, speed: float, theme: str) -> str:
+def page(
+    animation: Animation, look: Look, speed: float, theme: str, live: LivePage | None = None
+) -> str:
     """Return the HTML of an animation."""
     title = look.title or "Animation"
+    content = page_data(animation, look, speed, live)
+    scripts = [_resource(name) for name in SCRIPTS]
+    style = _resource("style.css")
+    if live is not None:
+        code = content["live"].pop("code")
+        scripts += [f"const liveModel = {code};", _resource("live.js")]
+        style += _resource("live.css")
     # A "<" could end the script element that holds the data.
-    data = json.dumps(page_data(animation, look, speed), allow_nan=False, separators=(",", ":"))
+    data = json.dumps(content, allow_nan=False, separators=(",", ":"))
     parts = {
         "TITLE": escape(title),
         "THEME": theme,
-        "STYLE": _resource("style.css"),
+        "STYLE": style,
         "DATA": data.replace("<", "\\u003c"),
         "LICENCE": _resource("three.LICENSE").replace("*/", ""),
         "THREE": _resource("three.min.js"),
-        "APP": "\n".join(_resource(name) for name in SCRIPTS),
+        "APP": "\n".join(scripts),
     }
     # In one pass: what is put in may itself look like a place to put something.
     html = re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts.get(m[1], m[0]), _resource("page.html"))
@@ -85,12 +96,19 @@ def _resource(name: str) -> str:
     return (files("pydy.viz") / "assets" / name).read_text(encoding="utf-8")
 
 
-def page_data(animation: Animation, look: Look, speed: float) -> dict[str, Any]:
+def page_data(
+    animation: Animation, look: Look, speed: float, live: LivePage | None = None
+) -> dict[str, Any]:
     """Return what the page's scripts read, as JSON types."""
     seen = frame(animation, look)
-    tracks = _Tracks(animation)
+    tracks = _Tracks(animation, None if live is None else live.witness)
     visuals = [_visual(item, tracks) for item in animation.items]
+    more: dict[str, Any] = {}
+    if live is not None:
+        code, data = live.code(tracks.places)
+        more["live"] = {"code": code, **data}
     return {
+        **more,
         "version": __version__,
         "title": look.title,
         "times": _packed(animation.times, np.float64),
@@ -118,7 +136,7 @@ def page_data(animation: Animation, look: Look, speed: float) -> dict[str, Any]:
             "ground": seen.ground,
             "cell": seen.cell,
             "axes": look.axes,
-            "path": None if seen.path is None else _column(seen.path),
+            "path": None if seen.path is None else _column(seen.path, live is not None),
         },
     }
 
@@ -128,52 +146,67 @@ def _packed(array: np.ndarray, dtype: Any = np.float32) -> str:
     return b64encode(little.tobytes()).decode("ascii")
 
 
-def _column(array: np.ndarray) -> dict[str, Any]:
-    """Return an array of shape (m, …) for the page; what is constant, once."""
+def _column(array: np.ndarray, changing: bool = False) -> dict[str, Any]:
+    """Return an array of shape (m, …) for the page: once if it is constant and never changes."""
     rows = array.reshape(len(array), -1)
     scale = float(np.abs(rows).max(initial=0.0))
-    if np.ptp(rows, axis=0).max(initial=0.0) <= 1e-9 * scale:
+    if not changing and np.ptp(rows, axis=0).max(initial=0.0) <= 1e-9 * scale:
         return {"width": rows.shape[1], "fixed": rows[0].tolist()}
     return {"width": rows.shape[1], "rows": _packed(rows)}
 
 
 class _Tracks:
-    """Motions that visuals share."""
+    """Motions that visuals share.
 
-    def __init__(self, animation: Animation) -> None:
+    On a live page those share one that move rigidly with each other whatever the sliders say, of
+    which a witness knows.
+    """
+
+    def __init__(self, animation: Animation, witness: Witness | None = None) -> None:
         low, high = animation.box
         self.entries: list[dict[str, Any]] = []
+        self.places: list[tuple[Any, Any]] = []
+        self.witness = witness
         self._bases: list[tuple[Any, np.ndarray, np.ndarray]] = []
         self._frames = {item.visual.frame: item.rotations for item in animation.items}
         self._frames.setdefault(None, np.broadcast_to(np.eye(3), (len(animation.times), 3, 3)))
         # Below what a 32-bit float can tell apart at that distance.
         self._tolerance = 1e-8 * float(np.abs([low, high]).max(initial=0.0))
 
-    def find(self, frame: Any, positions: np.ndarray) -> tuple[int, list[float]]:
+    def find(self, frame: Any, point: Any, positions: np.ndarray) -> tuple[int, list[float]]:
         """Return the number of the track that moves with a frame, and a point's offset from it."""
         for k, (other, rotations, base) in enumerate(self._bases):
             offset = self._seen_from(rotations, positions - base)
-            if other is frame and self._constant(offset):
+            if other is not frame or not self._constant(offset):
+                continue
+            if self.witness is None or self.witness.rigid(frame, self.places[k][1], point):
                 return k, offset[0].tolist()
         rotations = self._frames[frame]
+        self.places.append((frame, point))
         self._bases.append((frame, rotations, positions))
         # A copy: old versions of SciPy refuse what is read-only.
         quaternions = Rotation.from_matrix(np.array(rotations)).as_quat()
         # Neighbours on the same side of the sphere, so that interpolation takes the short way.
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
-        self.entries.append({"p": _column(positions), "q": _column(quaternions)})
+        changing = self.witness is not None
+        entry = {"p": _column(positions, changing), "q": _column(quaternions, changing)}
+        self.entries.append(entry)
         return len(self._bases) - 1, [0.0, 0.0, 0.0]
 
-    def carrier(self, points: np.ndarray) -> tuple[Any, np.ndarray] | None:
+    def carrier(self, symbols: Sequence[Any], points: np.ndarray) -> tuple[Any, np.ndarray] | None:
         """Return a frame in which points, shape (m, k, 3), rest, and their offsets from the first.
 
         None where they move relative to each other.
         """
+        witness = self.witness
         away = points - points[:, :1]
         for carrier, rotations in self._frames.items():
             offset = self._seen_from(rotations, away)
-            if self._constant(offset):
+            if self._constant(offset) and (
+                witness is None
+                or all(witness.rigid(carrier, symbols[0], symbol) for symbol in symbols)
+            ):
                 return carrier, offset[0]
         return None
 
@@ -198,18 +231,24 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
     if item.points is not None:
         assert isinstance(shape, Line)
         entry["radius"] = shape.radius
-        carried = tracks.carrier(item.points)
+        carried = tracks.carrier(shape.points, item.points)
+        changing = tracks.witness is not None
         if carried is None:
-            entry["points"] = _column(item.points)
+            entry["points"] = _column(item.points, changing)
         else:
             # A rod of a rigid body.
             entry["points"] = _column(carried[1][None])
-            entry["track"], entry["offset"] = tracks.find(carried[0], item.points[:, 0])
+            entry["track"], entry["offset"] = tracks.find(
+                carried[0], shape.points[0], item.points[:, 0]
+            )
         return entry
-    entry["track"], entry["offset"] = tracks.find(item.visual.frame, item.positions)
+    entry["track"], entry["offset"] = tracks.find(
+        item.visual.frame, item.visual.point, item.positions
+    )
     if item.vectors is not None:
         assert isinstance(shape, Arrow)
-        return {**entry, "radius": shape.radius, "vectors": _column(item.vectors)}
+        vectors = _column(item.vectors, tracks.witness is not None)
+        return {**entry, "radius": shape.radius, "vectors": vectors}
     if isinstance(shape, (Mesh, *_TRIANGLES)):
         vertices, faces = surface(shape)
         entry["vertices"], entry["faces"] = _packed(vertices), _packed(faces, np.uint32)

@@ -37,6 +37,7 @@ from pydy.viz.arguments import (
 )
 from pydy.viz.defaults import unit_vector
 from pydy.viz.ghosts import compared
+from pydy.viz.live import live_page
 from pydy.viz.motion import Model, checked_samples, motion_of_arrays, motion_of_trajectory, sampled
 from pydy.viz.page import Look, page
 from pydy.viz.views import direction_of
@@ -271,6 +272,7 @@ class Scene:
             series={label: values[label] for label in order},
             events=events_of(trajectory if states is None else None, motion.times),
         )
+        self._motion = motion.taken(rows)
         return self
 
     def _recorded(self, trajectory: Any) -> dict[str, np.ndarray]:
@@ -356,12 +358,17 @@ class Scene:
 
     # -- the page ---------------------------------------------------------------------------------
 
-    def html(self, theme: Literal["auto", "light", "dark"] = "auto") -> str:
-        """Return the page that shows the scene, complete in itself."""
+    def html(self, theme: Literal["auto", "light", "dark"] = "auto", live: Any = None) -> str:
+        """Return the page that shows the scene, complete in itself; see `to_html`."""
         chosen = choice(theme, ("auto", "light", "dark"), "`theme`")
-        return page(self._moving(), self._look, self._speed, chosen)
+        moving = self._moving()
+        scene = (self.reference_frame, self.origin, self.visuals, self.series)
+        made = live_page(live, self._model, self._look.title, scene, moving, self._motion)
+        return page(moving, self._look, self._speed, chosen, made)
 
-    def to_html(self, path: Any, theme: Literal["auto", "light", "dark"] = "auto") -> Path:
+    def to_html(
+        self, path: Any, theme: Literal["auto", "light", "dark"] = "auto", live: Any = None
+    ) -> Path:
         """Write the page that shows the scene: one file, which needs no network.
 
         Parameters
@@ -370,13 +377,23 @@ class Scene:
             Conventionally with the suffix ``.html``.
         theme : {'auto', 'light', 'dark'}, optional
             By default that of the reader's system.
+        live : Live or mapping, optional
+            Makes the page simulate: from constants, states (their initial conditions) and inputs,
+            or their names, to the ranges of sliders, such as ``{l: (0.1, 2.0)}``. The reader drags
+            them, and the page computes the motion anew.
 
         Returns
         -------
         Path
+
+        Raises
+        ------
+        ValueError
+            `live` has something that the system does not have, the scene was not made by
+            `system.scene`, or a specified is given by what only Python can compute.
         """
         target = path_of(path, "`path`")
-        target.write_text(self.html(theme), encoding="utf-8")
+        target.write_text(self.html(theme, live), encoding="utf-8")
         return target
 
     def show(self) -> Any:

@@ -43,6 +43,11 @@ const self = {
   /** Write the outputs. */
   evaluateOutputs: (t, x, r, out) => outputs(t, x, r, outputs_c, out),/*EXTRAS*/
   eventNames: eventNames.names,
+  /** Solve the constraints for the states at the places `q` and `u`; return whether that worked. */
+  settle(t, x, r, q, u) {
+    const held = /*SYSTEM_PROJECTION*/;
+    return held === null || held.settle(t, x, q, u);
+  },
   /** Return an integration that is stepped by hand; `onRow(k, t, x)` gets the states at `times`. */
   integration(times, x0, r, onRow, options) {
     const system = {

@@ -99,17 +99,22 @@ function projector(sizes, evaluate) {
     choleskyFactor(u, factor);
     return factor;
   };
-  return (t, x) => {
+  /** Tell how far positions are from the constraints, in roundings, and whether that is good enough. */
+  const judge = (before) => {
+    let worst = 0;
+    for (let i = 0; i < h; i++) {
+      if (Number.isNaN(values[i])) return { worst: NaN, done: false };
+      if (values[i] !== 0) worst = Math.max(worst, Math.abs(values[i]) / (EPS * values[starts[6] + i]));
+    }
+    return { worst, done: worst <= 1 || (worst >= 0.5 * before && worst <= ROUNDINGS) };
+  };
+  const project = (t, x) => {
     let before = Infinity;
     for (let iteration = 0; iteration < 10; iteration++) {
       evaluate(t, x, values);
-      let worst = 0;
-      for (let i = 0; i < h; i++) {
-        if (Number.isNaN(values[i])) return false;
-        if (values[i] !== 0) worst = Math.max(worst, Math.abs(values[i]) / (EPS * values[starts[6] + i]));
-      }
-      if (worst <= 1 || (worst >= 0.5 * before && worst <= ROUNDINGS)) break;
-      if (iteration === 9) return false;
+      const { worst, done } = judge(before);
+      if (done) break;
+      if (iteration === 9 || Number.isNaN(worst)) return false;
       before = worst;
       const factor = massFactor(), gradient = part(2), kinematics = part(3), rows = new Float64Array(h * u);
       for (let i = 0; i < h; i++) for (let k = 0; k < u; k++) {
@@ -136,5 +141,27 @@ function projector(sizes, evaluate) {
     }
     return true;
   };
+  /** Solve for some coordinates and speeds, the others held. */
+  project.settle = (t, x, dependentQ, dependentU) => {
+    const move = (rows, width, right, places, first) => {
+      const few = new Float64Array(right.length * places.length);
+      right.forEach((_, i) => places.forEach((place, k) => { few[i * places.length + k] = rows[i * width + place - first]; }));
+      const step = minimumNorm(right.length, places.length, few, right);
+      places.forEach((place, k) => { x[place] += step[k]; });
+    };
+    let before = Infinity;
+    for (let iteration = 0; h > 0; iteration++) {
+      evaluate(t, x, values);
+      const { worst, done } = judge(before);
+      if (done) break;
+      if (iteration === 50 || Number.isNaN(worst)) return false;
+      before = worst;
+      move(part(2), q, part(0).map((value) => -value), dependentQ, 0);
+    }
+    evaluate(t, x, values);
+    if (v > 0) move(part(4), u, part(1).map((value) => -value), dependentU, q);
+    return x.every(Number.isFinite);
+  };
+  return project;
 }
 const ROUNDINGS = {{ROUNDINGS}}; // residuals of so many roundings are those of a state on the constraints

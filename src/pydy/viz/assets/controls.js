@@ -165,7 +165,7 @@ const KEYS = [
 addEventListener("keydown", (event) => {
   if (event.ctrlKey || event.metaKey || event.altKey || help.open) return;
   // A focused button is pressed by space, a focused list takes letters and arrows.
-  if (event.target === speedSelect || (event.key === " " && event.target.tagName === "BUTTON" && event.target !== playButton)) return;
+  if (event.target === speedSelect || event.target.closest?.("#live") || (event.key === " " && event.target.tagName === "BUTTON" && event.target !== playButton)) return;
   const found = KEYS.find((entry) => entry.keys.includes(event.key.length === 1 ? event.key.toLowerCase() : event.key));
   if (!found) return;
   event.preventDefault();

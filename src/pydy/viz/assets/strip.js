@@ -18,10 +18,6 @@ function typeset({ parts, unit }) {
 }
 
 for (const one of series) {
-  let low = Infinity, high = -Infinity;
-  for (const v of one.values) if (Number.isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v); }
-  one.low = low;
-  one.high = high;
   const item = document.createElement("li"), key = document.createElement("i"), value = document.createElement("b");
   key.style.background = one.colour;
   item.append(key, ...typeset(one), value);
@@ -29,20 +25,31 @@ for (const one of series) {
   one.output = value;
 }
 
-// One scale for all where all can be read on it, otherwise each has a lane of its own.
-const spans = series.map((s) => s.high - s.low).filter((span) => span > 0);
-const units = new Set(series.map((s) => s.unit));
-const shared = spans.length > 0 && Math.max(...spans) <= 12 * Math.min(...spans) && units.size < 2;
-const lanes = shared ? 1 : series.length;
-document.getElementById("strip-canvases").style.height = lanes > 1 ? `${26 + 62 * Math.min(lanes, 4)}px` : "";
-if (shared) {
-  const low = Math.min(...series.map((s) => s.low)), high = Math.max(...series.map((s) => s.high));
-  for (const one of series) Object.assign(one, { low, high });
+let shared = false, lanes = 1;
+
+/** One scale for all where all can be read on it, otherwise each has a lane of its own. */
+function scaleSeries() {
+  for (const one of series) {
+    let low = Infinity, high = -Infinity;
+    for (const v of one.values) if (Number.isFinite(v)) { low = Math.min(low, v); high = Math.max(high, v); }
+    one.low = low;
+    one.high = high;
+  }
+  const spans = series.map((s) => s.high - s.low).filter((span) => span > 0);
+  const units = new Set(series.map((s) => s.unit));
+  shared = spans.length > 0 && Math.max(...spans) <= 12 * Math.min(...spans) && units.size < 2;
+  lanes = shared ? 1 : series.length;
+  document.getElementById("strip-canvases").style.height = lanes > 1 ? `${26 + 62 * Math.min(lanes, 4)}px` : "";
+  if (shared) {
+    const low = Math.min(...series.map((s) => s.low)), high = Math.max(...series.map((s) => s.high));
+    for (const one of series) Object.assign(one, { low, high });
+  }
+  for (const one of series) if (!(one.high > one.low)) {
+    const middle = Number.isFinite(one.low) ? one.low : 0;
+    Object.assign(one, { low: middle - 1, high: middle + 1 });
+  }
 }
-for (const one of series) if (!(one.high > one.low)) {
-  const middle = Number.isFinite(one.low) ? one.low : 0;
-  Object.assign(one, { low: middle - 1, high: middle + 1 });
-}
+scaleSeries();
 
 /** About `count` round numbers from `low` to `high`. */
 function ticks(low, high, count) {

@@ -1,0 +1,472 @@
+"""A page that simulates: sliders, and all that its scripts need to compute the motion anew."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._checks import Places, choice, number, shown, text
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.interpret import run
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.program import Program
+from pydy._graph.simplify import simplify
+from pydy._names import name_of
+from pydy.export.javascript import javascript_object
+from pydy.export.model import Model, Variable
+from pydy.viz.animation import Animation, Item
+from pydy.viz.motion import Motion
+from pydy.viz.poses import Geometry, Names, pose_program
+from pydy.viz.shapes import Arrow, Line, Plane
+
+__all__ = ["Live", "LivePage", "LiveSystem", "Slider", "live_page"]
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A number that the reader of a live page chooses.
+
+    Parameters
+    ----------
+    low, high : float
+        The range of the slider; the box beside it takes numbers outside too.
+    value : float, optional
+        At the start; by default the system's own.
+    unit, label : str, optional
+        What stands behind and before it; by default nothing, and the name of the symbol.
+    sets : mapping of states to expressions, optional
+        For a symbol of your own, which needs a `value`: the initial conditions that follow from it,
+        in terms of this symbol and of constants.
+
+    Examples
+    --------
+    >>> from pydy.viz import Slider
+    >>> Slider(0.1, 2.0, unit="m").high
+    2.0
+    """
+
+    low: float
+    high: float
+    value: float | None = None
+    unit: str = ""
+    label: str = ""
+    sets: Mapping[Any, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for name in ("low", "high"):
+            given = number(getattr(self, name), f"`{name}` of Slider", finite=True)
+            object.__setattr__(self, name, given)
+        if not self.low < self.high:
+            raise ValueError(
+                f"`low` of Slider must be less than `high`, got {self.low} and {self.high}."
+            )
+        if self.value is not None:
+            given = number(self.value, "`value` of Slider", finite=True)
+            object.__setattr__(self, "value", given)
+        text(self.unit, "`unit` of Slider")
+        text(self.label, "`label` of Slider")
+        if not isinstance(self.sets, Mapping):
+            raise TypeError(
+                f"`sets` of Slider must map states to expressions, got {shown(self.sets)}."
+            )
+
+
+@dataclass(frozen=True)
+class Live:
+    """What a live page offers and how it simulates.
+
+    Parameters
+    ----------
+    sliders : mapping
+        From a constant, a state (its initial condition), a specified that is a number (an input),
+        their names, or a symbol of your own, to a `Slider` or its first arguments as a tuple.
+    events : Event or sequence of Event, optional
+    constraints : {'auto', 'project', None}, optional
+        By default the state is projected onto the constraints after each step where there are any.
+    rtol, atol : float, optional
+        The error allowed in a step is ``atol + rtol * abs(x)``.
+    max_step : float, optional
+        For inputs that are short, which a longer step would miss.
+    """
+
+    sliders: Mapping[Any, Any] = field(default_factory=dict)
+    events: Any = None
+    constraints: str | None = "auto"
+    rtol: float = 1e-8
+    atol: float = 1e-8
+    max_step: float | None = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.sliders, Mapping):
+            raise TypeError(
+                "`live` must map constants, states or inputs to their ranges, such as "
+                f"{{l: (0.1, 2.0)}}, got {shown(self.sliders)}."
+            )
+        choice(self.constraints, ("auto", "project", None), "`constraints` of Live")
+        for name in ("rtol", "atol", *(() if self.max_step is None else ("max_step",))):
+            if not number(getattr(self, name), f"`{name}` of Live", finite=True) > 0:
+                raise ValueError(f"`{name}` of Live must be positive, got {getattr(self, name)!r}.")
+
+
+@dataclass(frozen=True, eq=False)
+class LiveSystem:
+    """What a System tells a live page.
+
+    Attributes
+    ----------
+    model : pydy.export.Model
+    states, inputs, constants, outputs : tuple of symbols
+        In the order of the model's variables.
+    definitions : mapping of symbols to expressions
+        Specifieds that are expressions.
+    dependents : (list of int, list of int)
+        Places in x of the coordinates and speeds that the constraints determine.
+    """
+
+    model: Model
+    states: tuple[Any, ...]
+    inputs: tuple[Any, ...]
+    constants: tuple[Any, ...]
+    outputs: tuple[Any, ...]
+    definitions: Mapping[Any, Any]
+    dependents: tuple[list[int], list[int]]
+
+
+@dataclass(frozen=True, eq=False)
+class LivePage:
+    """What goes into the page.
+
+    Attributes
+    ----------
+    witness : Witness
+        Tells which points move rigidly with each other, whatever the sliders say.
+    code : callable
+        ``code(tracks)`` returns the model's object in JavaScript and what the page's scripts read,
+        for the tracks of the page: pairs of a frame, or None, and a point.
+    """
+
+    witness: Witness
+    code: Callable[[Sequence[tuple[Any, Any]]], tuple[str, dict[str, Any]]]
+
+
+# -- which points are rigidly connected ------------------------------------------------------------
+
+_SAMPLES = 6
+
+
+class Witness:
+    """Frames and points in generic states, for various values of the constants with sliders.
+
+    What is constant there is constant always.
+    """
+
+    def __init__(
+        self, geometry: Geometry, program: Program, motion: Motion, varied: Sequence[int]
+    ) -> None:
+        generator = np.random.default_rng(20)
+        rotations, positions = [], []
+        for _ in range(_SAMPLES):
+            x = motion.states[0] + generator.uniform(-1, 1, motion.states.shape[1])
+            r = generator.uniform(-1, 1, (1, program.num_specifieds))
+            p = motion.constants.copy()
+            p[varied] = p[varied] * generator.uniform(0.7, 1.3, len(varied)) + 0.1
+            out, _ = run(program, generator.uniform(0, 1, 1), x[None], r, p)
+            blocks = {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
+            rotations.append(blocks["rotations"])
+            positions.append(blocks["positions"])
+        self._rotations = {f: np.stack([a[k] for a in rotations])
+                           for k, f in enumerate(geometry.frames)}  # fmt: skip
+        self._rotations[None] = np.broadcast_to(np.eye(3), (_SAMPLES, 3, 3))
+        self._positions = {p: np.stack([a[k] for a in positions])
+                           for k, p in enumerate(geometry.points)}  # fmt: skip
+        self._size = float(max(np.abs(a).max(initial=1.0) for a in self._positions.values()))
+
+    def rigid(self, frame: Any, base: Any, point: Any) -> bool:
+        """Tell whether a point rests in a frame as seen from another point."""
+        away = self._positions[point] - self._positions[base]
+        offset = np.einsum("mji,mj->mi", self._rotations[frame], away)
+        return bool(np.ptp(offset, axis=0).max() <= 1e-11 * self._size)
+
+
+# -- the page -------------------------------------------------------------------------------------
+
+
+def live_page(
+    live: Any,
+    model: Any,
+    title: str,
+    scene: tuple[Any, Any, Sequence[Any], Mapping[str, Any]],
+    animation: Animation,
+    motion: Motion,
+) -> LivePage | None:
+    """Return what a live page holds beside the page of an animation.
+
+    Parameters
+    ----------
+    live : Live, mapping or None
+        As users pass it; None for no live page.
+    model : pydy.viz.motion.Model or None
+    title : str
+    scene : (reference_frame, origin, visuals, series)
+    animation : Animation
+    motion : Motion
+        That of the animation.
+    """
+    if live is None:
+        return None
+    wanted = live if isinstance(live, Live) else Live(live)
+    if model is None or model.live is None:
+        raise ValueError(
+            "`live` needs the equations of motion: make the scene with `system.scene(...)`."
+        )
+    reference, origin, visuals, series = scene
+    if len(animation.items) > len(visuals):
+        raise ValueError(
+            "A live page computes the motion anew and shows no other runs beside it: call "
+            "`animate` without `compare`."
+        )
+    system = model.live(name=title or "model", events=wanted.events, constraints=wanted.constraints)
+    return _page(wanted, system, (reference, origin, series), animation, motion)
+
+
+def _page(
+    live: Live,
+    system: LiveSystem,
+    scene: tuple[Any, Any, Mapping[str, Any]],
+    animation: Animation,
+    motion: Motion,
+) -> LivePage:
+    reference, origin, series = scene
+    sliders, own = _sliders(live, system)
+    known = dict(zip(motion.names.constants, motion.constants.tolist(), strict=True))
+    by_name = {name_of(s): v for s, v in known.items()}
+    taken = {name_of(s) for s in system.constants}
+    extras = {s: sm.Float(v) for s, v in known.items() if name_of(s) not in taken}
+    definitions = _Chained(motion.names.definitions, {**extras, **system.definitions})
+    names = Names(system.states, system.inputs, system.constants, definitions, motion.names.time)
+    items = animation.items
+    frames = tuple(dict.fromkeys(i.visual.frame for i in items if i.visual.frame is not None))
+    points = dict.fromkeys(i.visual.point for i in items)
+    for item in items:
+        if isinstance(item.shape, Line):
+            points.update(dict.fromkeys(item.shape.points))
+    p = np.array([by_name.get(name_of(s), 1.0) for s in system.constants])
+    generic = Motion(names, motion.times, motion.states, motion.specifieds, p)
+    geometry = Geometry(reference, origin, frames, tuple(points))
+    count = len(system.constants)
+    varied = [r["place"] for r in sliders if r["group"] == "p" and r["place"] < count]
+    witness = Witness(geometry, pose_program(geometry, names), generic, varied)
+    plotted, formulas = _series(series, animation, system)
+
+    def code(tracks: Sequence[tuple[Any, Any]]) -> tuple[str, dict[str, Any]]:
+        """Return the model's object and the page's data, for the tracks that the page has."""
+        lines = [i for i in items if isinstance(i.shape, Line)]
+        used = dict.fromkeys(point for _, point in tracks)
+        for item in lines:
+            assert isinstance(item.shape, Line)
+            used.update(dict.fromkeys(item.shape.points))
+        arrows = [i for i in items if isinstance(i.shape, Arrow)]
+        turned = tuple(dict.fromkeys(f for f, _ in tracks if f is not None))
+        vectors = tuple(i.shape.vector for i in arrows if isinstance(i.shape, Arrow))
+        own_geometry = Geometry(reference, origin, turned, tuple(used), vectors, formulas)
+        sizes, places = _sizes(items, system, definitions)
+        start, starts = _start(system, own)
+        builders = {
+            **system.model.builders,
+            "poses": lambda: pose_program(own_geometry, names),
+            "sizes": lambda: sizes,
+            "start": lambda: start,
+        }
+        added = tuple(Variable(s.name, s.name, v) for s, v, _ in own)
+        model = replace(
+            system.model, builders=builders, constants=(*system.model.constants, *added)
+        )
+        frame_of = {f: k for k, f in enumerate(turned)}
+        point_of = {point: k for k, point in enumerate(used)}
+        data = {
+            "sliders": sliders,
+            "options": {
+                "rtol": live.rtol,
+                "atol": live.atol,
+                **({} if live.max_step is None else {"maxStep": live.max_step}),
+            },
+            "frames": len(turned),
+            "points": len(used),
+            "tracks": [[-1 if f is None else frame_of[f], point_of[q]] for f, q in tracks],
+            "lines": [
+                [point_of[q] for q in i.shape.points] if isinstance(i.shape, Line) else None
+                for i in items
+            ],
+            "arrows": [
+                [arrows.index(i), float(sm.Float(i.shape.scale))]
+                if isinstance(i.shape, Arrow)
+                else None
+                for i in items
+            ],
+            "sizes": places,
+            "series": plotted,
+            "starts": starts,
+            "dependents": list(system.dependents) if model.constraints else None,
+            "path": _followed(items),
+        }
+        return javascript_object(model, ("poses", "sizes", "start")), data
+
+    return LivePage(witness, code)
+
+
+class _Chained(dict[Any, Any]):
+    """Definitions that are made when asked for, behind others that are there."""
+
+    def __init__(self, lazy: Mapping[Any, Any], given: Mapping[Any, Any]) -> None:
+        super().__init__(given)
+        self._lazy = lazy
+
+    def __contains__(self, key: object) -> bool:
+        return super().__contains__(key) or key in self._lazy
+
+    def __missing__(self, key: Any) -> Any:
+        return self._lazy[key]
+
+
+def _sliders(
+    live: Live, system: LiveSystem
+) -> tuple[list[dict[str, Any]], list[tuple[Any, float, Mapping[Any, Any]]]]:
+    """Return the sliders for the page, and the symbols of the user's own with what they set."""
+    groups = (
+        ("p", Places(system.constants, "constants of the system"), system.model.constants),
+        ("x", Places(system.states, "states of the system"), system.model.states),
+        ("r", Places(system.inputs, "inputs of the system"), system.model.inputs),
+    )
+    rows: list[dict[str, Any]] = []
+    own: list[Any] = []
+    for key, given in live.sliders.items():
+        slider = _slider(key, given)
+        found = [(g, k, v[k]) for g, places, v in groups
+                 if (k := places.get(key, "live")) is not None]  # fmt: skip
+        row = {
+            "label": slider.label or name_of(key),
+            "unit": slider.unit,
+            "low": slider.low,
+            "high": slider.high,
+        }
+        if found and not slider.sets:
+            group, place, variable = found[0]
+            start = variable.value if slider.value is None else slider.value
+            rows.append({**row, "group": group, "place": place, "value": start})
+            continue
+        if found or not isinstance(key, sm.Symbol) or not slider.sets:
+            every = (*system.constants, *system.states, *system.inputs)
+            raise ValueError(
+                f"`live` has `{key}`, which is none of the system's constants, states and inputs: "
+                f"{', '.join(map(name_of, every))}. A slider of your own needs a Symbol that the "
+                "system does not have, and `sets`, the initial conditions that follow from it."
+                if not found
+                else f"`sets` of the slider for `{key}` is for symbols of your own, but the system "
+                "has this one."
+            )
+        if slider.value is None:
+            raise ValueError(f"The slider for `{key}`, a symbol of your own, needs a `value`.")
+        place = len(system.constants) + len(own)
+        own.append((key, slider.value, slider.sets))
+        rows.append({**row, "group": "p", "place": place, "value": slider.value})
+    return rows, own
+
+
+def _slider(key: Any, given: Any) -> Slider:
+    if isinstance(given, Slider):
+        return given
+    if isinstance(given, (tuple, list)) and 2 <= len(given) <= 5:
+        return Slider(*given)
+    raise ValueError(
+        f"`live[{name_of(key)}]` must be a Slider or a range such as (0.1, 2.0), got "
+        f"{shown(given)}."
+    )
+
+
+def _start(
+    system: LiveSystem, own: Sequence[tuple[Any, float, Mapping[Any, Any]]]
+) -> tuple[Program, list[int]]:
+    """Return the Program of the initial conditions that sliders of the user's own set."""
+    graph = Graph()
+    atoms = {s: graph.input("p", k) for k, s in enumerate(system.constants)}
+    count = len(system.constants)
+    atoms.update({s: graph.input("p", count + k) for k, (s, _, _) in enumerate(own)})
+    atoms.update({s: graph.input("x", k) for k, s in enumerate(system.states)})
+    places = Places(system.states, "states of the system")
+    reader = SymPyReader(graph, atoms, "`sets` of a slider")
+    nodes, targets = [], []
+    for key, _, sets in own:
+        for state, expression in sets.items():
+            place = places.get(state, "sets")
+            if place is None:
+                raise ValueError(
+                    f"`sets` of the slider for `{key}` has `{state}`, which is no state of the "
+                    f"system: {', '.join(map(name_of, system.states))}."
+                )
+            targets.append(place)
+            nodes += reader.all([sm.sympify(expression)])
+    sizes = (len(system.states), 0, count + len(own))
+    return lower(graph, sizes, [("start", (len(nodes),), simplify(graph, nodes))]), targets
+
+
+def _sizes(
+    items: Sequence[Item], system: LiveSystem, definitions: Mapping[Any, Any]
+) -> tuple[Program, list[list[Any]]]:
+    """Return the Program of lengths that depend on constants, and what each belongs to."""
+    graph = Graph()
+    atoms: dict[Any, int] = {s: graph.input("p", k) for k, s in enumerate(system.constants)}
+    reader = SymPyReader(graph, atoms, "the shapes")
+    nodes, places = [], []
+    for k, item in enumerate(items):
+        shape = item.visual.shape
+        for attribute in () if shape is None else shape.lengths:
+            expression = getattr(shape, attribute)
+            if isinstance(expression, sm.Expr) and expression.free_symbols:
+                given = {s: definitions[s] for s in expression.free_symbols if s not in atoms}
+                nodes += reader.all([expression.xreplace(given)])
+                places.append([k, attribute])
+    counts = (len(system.states), len(system.inputs), len(system.constants))
+    return lower(graph, counts, [("sizes", (len(nodes),), simplify(graph, nodes))]), places
+
+
+def _series(
+    series: Mapping[str, Any], animation: Animation, system: LiveSystem
+) -> tuple[list[list[Any]], tuple[tuple[str, Any], ...]]:
+    """Return where the page finds each curve, and those that are computed with the poses."""
+    plotted: list[list[Any]] = []
+    formulas: list[tuple[str, Any]] = []
+    for label in animation.series:
+        if label not in series:
+            raise ValueError(
+                f"The series {label!r} was given to `animate` as numbers, which a live page cannot "
+                "compute anew. Give it to `scene` as an expression, or leave it out."
+            )
+        wanted = series[label]
+        for group, symbols in (("x", system.states), ("r", system.inputs), ("y", system.outputs)):
+            matches = [k for k, s in enumerate(symbols) if wanted in (s, str(s), name_of(s))]
+            if matches:
+                plotted.append([group, matches[0]])
+                break
+        else:
+            if isinstance(wanted, str):
+                raise ValueError(
+                    f"The series {wanted!r} is none of the system's states, inputs and outputs: a "
+                    "live page cannot compute it. Give an expression."
+                )
+            plotted.append(["f", len(formulas)])
+            formulas.append((label, wanted))
+    return plotted, tuple(formulas)
+
+
+def _followed(items: Iterable[Item]) -> list[int]:
+    """Return the visuals whose middle the camera follows, as `pydy.viz.framing` does."""
+    return [
+        k
+        for k, item in enumerate(items)
+        if not isinstance(item.shape, Plane) and np.ptp(item.positions, axis=0).any()
+    ]

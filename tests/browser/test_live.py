@@ -1,0 +1,205 @@
+"""Pages that simulate: numbers as Python's, at once, and a bicycle that falls."""
+
+import numpy as np
+import pytest
+import sympy as sm
+from sympy.physics.mechanics import Point, ReferenceFrame
+
+import zoo
+from cases import system_of
+from exported import ball, hostile, pendulum
+from pydy.examples import bicycle_ride
+from pydy.models import n_link_pendulum_on_cart
+from pydy.viz import Live, Slider, Sphere, Visual
+from waiting import until
+
+TIMES = np.linspace(0.0, 10.0, num=301)
+
+
+def opened(open_page, folder, system, live, **options):
+    scene = system.scene(**options).animate(system.simulate(), fps=None)
+    return open_page(scene.to_html(folder / "live.html", live=live))
+
+
+def states(page):
+    return np.array(page.evaluate("pydy.live.states()"))
+
+
+def calm():
+    """A pendulum on a cart that swings about its lowest place, which is not chaotic."""
+    system = n_link_pendulum_on_cart(1)
+    system.constants = {"g": 9.81, "m1": 0.5}
+    system.initial_conditions = {"q1": 3.0}
+    system.times = TIMES
+    system.ode_solver = "dop853"
+    return system
+
+
+def test_numbers_are_those_of_python(tmp_path, open_page):
+    system = calm()
+    page = opened(open_page, tmp_path, system, Live({"l0": (0.5, 2), "F": (-1, 1), "q1": (2, 4)}))
+    assert states(page) == pytest.approx(system.integrate(rtol=1e-8, atol=1e-8), abs=1e-9)
+    page.evaluate("pydy.live.set('l0', 1.3), pydy.live.set('F', 0.2), pydy.live.set('q1', 2.7)")
+    system.constants = {**system.constants, "l0": 1.3}
+    system.specifieds = {"F": 0.2}
+    system.initial_conditions = {"q1": 2.7}
+    assert states(page) == pytest.approx(system.integrate(rtol=1e-8, atol=1e-8), abs=1e-9)
+
+
+def test_outputs_and_expressions_are_plotted_anew(tmp_path, open_page):
+    system = pendulum()
+    q1 = system.coordinates[1]
+    page = opened(open_page, tmp_path, system, {"l0": (0.5, 2)}, series=[q1, "T", sm.sin(q1)])
+    page.evaluate("pydy.live.set('l0', 1.4)")
+    system.constants = {**system.constants, "l0": 1.4}
+    expected = system.simulate(rtol=1e-8, atol=1e-8)
+    found = page.evaluate("pydy.live.series()")
+    assert found[0] == pytest.approx(expected["q1"], abs=1e-6)
+    assert found[1] == pytest.approx(expected["T"], abs=1e-5)
+    assert found[2] == pytest.approx(np.sin(expected["q1"]), abs=1e-6)
+
+
+def test_bodies_are_where_the_new_motion_has_them(tmp_path, open_page):
+    system = pendulum()
+    page = opened(open_page, tmp_path, system, {"l0": (0.5, 2)})
+    page.evaluate("pydy.live.set('l0', 1.6)")
+    system.constants = {**system.constants, "l0": 1.6}
+    scene = system.scene().animate(system.simulate(rtol=1e-8, atol=1e-8), fps=None)
+    for k in (0, 17, 40):
+        page.evaluate(f"pydy.seek({scene.times[k]})")
+        places = np.array(page.evaluate("pydy.positions()"))
+        assert places == pytest.approx(scene.poses[k, :, :3, 3], abs=2e-6)
+
+
+def test_events_act_as_in_python(tmp_path, open_page):
+    system, bounce = ball()
+    page = opened(open_page, tmp_path, system, Live({"y": (0.2, 2)}, events=bounce))
+    page.evaluate("pydy.live.set('y', 1.5)")
+    system.initial_conditions = {"y": 1.5}
+    expected = system.integrate(rtol=1e-8, atol=1e-8, events=bounce)
+    assert states(page) == pytest.approx(expected, abs=1e-9)
+
+
+def test_constraints_are_held_and_met_from_the_start(tmp_path, open_page):
+    system = system_of(zoo.fourbar(), times=TIMES, ode_solver="dop853")
+    frame, origin = ReferenceFrame("N"), Point("O")
+    scene = system.scene(Visual(Sphere(0.1), origin), reference_frame=frame, origin=origin)
+    scene.animate(system.simulate(constraints="project"), fps=None)
+    page = open_page(scene.to_html(tmp_path / "live.html", live={"m1": (0.5, 5.0)}))
+    expected = system.integrate(rtol=1e-8, atol=1e-8, constraints="project")
+    assert states(page) == pytest.approx(expected, abs=1e-9)
+    page.evaluate("pydy.live.set('m1', 4.0)")
+    system.constants = {**system.constants, sm.Symbol("m1"): 4.0}
+    expected = system.integrate(rtol=1e-8, atol=1e-8, constraints="project")
+    assert states(page) == pytest.approx(expected, abs=1e-9)
+
+
+def test_five_links_run_a_hundred_times_as_fast_as_they_fall(tmp_path, open_page):
+    system = n_link_pendulum_on_cart(5)
+    system.constants = {"g": 9.81}
+    system.initial_conditions = dict.fromkeys(system.coordinates[1:], 0.5)
+    system.times = TIMES
+    system.ode_solver = "dop853"
+    page = opened(open_page, tmp_path, system, {"l0": (0.5, 2)})
+    found = [page.evaluate(f"pydy.live.set('l0', {1 + k / 10}), pydy.live.speed") for k in range(8)]
+    assert max(found) > 100, found
+
+
+def test_hostile_names_stand_on_the_page_as_text(tmp_path, open_page):
+    system = hostile()
+    sliders = {s: Slider(1, 5, unit="<b>kg</b>") for s in system.constants_symbols}
+    page = opened(open_page, tmp_path, system, sliders, title="<i>mass</i>")
+    labels = [row.inner_text() for row in page.locator("#live label").all()]
+    assert [" ".join(t.split()) for t in labels] == [
+        " ".join(s.name.split()) for s in system.constants_symbols
+    ]
+    assert page.locator("#live b").count() == 0
+    name = next(iter(system.constants_symbols)).name
+    page.evaluate("(name) => pydy.live.set(name, 4.0)", name)
+    assert page.evaluate("pydy.live.status") == "finished"
+
+
+# -- the demo's bicycle ----------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    path = tmp_path_factory.mktemp("demo") / "bicycle-live.html"
+    bicycle_ride.simulate(bicycle_ride.ride(), path)
+    return path
+
+
+def speed_slider(page):
+    return page.locator("#live li").filter(has_text="speed").locator("input[type=range]")
+
+
+UNTIL_NEW = """() => new Promise((done) => {
+    const begin = performance.now(), before = pydy.positions()[0].join();
+    const look = () => {
+        const moved = pydy.time === 1.0 && pydy.positions()[0].join() !== before;
+        if (moved) done(performance.now() - begin); else requestAnimationFrame(look);
+    };
+    look();
+})"""
+
+
+def drag(page, value):
+    """Drag the speed to a value as a reader does."""
+    speed_slider(page).evaluate(
+        "(one, value) => { one.value = value; one.dispatchEvent(new Event('input')); }", value
+    )
+
+
+def test_the_bicycle_falls_when_its_speed_is_dragged_down(path, open_page, screenshot):
+    page = open_page(path, 1000, 700)
+    page.evaluate("pydy.pause()")
+    assert page.evaluate("pydy.live.status") == "finished"
+    assert abs(page.evaluate("pydy.live.series()[0].at(-1)")) < 2.0  # degrees of roll
+    box = speed_slider(page).bounding_box()
+    middle = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + box["width"] * 4 / 7, middle)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] * 0.25, middle, steps=6)
+    page.mouse.up()
+    until(page, "!pydy.live.busy")
+    assert 2.0 < page.evaluate("pydy.live.values[0]") < 4.29
+    assert page.evaluate("pydy.live.status") == "stopped"
+    assert max(map(abs, page.evaluate("pydy.live.series()[0]"))) > 30.0
+    page.evaluate("pydy.seek(10)")
+    assert np.ptp(screenshot(page, "bicycle-live")) > 60
+
+
+def test_the_bicycle_runs_twenty_times_as_fast_as_it_rides(path, open_page):
+    page = open_page(path, 320, 260)
+    found = [page.evaluate(f"pydy.live.set('speed', {5 + k / 20}), pydy.live.speed")
+             for k in range(8)]  # fmt: skip
+    assert max(found) > 20, found
+
+
+def test_a_drag_shows_the_new_motion_within_fifty_milliseconds(path, open_page):
+    page = open_page(path, 320, 260)
+    page.evaluate("pydy.pause(), pydy.seek(1.0)")
+    for k in range(8):  # the browser compiles what it has run a few times
+        page.evaluate(f"pydy.live.set('speed', {5 + k / 20})")
+    page.evaluate("pydy.seek(1.0)")
+    found = []
+    for k in range(8):
+        drag(page, 4.5 + k / 20)
+        found.append(page.evaluate(UNTIL_NEW))
+    assert min(found) < 50, found
+
+
+def test_boxes_take_numbers_and_resets_bring_them_back(path, open_page):
+    page = open_page(path)
+    row = page.locator("#live li").filter(has_text="speed")
+    row.locator("input[type=number]").fill("9.5")
+    until(page, "pydy.live.values[0] === 9.5 && !pydy.live.busy")
+    row.get_by_label("Reset speed").click()
+    until(page, "pydy.live.values[0] === 5")
+
+
+def test_a_live_page_fits_a_phone_in_the_dark(path, open_page, screenshot):
+    page = open_page(path, 390, 844, color_scheme="dark", has_touch=True, device_scale_factor=2)
+    page.locator("#live .toggle").click()
+    assert page.locator("#live ul").is_visible()
+    screenshot(page, "bicycle-live-phone")

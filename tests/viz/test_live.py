@@ -1,0 +1,147 @@
+"""Live pages as far as Python makes them; `tests/browser/test_live.py` opens them."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+import sympy as sm
+
+from exported import TIMES, ball, hostile, pendulum
+from pydy.inputs import SampledInput
+from pydy.viz import Box, Live, Scene, Slider, Sphere, Visual
+
+
+def page(system, live, *visuals, **options):
+    return system.scene(*visuals, **options).animate(system.simulate()).html(live=live)
+
+
+def data_of(html):
+    return json.loads(re.search(r'id="pydy-data">(.*?)</script>', html, re.DOTALL)[1])
+
+
+def test_constants_states_and_inputs_have_sliders_by_symbol_or_name():
+    system = pendulum()
+    html = page(system, {sm.Symbol("l0"): (0.1, 2.0), "q1": (-3, 3), "F": (-5, 5, 1.5, "N")})
+    rows = data_of(html)["live"]["sliders"]
+    assert [(r["label"], r["group"], r["value"]) for r in rows] == [
+        ("l0", "p", 0.7),
+        ("q1", "x", 0.4),
+        ("F", "r", 1.5),
+    ]
+    assert rows[2]["unit"] == "N"
+
+
+def test_the_page_stays_below_a_megabyte_beside_three():
+    from pydy.viz.page import _resource
+
+    assert len(page(pendulum(), {"l0": (0.1, 2)})) - len(_resource("three.min.js")) < 1_000_000
+
+
+def test_nothing_makes_code_of_text():
+    from pydy.viz.page import _resource
+
+    html = page(pendulum(), {"l0": (0.1, 2)}).replace(_resource("three.min.js"), "")
+    assert not re.search(r"\beval\(|\bnew Function\b|\bimport\(|setTimeout\(\s*[\"'`]", html)
+    assert "unsafe" not in re.search(r'Security-Policy" content="([^"]*)"', html)[1]
+
+
+def test_hostile_names_are_data():
+    system = hostile()
+    sliders = {s: Slider(1, 5, unit="</script><b>", label="<img src=x>")
+               for s in system.constants_symbols}  # fmt: skip
+    html = page(system, sliders, title="</script>{{APP}}/*CODE*/")
+    assert "<img src=x>" not in html
+    assert html.count("</script>") == html.count("<script")
+    assert data_of(html)["live"]["sliders"][0]["unit"] == "</script><b>"
+
+
+def test_a_page_without_sliders_is_as_before():
+    system = pendulum()
+    assert "liveModel" not in system.scene().animate(system.simulate()).html()
+
+
+def test_a_slider_of_ones_own_sets_initial_conditions():
+    system = pendulum()
+    v = sm.Symbol("v")
+    live = {v: Slider(0, 3, 1.0, "m/s", sets={"u0": v, system.speeds[1]: -2 * v})}
+    data = data_of(page(system, live))["live"]
+    assert data["starts"] == [3, 4]
+    assert data["sliders"][0]["place"] == len(system.constants_symbols)
+
+
+@pytest.mark.parametrize(
+    ("live", "words"),
+    [
+        ({"l9": (0, 1)}, "`live` has `l9`, which is none of the system's constants, states"),
+        ({"l0": 3}, r"`live\[l0\]` must be a Slider or a range such as \(0.1, 2.0\), got 3"),
+        ({"l0": (2, 1)}, "`low` of Slider must be less than `high`, got 2.0 and 1.0"),
+        ({sm.Symbol("v"): Slider(0, 1, sets={"u0": 1})}, "symbol of your own, needs a `value`"),
+        ({"l0": Slider(0, 1, sets={"u0": 1})}, "`sets` of the slider for `l0` is for symbols"),
+        ({sm.Symbol("v"): Slider(0, 1, 0.5, sets={"z": 1})}, "has `z`, which is no state"),
+    ],
+)
+def test_what_cannot_have_a_slider_is_named(live, words):
+    with pytest.raises(ValueError, match=words):
+        page(pendulum(), live)
+
+
+def test_live_must_be_a_mapping():
+    with pytest.raises(TypeError, match="`live` must map constants, states or inputs"):
+        page(pendulum(), ["l0"])
+
+
+@pytest.mark.parametrize("value", [lambda x, t: t, SampledInput([0.0, 2.0], [0.0, 1.0])])
+def test_a_specified_that_only_python_can_compute_is_named(value):
+    system = pendulum()
+    system.specifieds = {"F": value}
+    with pytest.raises(ValueError, match=r"`specifieds` gives `F\(t\)` by"):
+        page(system, {"l0": (0.1, 2)})
+
+
+def test_a_scene_without_a_system_cannot_simulate():
+    system = pendulum()
+    other = system.scene()
+    scene = Scene(other.reference_frame, other.origin, *other.visuals)
+    scene.animate(system.simulate())
+    with pytest.raises(ValueError, match=r"make the scene with `system.scene\(...\)`"):
+        scene.html(live={"l0": (0.1, 2)})
+
+
+def test_series_that_are_only_numbers_are_named():
+    system = pendulum()
+    scene = system.scene().animate(system.simulate(), series={"noise": np.zeros(len(TIMES))})
+    with pytest.raises(ValueError, match="The series 'noise' was given to `animate` as numbers"):
+        scene.html(live={"l0": (0.1, 2)})
+
+
+def test_other_runs_are_not_simulated():
+    system = pendulum()
+    run = system.simulate()
+    other = pendulum()
+    other.initial_conditions = {"q1": 1.0}
+    scene = system.scene().animate(run, compare=other.simulate())
+    with pytest.raises(ValueError, match="shows no other runs beside it"):
+        scene.html(live={"l0": (0.1, 2)})
+
+
+def test_what_a_slider_moves_apart_shares_no_track():
+    system = pendulum()
+    point = system.scene().visuals[1].point
+    visuals = [Visual(Sphere(0.1), point), Visual(Box(1, 1, 1), point)]
+    tip = point.locatenew("tip", sm.Symbol("l0") * system.scene().reference_frame.x)
+    visuals.append(Visual(Sphere(0.1), tip))
+    fixed = data_of(page(system, {"m1": (0.5, 2)}, *visuals))
+    moved = data_of(page(system, {"l0": (0.5, 2)}, *visuals))
+    assert len(fixed["tracks"]) == 1
+    assert len(moved["tracks"]) == 2
+
+
+def test_constraints_and_tolerances_are_those_that_live_has():
+    system, bounce = ball()
+    with pytest.raises(ValueError, match="holds constraints, but the system has none"):
+        page(system, Live({"y": (0, 2)}, constraints="project"))
+    with pytest.raises(ValueError, match="`rtol` of Live must be positive"):
+        Live({}, rtol=0.0)
+    data = data_of(page(system, Live({"y": (0, 2)}, events=bounce, rtol=1e-6)))
+    assert data["live"]["options"]["rtol"] == 1e-6
