@@ -373,7 +373,7 @@ class System:
         return find_multipliers(self._equations)
 
     def reaction(
-        self, bodies: Any, point: Any, *, frame: Any = None, loads: Iterable[Any] = ()
+        self, bodies: Any, point: Any = None, *, frame: Any = None, loads: Iterable[Any] = ()
     ) -> Reaction:
         """Return the force and torque that hold some bodies: of a joint, a bearing, a contact.
 
@@ -382,13 +382,14 @@ class System:
 
         Parameters
         ----------
-        bodies : RigidBody, Particle, str, or list of them
+        bodies : RigidBody, Particle, str, or list of them, or Joint
             All bodies on one side of the cut; those beyond a joint, for its reaction on them. A
+            joint of a `sympy.physics.mechanics.System` stands for its child and all beyond. A
             load is counted if the point or the frame it acts on moves with one of them, and with no
             body outside. Massless points and frames whose loads are to be counted, and hinges, may
             be in the list too.
         point : Point
-            Where the force acts, and about which the torque is taken.
+            Where the force acts, and about which the torque is taken; by default a joint's own.
         frame : ReferenceFrame, optional
             For the components; the inertial one by default.
         loads : iterable of loads, optional

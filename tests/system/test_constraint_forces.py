@@ -223,3 +223,58 @@ def test_without_bodies_the_remedy_is_said():
     system = System(me.LagrangesMethod(theta.diff(T) ** 2 / 2, [theta]))
     with pytest.raises(ValueError, match="`eom_method` holds no bodies: construct a KanesMethod"):
         system.reaction("bob", me.Point("P"))
+
+
+def arm():
+    """Two plates on pin joints that are not parallel, with a motor in the second joint."""
+    q, u = me.dynamicsymbols("q1:3"), me.dynamicsymbols("u1:3")
+    ground = me.RigidBody("ground")
+    bodies = [me.RigidBody(name) for name in ("upper", "lower")]
+    system = me.System.from_newtonian(ground)
+    pins = [
+        me.PinJoint(
+            name, parent, child, q[k], u[k], joint_axis=axis(parent),
+            parent_point=(1 if k else 0) * parent.x, child_point=-child.x,
+        )
+        for k, (name, parent, child, axis) in enumerate(
+            [
+                ("shoulder", ground, bodies[0], lambda b: b.y),
+                ("elbow", bodies[0], bodies[1], lambda b: b.z),
+            ]
+        )
+    ]  # fmt: skip
+    system.add_joints(*pins)
+    motor = me.TorqueActuator(
+        sm.Symbol("tau"), pins[1].joint_axis, bodies[1].frame, bodies[0].frame
+    )
+    system.add_actuators(motor)
+    system.apply_uniform_gravity(-sm.Symbol("g") * ground.z)
+    return system, pins
+
+
+def test_a_joint_stands_for_all_beyond_it():
+    multibody, (shoulder, elbow) = arm()
+    system = System(multibody)
+    upper, lower = multibody.bodies[1:] if len(multibody.bodies) == 3 else multibody.bodies
+    system.outputs = {
+        **system.reaction(shoulder).outputs("a"),
+        **system.reaction([upper, lower], shoulder.child_point).outputs("b"),
+        **system.reaction(elbow, frame=lower.frame).outputs("c"),
+        **system.reaction(lower, elbow.child_point, frame=lower.frame).outputs("d"),
+    }
+    a, b, c, d = system.evaluate_outputs([0.3, 0.5, 0.7, -0.4]).reshape(4, 6)
+    close(a, b, 1e-12)
+    close(c, d, 1e-12)
+    close([a[4], c[5]], [0.0, 0.0], 1e-12)  # a pin holds no torque about its axis
+
+
+def test_a_joint_of_another_system_is_refused():
+    (system, _), (_, (other, _)) = arm(), arm()
+    with pytest.raises(ValueError, match=r"joint shoulder is none of the joints of .*elbow"):
+        System(system).reaction(other)
+
+
+def test_bodies_need_a_point():
+    system = string_pendulum()
+    with pytest.raises(TypeError, match="`point` must be a Point, got None"):
+        system.reaction("bob")

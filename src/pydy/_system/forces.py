@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sm
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, Vector
+from sympy.physics.mechanics.joint import Joint
 
 from pydy._checks import describe, listed, shown
 from pydy._mechanics.equations import Equations
@@ -76,6 +77,9 @@ def find_reaction(
 ) -> Reaction:
     """Return the reaction on some bodies; see `System.reaction`."""
     forces = _forces(equations, bodies=True)
+    if isinstance(bodies, Joint):
+        point = bodies.child_point if point is None else point
+        bodies = _beyond(equations, forces, bodies)
     members = [_member(forces, item) for item in _several(bodies)]
     own = forces.body.bodies
     if not any(item in own for item in members):
@@ -109,6 +113,23 @@ def _forces(equations: Equations, *, bodies: bool) -> ConstraintForces:
             "`kanes_equations(bodies, loads)`."
         )
     return forces
+
+
+def _beyond(equations: Equations, forces: ConstraintForces, joint: Any) -> list[Any]:
+    """Return the bodies that a joint holds: its child, and what hangs on that by other joints."""
+    joints = equations.mechanism.joints if equations.mechanism is not None else ()
+    if not any(joint is other for other in joints):
+        raise ValueError(
+            f"The joint {joint.name} is none of the joints of `eom_method`: "
+            f"{describe([other.name for other in joints])}. Give all bodies beyond it instead."
+        )
+    points = [joint.child.masscenter]
+    for point in points:
+        for other in joints:
+            ends = [other.parent.masscenter, other.child.masscenter]
+            if other is not joint and point in ends:
+                points += [end for end in ends if end not in points]
+    return [body for body in forces.body.bodies if body.masscenter in points]
 
 
 def _several(bodies: Any) -> list[Any]:
