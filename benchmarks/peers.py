@@ -11,7 +11,7 @@ from statistics import median
 from typing import Any
 
 from harness.driver import ROOT, Worker, WorkerError, in_turn
-from harness.report import pairwise, save, seconds, table
+from harness.report import name_of, pairwise, save, seconds, table
 
 MODELS = (
     *("pendulum-1", "pendulum-5", "pendulum-10", "pendulum-20", "rods-3", "bicycle"),
@@ -38,6 +38,9 @@ def main() -> None:
     parser.add_argument("--python", type=Path, default=Path(sys.executable), help="ours")
     parser.add_argument("--models", nargs="+", default=MODELS)
     parser.add_argument("--peers", nargs="+", default=list(PEERS), choices=list(PEERS))
+    parser.add_argument(
+        "--widths", nargs="+", type=int, default=[], choices=(2, 4, 8), help="of batched code too"
+    )
     parser.add_argument("--budget", type=float, default=15.0, help="seconds for each line")
     parser.add_argument("--timeout", type=float, default=120.0, help="for any one answer")
     parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
@@ -57,14 +60,19 @@ def main() -> None:
 
             workers = [start("ours", options.python, "ours.py")]
             workers += [
+                start(f"ours-{width}", options.python, "ours.py", str(width))
+                for width in options.widths
+            ]
+            workers += [
                 start(name, options.peer_python, *PEERS[name])
                 for name in options.peers
                 if name in ONLY.get(model, options.peers)
             ]
             lines += _measure(model, workers, rounds)
-        save("peers", lines)  # after each model, so that a run can be broken off
+        save(name_of("peers"), lines)  # after each model, so that a run can be broken off
     for kind in KINDS:
-        _report(kind, [line for line in lines if line["kind"] == kind], options.peers)
+        chosen = [line for line in lines if line["kind"] == kind]
+        _report(kind, chosen, [*(f"ours-{w}" for w in options.widths), *options.peers])
 
 
 def _measure(model: str, workers: list[Worker], rounds: dict[str, Any]) -> list[dict[str, Any]]:
@@ -152,7 +160,8 @@ def _report(kind: str, lines: list[dict[str, Any]], peers: list[str]) -> None:
                 cells.append("fails")
         # The fastest peer is the one that ours looks worst against. Builds are not ranked: an
         # interpreted function is ready at once, and pays at every call.
-        cells.append(f"{max(ratios.values()):.2f}" if ratios and kind != "build" else "")
+        others = [ratio for name, ratio in ratios.items() if not name.startswith("ours")]
+        cells.append(f"{max(others):.2f}" if others and kind != "build" else "")
         rows.append(cells)
     last = "ours / fastest" if kind != "build" else ""
     header = ("model", "ours", *(f"{p} (ours/it)" for p in peers), last)

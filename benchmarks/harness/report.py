@@ -61,6 +61,12 @@ def save(name: str, results: Any) -> Path:
     return path
 
 
+def name_of(benchmark: str) -> str:
+    """Return the name that results are saved by: those for another target lie beside."""
+    cpu = os.environ.get("PYDY_CPU", "native")
+    return benchmark if cpu == "native" else f"{benchmark}-{cpu}"
+
+
 def processor() -> dict[str, Any]:
     """Return the processor's name, its vector extensions, and the sizes of its caches."""
     if sys.platform == "darwin":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 import heyoka as hy
@@ -70,7 +71,10 @@ class HeyokaPeer(Peer):
     def batched(self) -> Any:
         # heyoka avoids 512-bit vectors unless told otherwise; take what is faster here.
         wide = hy.recommended_simd_size()
-        choices = [{"batch_size": wide, "force_avx512": flag} for flag in (False, True)]
+        flags = (False, True)
+        if os.environ.get("PYDY_CPU") == "x86-64-v3":
+            wide, flags = 4, (False,)
+        choices = [{"batch_size": wide, "force_avx512": flag} for flag in flags]
         functions = [self._over_all(self.build(**choice)) for choice in choices]
         best = min(functions, key=lambda f: min(time_of(f) for _ in range(5)))
         best()

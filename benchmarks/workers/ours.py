@@ -1,8 +1,12 @@
-"""This project's kernels: one lane for scalar code, eight for batches."""
+"""This project's kernels: one lane for scalar code, eight for batches.
+
+An argument is the width of batched code, in place of what suits the processor.
+"""
 
 from __future__ import annotations
 
 import os
+import sys
 from typing import Any
 
 import numpy as np
@@ -15,6 +19,8 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.llvm.jit import memory
+
+WIDTH = int(sys.argv[1]) if len(sys.argv) > 1 else None
 
 
 class Ours(Peer):
@@ -31,7 +37,7 @@ class Ours(Peer):
 
     def build(self, lanes: int = 1) -> Any:
         program = assembly_of(self.model, self.equations).program("rates")
-        kernel = LLVMBackend(lanes=lanes).compile(program)
+        kernel = LLVMBackend(lanes=lanes, width=WIDTH if lanes > 1 else None).compile(program)
         assert kernel.addresses  # waits for the best code, which is what is measured
         return kernel
 

@@ -88,7 +88,7 @@ def test_a_program_that_is_not_python_is_not_started(helper, monkeypatch, execut
 
 
 def test_a_program_goes_there_and_back(helper):
-    source = jit.Source("program", _Text(program(4), 1), ("kernel", "prepare"))
+    source = jit.Source("program", _Text(program(4), 1, 1), ("kernel", "prepare"))
     assert helper.compile(source) == compiling.object_code(source)
 
 

@@ -17,10 +17,11 @@ from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile
 from pydy._backends.llvm.compiling import object_code
 from pydy._backends.llvm.emit import BRANCH_WEIGHTS, SOLVES, Emitter, called
-from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, Function, vector_type
+from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, WIDTHS, Function, vector_type
 from pydy._backends.llvm.native import Entry, native_kernel
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions, sincos_names
 from pydy._backends.llvm.solve import solver_declarations, solver_functions, solver_names
+from pydy._backends.llvm.targets import target
 from pydy._backends.registry import compile_program
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
@@ -38,12 +39,19 @@ class LLVMBackend:
         Accepted for scripts that pass it; common sub-expressions are always shared.
     lanes : {1, 2, 4, 8}, optional
         How many states the native code takes at once. Right-hand sides for Python need 1.
+    width : {2, 4, 8}, optional
+        How many of several lanes the equations' code takes at once; the rest follow in further
+        turns. By default what suits the processor's registers. It does not change the bits.
     """
 
-    def __init__(self, cse: bool = True, lanes: int = 1) -> None:
-        if lanes not in (1, 2, 4, 8):
+    def __init__(self, cse: bool = True, lanes: int = 1, width: int | None = None) -> None:
+        if lanes not in WIDTHS:
             raise ValueError(f"`lanes` is {lanes!r}, but it must be 1, 2, 4 or 8.")
+        if width is not None and (width not in WIDTHS[1:] or width > lanes):
+            raise ValueError(f"`width` is {width!r}, but it must be 2, 4 or 8 and at most `lanes`.")
         self.options: dict[str, Any] = {"cse": cse, "lanes": lanes}
+        if width is not None:
+            self.options["width"] = width
 
     def compile(self, program: Program) -> Kernel:
         """Return the Kernel of a Program.
@@ -53,14 +61,15 @@ class LLVMBackend:
         same bits. Wide kernels are for long work and get the best at once.
         """
         lanes: int = self.options["lanes"]
+        width = self.options.get("width") or width_of(program, lanes)
         source = jit.Source(
-            f"kernel {program.digest} {lanes}",
-            _Text(program, lanes),
+            f"kernel {program.digest} {lanes} {width}",
+            _Text(program, lanes, width),
             ("kernel", "prepare", "strided")[: 2 + (lanes > 1)],
             loops=lanes == 1 and _repeats(program),
         )
         calls = bool({*SOLVES, *ANGLES} & set(program.ops))
-        routines = shared_routines(lanes, at_best=lanes > 1) if calls else None
+        routines = shared_routines(width, at_best=lanes > 1) if calls else None
         code = jit.load(source, routines) if lanes > 1 else jit.find(source, routines)
         quick = code is None
         if code is None:
@@ -80,16 +89,22 @@ class _Text:
 
     program: Program
     lanes: int
+    width: int
 
     def __call__(self, brief: bool) -> str:
-        return kernel_text(self.program, self.lanes, brief)
+        return kernel_text(self.program, self.lanes, self.width, brief)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _read_text, (self.program.to_bytes(), self.lanes)
+        return _read_text, (self.program.to_bytes(), self.lanes, self.width)
 
 
-def _read_text(program: bytes, lanes: int) -> _Text:
-    return _Text(Program.from_bytes(program), lanes)
+def _read_text(program: bytes, lanes: int, width: int) -> _Text:
+    return _Text(Program.from_bytes(program), lanes, width)
+
+
+def width_of(program: Program, lanes: int) -> int:
+    """Return how many lanes a Program's code takes at once: all of a small one, which is a loop."""
+    return lanes if _is_small(program) else min(lanes, target().registers.widest)
 
 
 # Operations from which code does not fit the processor's cache for it, and those for one result of
@@ -145,24 +160,29 @@ def shared_routines(lanes: int, at_best: bool, compile_source: Compile = object_
 
 def _routines_text(lanes: int, brief: bool) -> str:
     """Return the module of what many kernels share: linear solves, sine and cosine."""
-    widths = (1, 2, 4, 8) if lanes == 1 else (1, lanes)
+    widths = WIDTHS if lanes == 1 else (1, lanes)
     parts = [_arithmetic_declarations(widths), *_LIBM_ANGLES, *BRANCH_WEIGHTS]
     parts += [sincos_functions(w) for w in widths if w == lanes or lanes == 1]
     return "\n".join([*parts, solver_functions(lanes)])
 
 
-def kernel_text(program: Program, lanes: int, brief: bool = False, columns: int = 0) -> str:
+def kernel_text(
+    program: Program, lanes: int, width: int = 0, brief: bool = False, columns: int = 0
+) -> str:
     """Return the module of a Program, with the functions `kernel` and `prepare`.
 
     A `brief` one calls a routine for sines and cosines instead of writing them in line. With
     `columns` a lane is one of so many columns, which lie side by side in each row of x and of the
     output, and the inputs r are numbers that all have in common.
     """
-    body = _prepare(program, lanes, brief)
-    if columns:
-        body += _column_kernel(program, lanes, brief, columns)
+    width = width or lanes
+    if width < lanes:
+        body = _in_turns(program, lanes, width, brief)
+    elif columns:
+        body = _prepare(program, lanes, brief) + _column_kernel(program, lanes, brief, columns)
     else:
-        body += _kernel(program, lanes, brief)
+        body = _prepare(program, lanes, brief) + _kernel(program, lanes, brief)
+    lanes = width
     parts = [_declarations(program, lanes)]
     if f"{MALLOC}(" in body:
         parts.append(HEAP_DECLARATIONS)
@@ -170,7 +190,7 @@ def kernel_text(program: Program, lanes: int, brief: bool = False, columns: int 
     parts += [
         sincos_declarations(width, kind)
         for kind in ("", "far_")
-        for width in (1, 2, 4, 8)
+        for width in WIDTHS
         if f"@pydy_sincos_{kind}{width}(" in body
     ]
     if lanes > 1:
@@ -199,7 +219,7 @@ def _declarations(program: Program, lanes: int) -> str:
     ]
     if SOLVES.keys() & set(program.ops):
         lines.append(solver_declarations(lanes))
-    packs = (1, 2, 4, 8) if lanes == 1 and set(ANGLES) & set(program.ops) else (lanes,)
+    packs = WIDTHS if lanes == 1 and set(ANGLES) & set(program.ops) else (lanes,)
     lines.append(_arithmetic_declarations(packs))
     for name, arity in called(program, "intrinsic").items():
         if name != "fabs":
@@ -221,15 +241,17 @@ def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
     return f.text()
 
 
-def _prepare(program: Program, lanes: int, brief: bool) -> str:
-    f = Function("prepare", "void", "ptr noalias readonly %p, ptr noalias %c", "|nounwind")
-    Emitter(f, program, lanes, jit.registers(lanes), True, brief).stage()
+def _prepare(program: Program, lanes: int, brief: bool, prefix: str = "") -> str:
+    linkage = "internal" if prefix else ""
+    f = Function(f"{prefix}prepare", "void", _PREPARES, f"{linkage}|nounwind")
+    Emitter(f, program, lanes, target().vectors(lanes), True, brief).stage()
     f.do("ret void")
     f.label("%bail")
     f.do("ret void")
     return f.text()
 
 
+_PREPARES = "ptr noalias readonly %p, ptr noalias %c"
 _ARRAYS = ("t", "x", "r", "c", "out")
 
 
@@ -255,10 +277,10 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
     to wait in memory.
     """
     parts = [*BRANCH_WEIGHTS, ""]
-    small = sum(not setup for setup in program.setup) <= _LOOP
+    small = _is_small(program)
     if lanes == 1 or small:
         f = Function("kernel", "i32", _parameters(), "|nounwind")
-        e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+        e = Emitter(f, program, lanes, target().vectors(lanes), False, brief)
         e.solves.status = f.variable("i32", "0")
         e.stage()
         f.do(f"ret i32 {f.get('i32', e.solves.status)}")
@@ -274,7 +296,7 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
 
 def _column_kernel(program: Program, lanes: int, brief: bool, columns: int) -> str:
     f = Function("kernel", "i32", _parameters(), "|nounwind")
-    e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+    e = Emitter(f, program, lanes, target().vectors(lanes), False, brief)
     e.solves.status = f.variable("i32", "0")
     e.names.steps.update({"%x": str(columns), "%out": str(columns)})
     e.names.spread.add("%r")
@@ -285,10 +307,15 @@ def _column_kernel(program: Program, lanes: int, brief: bool, columns: int) -> s
     return "\n".join([*BRANCH_WEIGHTS, "", f.text()])
 
 
-def _strided(program: Program, lanes: int, brief: bool, loop: bool) -> str:
+def _is_small(program: Program) -> bool:
+    return sum(not setup for setup in program.setup) <= _LOOP
+
+
+def _strided(program: Program, lanes: int, brief: bool, loop: bool, prefix: str = "") -> str:
     parameters = f"{_parameters('.first' if loop else '')}, ptr noalias readonly %steps"
-    f = Function("strided", "i64", parameters, "|nounwind")
-    e = Emitter(f, program, lanes, jit.registers(lanes), False, brief)
+    linkage = "internal" if prefix else ""
+    f = Function(f"{prefix}strided", "i64", parameters, f"{linkage}|nounwind")
+    e = Emitter(f, program, lanes, target().vectors(lanes), False, brief)
     e.solves.status = f.variable("i32", "0")
     for place, group in enumerate(("%x", "%r", "%out")):
         e.names.steps[group] = f.load("i64", "%steps", str(place))
@@ -326,3 +353,36 @@ def _packed_kernel(lanes: int) -> str:
     f.do(f"ret i32 {f.let(f'trunc i64 {both} to i32')}")
     steps = ", ".join(f"i64 {n}" for n in (lanes, lanes, lanes, 1, lanes))
     return f"@packed = private constant [5 x i64] [{steps}]\n" + f.text()
+
+
+def _in_turns(program: Program, lanes: int, width: int, brief: bool) -> str:
+    """Return functions of all lanes that call code for some of them, turn by turn.
+
+    Where all lanes of a value do not fit in a register, it takes several, and half as many values
+    or fewer fit at a time. What `prepare` leaves in c lies turn by turn too.
+    """
+    turns = range(0, lanes, width)
+    v, carried = vector_type("double", width), len(program.carried)
+    prepare = Function("prepare", "void", _PREPARES, "|nounwind")
+    p = prepare.slot(v, max(program.num_constants, 1))
+    for first in turns:
+        with prepare.loop("0", str(program.num_constants)) as i:
+            place = prepare.at("%p", prepare.let(f"mul i64 {i}, {lanes}"))
+            value = prepare.load(v, prepare.at(place, str(first)))
+            prepare.store(v, value, p, i)
+        c = prepare.at("%c", str(first * carried))
+        prepare.do(f"call void @turn.prepare(ptr {p}, ptr {c})")
+    prepare.do("ret void")
+    f = Function("strided", "i64", f"{_parameters()}, ptr noalias readonly %steps", "|nounwind")
+    status = "0"
+    for first in turns:
+        places = {name: f.at(f"%{name}", str(first)) for name in _ARRAYS}
+        places["c"] = f.at("%c", str(first * carried))
+        arguments = ", ".join(f"ptr {place}" for place in places.values())
+        both = f.let(f"call i64 @turn.strided({arguments}, ptr %steps)")
+        bits = f.let(f"shl i64 {f.let(f'and i64 {both}, {2**32 - 1}')}, {first}")
+        status = f.let(f"or i64 {status}, {bits}")
+    f.do(f"ret i64 {f.let(f'or i64 {status}, {2**32}')}")
+    own = _prepare(program, width, brief, "turn.") + _strided(program, width, brief, False, "turn.")
+    outer = [prepare.text(), f.text(), _packed_kernel(lanes)]
+    return "\n".join([own, *outer, *BRANCH_WEIGHTS, ""])

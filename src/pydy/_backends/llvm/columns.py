@@ -46,7 +46,7 @@ class _Text:
     columns: int
 
     def __call__(self, brief: bool) -> str:
-        return kernel_text(self.program, self.lanes, brief, self.columns)
+        return kernel_text(self.program, self.lanes, brief=brief, columns=self.columns)
 
 
 def compile_columns(split: SplitProgram) -> Kernel:

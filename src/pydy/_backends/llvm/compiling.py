@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import os
 import pickle
-import platform
 import signal
 import subprocess
 import sys
@@ -19,34 +18,26 @@ from typing import Any
 from llvmlite import __version__ as llvmlite_version
 from llvmlite import binding
 
+from pydy._backends.llvm.targets import target
+
 __all__ = [
     "Helper",
     "HelperError",
     "Source",
     "object_code",
-    "registers",
     "serve",
-    "target",
+    "target_lines",
     "target_machine",
 ]
 
 
 @once
-def _host() -> tuple[Any, str, str]:
-    """Return the target, the processor and its features, and set LLVM up."""
-    binding.initialize_native_target()
-    binding.initialize_native_asmprinter()
-    features = binding.get_host_cpu_features().flatten()
-    return binding.Target.from_default_triple(), binding.get_host_cpu_name(), features
-
-
-@once
 def _circumstances() -> bytes:
     """Everything but the Program that decides what the machine code is."""
-    _, processor, features = _host()
+    host = target()
     sha = hashlib.sha256()
-    parts = (processor, features, llvmlite_version, *map(str, binding.llvm_version_info))
-    sha.update("\n".join((binding.get_default_triple(), *parts)).encode())
+    parts = (host.processor, host.features, llvmlite_version, *map(str, binding.llvm_version_info))
+    sha.update("\n".join((host.triple, *parts)).encode())
     # The code that writes the IR: a new version of it must not meet the old one's output.
     backends = Path(__file__).parents[1]
     for source in (backends.with_name("_array_layout.py"), *sorted(backends.rglob("*.py"))):
@@ -54,34 +45,22 @@ def _circumstances() -> bytes:
     return sha.digest()
 
 
-def registers(lanes: int) -> int:
-    """Return how many vectors of that many doubles the processor's registers hold."""
-    features = _host()[2].split(",")
-    if "+avx512vl" in features:
-        count, width = 32, 8
-    elif platform.machine().lower() in ("arm64", "aarch64"):
-        count, width = 32, 2
-    else:
-        count, width = 16, 4 if "+avx" in features else 2
-    return count // max(lanes // width, 1)
-
-
 def target_machine(quick: bool = False) -> Any:
-    """Return a machine to write object code for this processor."""
-    target, processor, features = _host()
-    return target.create_target_machine(
-        cpu=processor,
-        features=features,
+    """Return a machine to write object code for the target."""
+    host = target()
+    return binding.Target.from_triple(host.triple).create_target_machine(
+        cpu=host.processor,
+        features=host.features,
         opt=0 if quick else 2,
         codemodel="jitdefault",
         jit=True,
     )
 
 
-def target() -> str:
+def target_lines() -> str:
     """Return the lines of IR that say what LLVM compiles for: passes lay data out by them."""
     layout = _emitter(False).target_data
-    return f'target datalayout = "{layout}"\ntarget triple = "{binding.get_default_triple()}"\n'
+    return f'target datalayout = "{layout}"\ntarget triple = "{target().triple}"\n'
 
 
 @dataclass(frozen=True)
@@ -233,6 +212,7 @@ def _started() -> subprocess.Popen[bytes]:
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
         bufsize=0,  # a forked child must not write again what is under way
+        env={**os.environ, "PYDY_CPU": target().name},
         creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     )
 

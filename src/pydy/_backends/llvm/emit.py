@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from pydy._backends.llvm.guards import Solves
-from pydy._backends.llvm.ir import Function, literal, vector_type
+from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
 from pydy._backends.llvm.plan import BLOCK, Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
 from pydy._graph.operations import ANGLES, OPERATIONS, TRUTHS, operands
@@ -292,7 +292,7 @@ class Emitter:
                 self.angles.update(zip(group, pairs, strict=True))
             return
         while ready:
-            width = next(w for w in (8, 4, 2, 1) if w <= len(ready) or w == 1)
+            width = next(w for w in WIDTHS[::-1] if w <= len(ready) or w == 1)
             if len(ready) > width:
                 width = min(8, 2 * width)
             group, ready = ready[:width], ready[width:]

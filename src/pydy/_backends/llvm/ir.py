@@ -15,12 +15,16 @@ __all__ = [
     "HEAP_DECLARATIONS",
     "MALLOC",
     "STACK_BYTES",
+    "WIDTHS",
     "Function",
     "hex_double",
     "literal",
     "vector_type",
 ]
 
+
+WIDTHS = (1, 2, 4, 8)
+"""How many lanes code may have."""
 
 # Beyond this a function's slots come from the heap: threads have small stacks.
 STACK_BYTES = 256 * 2**10

@@ -11,9 +11,9 @@ from llvmlite import binding
 from pydy import _cache_folder, _forks
 from pydy._backends.llvm import background
 from pydy._backends.llvm.background import Compile
-from pydy._backends.llvm.compiling import Source, object_code, registers, target_machine
+from pydy._backends.llvm.compiling import Source, object_code, target_machine
 
-__all__ = ["Code", "Source", "find", "load", "load_quickly", "memory", "registers"]
+__all__ = ["Code", "Source", "find", "load", "load_quickly", "memory"]
 
 # Linking uses LLVM's global state; compiling does not.
 _LOCK = _forks.Lock()

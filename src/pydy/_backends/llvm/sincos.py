@@ -10,7 +10,7 @@ those of fdlibm (k_sin.c and k_cos.c, Sun Microsystems 1993), of degree 13 and 1
 
 from __future__ import annotations
 
-from pydy._backends.llvm.ir import Function, literal, vector_type
+from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
 
 __all__ = [
     "LIMIT",
@@ -215,7 +215,7 @@ def sincos_names(lanes: int) -> tuple[str, ...]:
 
     Scalar code takes up to eight angles side by side.
     """
-    widths = (1, 2, 4, 8) if lanes == 1 else (lanes,)
+    widths = WIDTHS if lanes == 1 else (lanes,)
     return tuple(f"pydy_sincos_{kind}{w}" for w in widths for kind in ("", "far_"))
 
 

@@ -1,4 +1,4 @@
-; sources f96a47ef76d77e208622acc53f79e93fafcf7f18a70e12c241028bcb6cf70bb2
+; sources 7411566bfb694af5d3327e08d216a43635392a870ccc2c31ef6ff189529a357b
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0
@@ -243,8 +243,8 @@ define internal fastcc i32 @_norm(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4
 
 19:                                               ; preds = %14
   %20 = sitofp i64 %11 to double
-  %21 = fdiv reassoc nsz contract double %17, %20
-  %22 = call reassoc nsz contract double @sqrt(double %21)
+  %21 = fdiv double %17, %20
+  %22 = call double @sqrt(double %21)
   store double %22, ptr %0, align 8
   ret i32 0
 
@@ -260,7 +260,7 @@ define internal fastcc i32 @_norm(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4
   %32 = getelementptr double, ptr %3, i64 %15
   %33 = getelementptr double, ptr %32, i64 %31
   %34 = load double, ptr %33, align 8
-  %35 = fsub reassoc nsz contract double %30, %34
+  %35 = fsub double %30, %34
   %36 = select i1 %26, i64 %10, i64 0
   %37 = getelementptr double, ptr %9, i64 %15
   %38 = getelementptr double, ptr %37, i64 %36
@@ -273,12 +273,12 @@ define internal fastcc i32 @_norm(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4
   %45 = getelementptr double, ptr %5, i64 %15
   %46 = getelementptr double, ptr %45, i64 %44
   %47 = load double, ptr %46, align 8
-  %48 = call reassoc nsz contract double @llvm.fabs.f64(double %47)
-  %49 = fmul reassoc nsz contract double %43, %48
-  %50 = fadd reassoc nsz contract double %39, %49
-  %51 = fdiv reassoc nsz contract double %35, %50
-  %52 = fmul reassoc nsz contract double %51, %51
-  %53 = fadd reassoc nsz contract double %17, %52
+  %48 = call double @llvm.fabs.f64(double %47)
+  %49 = fmul double %43, %48
+  %50 = fadd double %39, %49
+  %51 = fdiv double %35, %50
+  %52 = fmul double %51, %51
+  %53 = fadd double %17, %52
   br label %14
 }
 
@@ -317,7 +317,7 @@ define internal fastcc i32 @_combine_latest(ptr noalias %0, ptr %1, i64 %2, ptr 
   %44 = getelementptr double, ptr %5, i64 %26
   %45 = getelementptr double, ptr %44, i64 %43
   %46 = load double, ptr %45, align 8
-  %47 = fmul reassoc nsz contract double %14, %46
+  %47 = fmul contract double %14, %46
   %48 = select i1 %42, i64 0, i64 %4
   %49 = getelementptr i64, ptr %3, i64 %26
   %50 = getelementptr i64, ptr %49, i64 %48
@@ -350,8 +350,8 @@ define internal fastcc i32 @_combine_latest(ptr noalias %0, ptr %1, i64 %2, ptr 
   %70 = getelementptr double, ptr %10, i64 %67
   %71 = getelementptr double, ptr %70, i64 %69
   %72 = load double, ptr %71, align 8
-  %73 = fmul reassoc nsz contract double %47, %72
-  %74 = fadd reassoc nsz contract double %66, %73
+  %73 = fmul contract double %47, %72
+  %74 = fadd contract double %66, %73
   store atomic double %74, ptr %65 unordered, align 8
   br label %55
 }
@@ -1291,35 +1291,35 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %456 = getelementptr double, ptr %86, i64 %440
   %457 = getelementptr double, ptr %456, i64 %455
   %458 = load double, ptr %457, align 8, !noalias !35
-  %459 = call reassoc nsz contract double @llvm.fabs.f64(double %458)
+  %459 = call double @llvm.fabs.f64(double %458)
   %460 = select i1 %446, i64 %90, i64 0
   %461 = getelementptr double, ptr %91, i64 %440
   %462 = getelementptr double, ptr %461, i64 %460
   %463 = load double, ptr %462, align 8, !noalias !35
-  %464 = call reassoc nsz contract double @llvm.fabs.f64(double %463)
-  %465 = fcmp reassoc nsz contract ogt double %464, %459
+  %464 = call double @llvm.fabs.f64(double %463)
+  %465 = fcmp ogt double %464, %459
   %466 = select i1 %465, double %464, double %459
   %467 = add i64 %440, 1
   %468 = add nsw i64 %441, -1
-  %469 = fmul reassoc nsz contract double %454, %466
-  %470 = fadd reassoc nsz contract double %450, %469
-  %471 = fdiv reassoc nsz contract double 1.000000e+00, %470
+  %469 = fmul double %454, %466
+  %470 = fadd double %450, %469
+  %471 = fdiv double 1.000000e+00, %470
   %472 = select i1 %446, i64 %115, i64 0
   %473 = getelementptr double, ptr %116, i64 %440
   %474 = getelementptr double, ptr %473, i64 %472
   %475 = load double, ptr %474, align 8, !noalias !35
-  %476 = fmul reassoc nsz contract double %475, %471
+  %476 = fmul double %475, %471
   %477 = add nsw i64 %85, %440
   %478 = icmp slt i64 %477, 0
   %479 = select i1 %478, i64 %115, i64 0
   %480 = getelementptr double, ptr %116, i64 %477
   %481 = getelementptr double, ptr %480, i64 %479
   %482 = load double, ptr %481, align 8, !noalias !35
-  %483 = fmul reassoc nsz contract double %482, %471
-  %484 = fmul reassoc nsz contract double %476, %476
-  %485 = fadd reassoc nsz contract double %442, %484
-  %486 = fmul reassoc nsz contract double %483, %483
-  %487 = fadd reassoc nsz contract double %443, %486
+  %483 = fmul double %482, %471
+  %484 = fmul double %476, %476
+  %485 = fadd double %442, %484
+  %486 = fmul double %483, %483
+  %487 = fadd double %443, %486
   br label %439
 
 488:                                              ; preds = %966
@@ -2339,7 +2339,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %782
 
 1138:                                             ; preds = %1033, %983, %982, %942, %941, %940, %937, %897, %887, %844, %831, %827, %823, %820, %819, %818, %743, %586, %541, %522, %423, %340, %329, %276, %266, %228
-  %1139 = phi i64 [ 2, %819 ], [ -1, %228 ], [ 0, %823 ], [ %269, %266 ], [ 0, %827 ], [ 0, %276 ], [ 0, %831 ], [ 0, %844 ], [ %742, %743 ], [ 0, %983 ], [ 0, %887 ], [ -1, %329 ], [ 1, %340 ], [ 0, %897 ], [ %589, %586 ], [ 0, %941 ], [ 0, %937 ], [ 0, %940 ], [ 0, %942 ], [ -4, %423 ], [ 0, %820 ], [ 0, %1033 ], [ 6, %522 ], [ 0, %982 ], [ -4, %541 ], [ 2, %818 ]
+  %1139 = phi i64 [ 2, %819 ], [ -1, %228 ], [ 0, %823 ], [ %269, %266 ], [ 0, %827 ], [ 0, %276 ], [ 0, %831 ], [ 0, %844 ], [ %742, %743 ], [ %589, %586 ], [ 0, %887 ], [ -1, %329 ], [ 1, %340 ], [ 0, %983 ], [ 0, %1033 ], [ 0, %941 ], [ 0, %937 ], [ 0, %940 ], [ 0, %942 ], [ -4, %423 ], [ 0, %820 ], [ 0, %897 ], [ 6, %522 ], [ 0, %982 ], [ -4, %541 ], [ 2, %818 ]
   ret i64 %1139
 }
 

@@ -1,4 +1,4 @@
-; sources 3213e3bf862f240ac9b103387e2f4e8379bf2bb22c1793c00988171c74b7fa73
+; sources 6bc96f00bc10c56ad417a939fe67ef0962aee705ecc822c0a185bee0ec48ad8b
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8
@@ -182,8 +182,8 @@ define internal fastcc i32 @norm(ptr noalias %0, i64 %1, ptr %2, i64 %3, ptr %4,
 
 19:                                               ; preds = %14
   %20 = sitofp i64 %1 to double
-  %21 = fdiv reassoc nsz contract double %17, %20
-  %22 = call reassoc nsz contract double @sqrt(double %21)
+  %21 = fdiv double %17, %20
+  %22 = call double @sqrt(double %21)
   store double %22, ptr %0, align 8
   ret i32 0
 
@@ -205,21 +205,21 @@ define internal fastcc i32 @norm(ptr noalias %0, i64 %1, ptr %2, i64 %3, ptr %4,
   %38 = getelementptr double, ptr %4, i64 %15
   %39 = getelementptr double, ptr %38, i64 %37
   %40 = load double, ptr %39, align 8
-  %41 = call reassoc nsz contract double @llvm.fabs.f64(double %40)
+  %41 = call double @llvm.fabs.f64(double %40)
   %42 = select i1 %24, i64 %7, i64 0
   %43 = getelementptr double, ptr %6, i64 %15
   %44 = getelementptr double, ptr %43, i64 %42
   %45 = load double, ptr %44, align 8
-  %46 = call reassoc nsz contract double @llvm.fabs.f64(double %45)
-  %47 = fcmp reassoc nsz contract ogt double %46, %41
+  %46 = call double @llvm.fabs.f64(double %45)
+  %47 = fcmp ogt double %46, %41
   %48 = select i1 %47, double %46, double %41
   %49 = add i64 %15, 1
   %50 = add nsw i64 %16, -1
-  %51 = fmul reassoc nsz contract double %36, %48
-  %52 = fadd reassoc nsz contract double %32, %51
-  %53 = fdiv reassoc nsz contract double %28, %52
-  %54 = fmul reassoc nsz contract double %53, %53
-  %55 = fadd reassoc nsz contract double %17, %54
+  %51 = fmul double %36, %48
+  %52 = fadd double %32, %51
+  %53 = fdiv double %28, %52
+  %54 = fmul double %53, %53
+  %55 = fadd double %17, %54
   br label %14
 }
 
@@ -2221,13 +2221,13 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br i1 %1244, label %1258, label %1245
 
 1245:                                             ; preds = %1239
-  %1246 = fmul reassoc nsz contract double %1237, %1243
-  %1247 = fcmp reassoc nsz contract ogt double %1242, %1246
+  %1246 = fmul double %1237, %1243
+  %1247 = fcmp ogt double %1242, %1246
   br i1 %1247, label %1248, label %1252
 
 1248:                                             ; preds = %1245
-  %1249 = fcmp reassoc nsz contract ogt double %1243, 0.000000e+00
-  %1250 = fdiv reassoc nsz contract double %1242, %1243
+  %1249 = fcmp ogt double %1243, 0.000000e+00
+  %1250 = fdiv double %1242, %1243
   %1251 = select i1 %1249, double %1250, double 1.000000e+00
   br label %1252
 
@@ -2252,7 +2252,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %1266 = getelementptr double, ptr %264, i64 %1263
   %1267 = getelementptr double, ptr %1266, i64 %1265
   %1268 = load double, ptr %1267, align 8, !noalias !69
-  %1269 = fmul reassoc nsz contract double %1268, %1268
+  %1269 = fmul double %1268, %1268
   %1270 = select i1 %1264, i64 %268, i64 0
   %1271 = getelementptr { double, double }, ptr %269, i64 %1263
   %1272 = getelementptr { double, double }, ptr %1271, i64 %1270
@@ -2263,34 +2263,34 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %1277 = load double, ptr %1272, align 8, !noalias !69
   %1278 = load double, ptr %1274, align 8, !noalias !69
   %1279 = call double @hypot(double %1277, double %1278) #3, !noalias !79
-  %1280 = fmul reassoc nsz contract double %1276, %1279
-  %1281 = fadd reassoc nsz contract double %1269, %1280
-  %1282 = fadd reassoc nsz contract double %1242, %1281
+  %1280 = fmul double %1276, %1279
+  %1281 = fadd double %1269, %1280
+  %1282 = fadd double %1242, %1281
   %1283 = select i1 %1264, i64 %66, i64 0
   %1284 = getelementptr double, ptr %67, i64 %1263
   %1285 = getelementptr double, ptr %1284, i64 %1283
   %1286 = load double, ptr %1285, align 8, !noalias !69
-  %1287 = fmul reassoc nsz contract double %1286, %1286
-  %1288 = fadd reassoc nsz contract double %1243, %1287
+  %1287 = fmul double %1286, %1286
+  %1288 = fadd double %1243, %1287
   %1289 = select i1 %1264, i64 %246, i64 0
   %1290 = getelementptr double, ptr %247, i64 %1263
   %1291 = getelementptr double, ptr %1290, i64 %1289
   %1292 = load double, ptr %1291, align 8, !noalias !69
-  %1293 = fmul reassoc nsz contract double %1292, %1292
+  %1293 = fmul double %1292, %1292
   %1294 = getelementptr double, ptr %247, i64 %246
   %1295 = getelementptr double, ptr %1294, i64 %1263
   %1296 = getelementptr double, ptr %1295, i64 %1289
   %1297 = load double, ptr %1296, align 8, !noalias !69
-  %1298 = fmul reassoc nsz contract double %1297, %1297
-  %1299 = fadd reassoc nsz contract double %1293, %1298
+  %1298 = fmul double %1297, %1297
+  %1299 = fadd double %1293, %1298
   %1300 = shl i64 %246, 4
   %1301 = getelementptr i8, ptr %247, i64 %1300
   %1302 = getelementptr double, ptr %1301, i64 %1263
   %1303 = getelementptr double, ptr %1302, i64 %1289
   %1304 = load double, ptr %1303, align 8, !noalias !69
-  %1305 = fmul reassoc nsz contract double %1304, %1304
-  %1306 = fadd reassoc nsz contract double %1299, %1305
-  %1307 = fadd reassoc nsz contract double %1288, %1306
+  %1305 = fmul double %1304, %1304
+  %1306 = fadd double %1299, %1305
+  %1307 = fadd double %1288, %1306
   br label %1239
 
 1308:                                             ; preds = %1863, %1226

@@ -1,4 +1,4 @@
-; sources afd08335969754260b88c87c7aa8696b1c816a89b8384d980e240132cdf061c4
+; sources a6b313d81f75a16e857bf7a1a2e75532de32b57f3fb5de1e7c58f71f2f0e5133
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

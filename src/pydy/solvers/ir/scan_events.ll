@@ -1,4 +1,4 @@
-; sources 81219aff5e6ad4810df891ab3affafde83169d6bdd7193f606946bbaa58ac0dd
+; sources f01eea8a715d40999baa78903647c77be1251882d2aaa2fc84f47f73234b91d9
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

@@ -47,7 +47,7 @@ def entry(signature: str) -> Callable[[Callable[..., Any]], Entry]:
 def inlined(
     function: Callable[..., Any] | None = None,
     *,
-    reassociate: bool = False,
+    fused: bool = False,
     always: bool = False,
     pasted: bool = False,
     apart: bool = False,
@@ -57,8 +57,9 @@ def inlined(
     Parameters
     ----------
     function : callable
-    reassociate : bool
-        Its sums may be taken in any order, which lets them use vector registers.
+    fused : bool
+        Its products are fused with its sums where the processor can. No function's sums may be
+        taken in another order: that would depend on how wide the processor's vectors are.
     always : bool
         It becomes a part of each caller. A call that hands over the tuples of `layout` passes a
         hundred numbers, which takes longer than many a function; LLVM leaves it at that where a
@@ -69,7 +70,7 @@ def inlined(
     apart : bool
         It stays a function: what is rarely called need not be compiled for each caller.
     """
-    flags = {"contract", "reassoc", "nsz"} if reassociate else False
+    flags = {"contract"} if fused else False
     options = dict(OPTIONS)
     if pasted:
         options["inline"] = "always"

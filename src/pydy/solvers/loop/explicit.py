@@ -54,7 +54,7 @@ from pydy.solvers.run.layout import (
 __all__ = ["advance"]
 
 
-@inlined(reassociate=True, apart=True)
+@inlined(apart=True)
 def _norm(a, b, memory, n):
     """Return the root mean square of a − b in units of the tolerance at ``memory.x``."""
     total = 0.0

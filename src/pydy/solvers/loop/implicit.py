@@ -103,7 +103,7 @@ def _predict(memory, newton, n, h, last_size):
             newton.waves[k, i] = _TI[k, 0] * z[0, i] + _TI[k, 1] * z[1, i] + _TI[k, 2] * z[2, i]
 
 
-@inlined(reassociate=True)
+@inlined
 def _columns_moved(memory, newton):
     """Return the largest change of a column of sensitivities, relative to it, squared."""
     n, width = newton.real_order.size, newton.words[COUNTED]

@@ -141,7 +141,7 @@ def solve_columns(matrix, order, right, width):
             right[a + c] *= inverse
 
 
-@inlined(reassociate=True)
+@inlined
 def norm(a, x, y, rtol, atol):
     """Return the root mean square of `a` in units of the tolerance."""
     total = 0.0

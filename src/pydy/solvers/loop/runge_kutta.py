@@ -50,7 +50,7 @@ def combine_row(method, problem, memory, row, y, x):
     )
 
 
-@inlined(reassociate=True)
+@inlined(fused=True)
 def _combine_latest(method, problem, memory, row, y, h):
     """Compute y = x + h · (one row of the tableau · stages); y is an address.
 
@@ -94,7 +94,7 @@ def take_step(method, problem, memory, run, t, h):
     return 0
 
 
-@inlined(reassociate=True)
+@inlined
 def _square_sums(memory, n):
     """Sum the squares of both estimates in units of the tolerance."""
     x, new, errors, rtol, atol = memory.x, memory.new, memory.errors, memory.rtol, memory.atol

@@ -18,7 +18,7 @@ import numpy as np
 from pydy import _forks
 from pydy._array_layout import DATA, FITS, address
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.compiling import target
+from pydy._backends.llvm.compiling import target_lines
 from pydy._backends.llvm.gate import Gate
 
 __all__ = ["address_of", "function_of", "stepper"]
@@ -38,7 +38,7 @@ def _code(name: str) -> jit.Code:
 
 
 def _finished(text: str, brief: bool) -> str:
-    return target() + text
+    return target_lines() + text
 
 
 def address_of(name: str) -> int:

@@ -1,0 +1,147 @@
+"""The processor that code is written for, and what decides how it is written.
+
+It is this machine's, unless the environment variable PYDY_CPU names another that this machine can
+run: code for processors without AVX-512 is so tested and measured on one that has it. The target is
+part of every key of the cache.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection
+from dataclasses import dataclass
+from functools import cache as once
+
+from llvmlite import binding
+
+__all__ = ["Registers", "Target", "chosen", "registers_for", "target"]
+
+
+@dataclass(frozen=True)
+class Registers:
+    """The vector registers of a kind of processor.
+
+    Attributes
+    ----------
+    needs : str
+        A feature, in LLVM's words, that only such processors have; empty for any.
+    count : int
+    doubles : int
+        How many a register holds.
+    widest : int
+        Lanes of straight-line code that does not fit in the registers: wider kernels are made of
+        several parts. It is a width at which the registers hold a dozen values.
+    """
+
+    needs: str
+    count: int
+    doubles: int
+    widest: int
+
+
+# The first that fits. Instructions for each state of eight, and how many of them read or write the
+# stack, in code of one part of eight lanes and of two parts of four, without AVX-512: see
+# docs/decisions/21-processors.md.
+TABLE = (
+    Registers("avx512vl", 32, 8, 8),
+    Registers("avx", 16, 4, 4),
+    Registers("neon", 32, 2, 4),
+    Registers("", 16, 2, 2),
+)
+
+# What the levels of x86-64 add to any 64-bit processor (System V ABI, AMD64 supplement, 3.1.1), in
+# LLVM's words, as far as compilers use it.
+_V3 = frozenset(
+    {
+        *("avx", "avx2", "bmi", "bmi2", "cx16", "f16c", "fma", "lzcnt", "movbe", "popcnt"),
+        *("sse3", "sse4.1", "sse4.2", "ssse3"),
+    }
+)
+_V4 = _V3 | {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"}
+_LEVELS = {"x86-64-v3": _V3, "x86-64-v4": _V4}
+_NAMES = ("native", "generic", *_LEVELS)
+
+
+@dataclass(frozen=True)
+class Target:
+    """What LLVM compiles for.
+
+    Attributes
+    ----------
+    name : str
+        As PYDY_CPU has it.
+    triple, processor, features : str
+        In LLVM's words.
+    registers : Registers
+    """
+
+    name: str
+    triple: str
+    processor: str
+    features: str
+    registers: Registers
+
+    def vectors(self, lanes: int) -> int:
+        """Return how many vectors of that many doubles the registers hold."""
+        return self.registers.count // max(lanes // self.registers.doubles, 1)
+
+
+def registers_for(features: Collection[str], machine: str) -> Registers:
+    """Return the row of the table for some features of an architecture."""
+    if machine in ("aarch64", "arm64"):
+        features = {*features, "neon"}  # all of these have it, though not all say so
+    return next(row for row in TABLE if not row.needs or row.needs in features)
+
+
+def chosen(name: str, machine: str, processor: str, features: Collection[str]) -> Target:
+    """Return the target of a name on some machine.
+
+    Parameters
+    ----------
+    name : {'native', 'generic', 'x86-64-v3', 'x86-64-v4'}
+        This machine's processor; any of its architecture; or any of a level of x86-64.
+    machine : str
+        The machine's triple.
+    processor : str
+        Its processor.
+    features : collection of str
+        What that has.
+
+    Raises
+    ------
+    ValueError
+        There is no such target, or the machine cannot run its code.
+    """
+    if name not in _NAMES:
+        raise ValueError(
+            f"The environment variable PYDY_CPU is {name!r}, but it must be one of "
+            f"{', '.join(map(repr, _NAMES))}."
+        )
+    architecture = machine.partition("-")[0]
+    if name == "native":
+        flags = ",".join(f"+{feature}" for feature in sorted(features))
+        return Target(name, machine, processor, flags, registers_for(features, architecture))
+    if name == "generic":
+        plain = "x86-64" if architecture == "x86_64" else "generic"
+        return Target(name, machine, plain, "", registers_for((), architecture))
+    missing = sorted(_LEVELS[name].difference(features))
+    if architecture != "x86_64" or missing:
+        foreign = architecture != "x86_64"
+        lacks = "it is none of x86-64" if foreign else f"{processor} lacks {', '.join(missing)}"
+        raise ValueError(
+            f"The environment variable PYDY_CPU is {name!r}, but this machine cannot run code for "
+            f"that: {lacks} ({machine}). Unset it, or use 'native' or 'generic'."
+        )
+    # Vectors as wide as the registers, which LLVM would not use for every processor of that level.
+    flags = "-prefer-256-bit" if name == "x86-64-v4" else ""
+    return Target(name, machine, name, flags, registers_for(_LEVELS[name], architecture))
+
+
+@once
+def target() -> Target:
+    """Return the target of this process, and set LLVM up."""
+    binding.initialize_native_target()
+    binding.initialize_native_asmprinter()
+    features = [name for name, there in binding.get_host_cpu_features().items() if there]
+    name = os.environ.get("PYDY_CPU") or "native"
+    return chosen(name, binding.get_default_triple(), binding.get_host_cpu_name(), features)
