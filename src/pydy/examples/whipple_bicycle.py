@@ -157,7 +157,8 @@ class Bicycle:
     Attributes
     ----------
     kane : sympy.physics.mechanics.KanesMethod
-        The equations; ``kanes_equations`` has been called.
+        With bodies and loads, from which `System` forms the equations of motion; call its
+        ``kanes_equations(bodies, loads)`` for SymPy's own.
     coordinates : tuple of 8 functions of time
         x, y, psi, phi, delta, theta_R, theta_F, and the dependent pitch theta, in m and rad.
     speeds : tuple of 8 functions of time
@@ -216,7 +217,7 @@ def derive() -> Bicycle:
     Returns
     -------
     Bicycle
-        The equations and their symbols.  It takes a few seconds.
+        The equations and their symbols.  It takes a second.
 
     Notes
     -----
@@ -401,8 +402,9 @@ def derive() -> Bicycle:
         u_dependent=speeds[3:],
         velocity_constraints=velocity_constraints,
         u_auxiliary=[u_r, u_f],
+        bodies=bodies,
+        forcelist=loads,
     )
-    kane.kanes_equations(bodies, loads)
 
     constants = sm.symbols(tuple(BENCHMARK))
     functions = (*coordinates, *speeds, u_r, u_f, N_r, N_f, F_y, T_phi, T_delta)
