@@ -127,7 +127,9 @@ WRONG = {
     "each coordinate's derivative once": {
         "kinematic_equations": [x.diff(T) - vx, x.diff(T) - vy, y.diff(T)]
     },
-    "contradict each other: .*holonomic constraint": {"holonomic_constraints": [x - 1, x - 2]},
+    r"contradict each other: .*holonomic constraint 0, `x.* - 1`, .*holonomic constraint 2, `x": {
+        "holonomic_constraints": [x - 1, y - x**2, x - 2]
+    },
     "contradict each other: .*velocity constraint": {"nonholonomic_constraints": [vx - 1, vx - 2]},
     "must have 1 coordinates": {"dependent_coordinates": [x, y]},
     r"do not give the speeds vx": {

@@ -24,6 +24,7 @@ __all__ = ["Chosen", "constrained"]
 _TRIALS = 12
 _STATES = 3  # of those at which the constraints hold
 _OPEN = 1e-7  # a residual above this is no rounding error
+_SHARE = 0.1  # of the largest residual: what is named with it
 _SMALL = 1e-8  # of a pivot, with rows of unit size
 _NEARLY = (1e-9, 1e-4)  # singular values between are neither zero nor sound
 
@@ -158,16 +159,19 @@ def _choose(
             "The constraints cannot be evaluated: they give NaN or infinity at random states. "
             "Check what they divide by."
         )
-    m = len(equations.holonomic)
     samples = [s for s in every if np.abs(s["residuals"]).max(initial=0.0) < _OPEN]
     if not samples:
         best = min(every, key=lambda s: float(np.abs(s["residuals"]).max()))["residuals"]
-        worst = int(np.abs(best).argmax())
-        kind, k = ("holonomic", worst) if worst < m else ("velocity", worst - m)
+        names = [("holonomic", k, e) for k, e in enumerate(equations.holonomic)]
+        names += [("velocity", k, e) for k, e in enumerate(equations.velocity)]
+        open_ones = "; ".join(
+            f"the {kind} constraint {k}, `{expression}`, is left at {left:.3g}"
+            for (kind, k, expression), left in zip(names, best, strict=True)
+            if abs(left) > _SHARE * np.abs(best).max()
+        )
         raise ValueError(
-            "The constraints contradict each other: no state was found that satisfies all of them. "
-            f"The {kind} constraint {k}, `{(*equations.holonomic, *equations.velocity)[worst]}`, "
-            f"is left at {best[worst]:.3g}. Leave out one of them, or correct it."
+            "The constraints contradict each other: no state was found that satisfies all of them; "
+            f"{open_ones}. Leave out one of them, or correct it."
         )
     found = []
     for name, symbols, chosen in (
