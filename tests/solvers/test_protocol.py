@@ -197,7 +197,11 @@ WRONG = [
         TypeError,
         r"`dop853` has no option `tol`; its options are atol, constraints, ",
     ),
-    ({"step": 0.1}, TypeError, r"`dop853` has no option `step`; .*max_steps, progress, rtol\."),
+    (
+        {"step": 0.1},
+        TypeError,
+        r"no option `step`; .*, max_steps, progress, rtol, .*mean `max_step`\?",
+    ),
     ({"rtol": -1.0}, ValueError, r"`rtol` must be finite and not negative, got -1"),
     ({"atol": np.nan}, ValueError, r"`atol` must be finite and not negative, got nan"),
     ({"max_step": 0.0}, ValueError, r"`max_step` must be positive, got 0\.0"),

@@ -44,7 +44,15 @@ def named_f(value: object) -> bool:
     return getattr(value, "name", getattr(value, "__name__", None)) == "f"
 
 
-@target("Trajectory.key", nothing("symbols", "texts", allowed=named_f), "none of the trajectory's")
+def named_f_or_no_names(value):
+    return named_f(value) or (isinstance(value, list) and not value)
+
+
+@target(
+    "Trajectory.key",
+    nothing("symbols", "texts", allowed=named_f_or_no_names),
+    "none of the trajectory's",
+)
 def _(v):
     return world().o.trajectory[v]
 
