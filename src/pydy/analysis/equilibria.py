@@ -183,9 +183,15 @@ def solve_many(
 
 
 def _scale(J: np.ndarray, z: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the size of the terms that residuals are made of."""
+    """Return the size of the terms that residuals are made of.
+
+    Accelerations come from one linear solve, so that none is more exact than a rounding error of
+    the largest: a bicycle's wheels at rest are moved by what is left of its weight.
+    """
     terms = (np.abs(J) @ np.maximum(np.abs(z), 1.0)[..., None])[..., 0]
-    result: np.ndarray = terms + np.abs(values).max(axis=-1, initial=0.0, keepdims=True) * _EPS
+    least = terms.max(axis=-1, initial=0.0, keepdims=True) / _ROUNDING
+    own = terms + np.abs(values).max(axis=-1, initial=0.0, keepdims=True) * _EPS
+    result: np.ndarray = np.maximum(own, least)
     return result
 
 
