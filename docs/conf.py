@@ -15,6 +15,9 @@ from docutils import nodes
 from pydy import __version__
 
 HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE))
+
+import generated  # noqa: E402 - beside this file
 
 project = "pydy"
 author = "the pydy authors"
@@ -26,6 +29,7 @@ extensions = [
     "numpydoc",
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
+    "sphinx.ext.mathjax",
     "sphinx_copybutton",
     "sphinx_gallery.gen_gallery",
 ]
@@ -37,8 +41,9 @@ html_title = f"pydy {version}"
 html_static_path = ["static"]
 html_css_files = ["pydy.css"]
 html_show_sourcelink = False
+exclude_patterns = ["static/*.md"]  # included by other pages
 
-myst_enable_extensions = ["colon_fence"]
+myst_enable_extensions = ["colon_fence", "dollarmath"]
 myst_heading_anchors = 3
 
 autodoc_member_order = "bysource"
@@ -59,7 +64,7 @@ sphinx_gallery_conf = {
     "download_all_examples": False,
     "show_memory": False,
     "show_signature": False,
-    "image_scrapers": ("matplotlib",),
+    "image_scrapers": ("matplotlib", "generated.scrape_animation"),
     "min_reported_time": 10_000,
 }
 
@@ -84,4 +89,5 @@ def shorten_citations(app: Any, document: nodes.document, name: str) -> None:
 def setup(app: Any) -> None:
     """Sphinx calls this."""
     app.connect("builder-inited", run_tutorial)
+    app.connect("builder-inited", generated.make, priority=100)  # before the gallery runs
     app.connect("doctree-resolved", shorten_citations)
