@@ -10,13 +10,26 @@ matplotlib comes with ``pip install 'pydy[plot]'``.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, listed, shown, text
+from pydy._checks import listed, shown, text
+from pydy._curves import (
+    Curve,
+    Units,
+    curves_of,
+    is_trajectory,
+    names_in,
+    nothing_to_plot,
+    rate_of,
+    runs_of,
+    samples_over_time,
+    typeset,
+    with_unit,
+)
 from pydy._dataset import ENERGIES, STATES
 from pydy._names import name_of
 from pydy._optional import require
@@ -36,25 +49,6 @@ __all__ = [
 BAND = (0.05, 0.5, 0.95)
 MOST_ORBITS = 100
 LINES = ("solid", "dashed", "dotted", "dashdot")
-
-Units = Mapping[Any, str] | None
-
-
-@dataclass(frozen=True)
-class _Curve:
-    """One quantity over time: shape (m,), or (samples, m)."""
-
-    name: str
-    latex: str
-    times: np.ndarray
-    values: np.ndarray
-    unit: str = ""
-    run: str = ""  # the label of its result, where several are compared
-    number: int = 0  # of that result
-
-    @property
-    def label(self) -> str:
-        return _with_unit(_typeset(self.name, self.latex), self.unit)
 
 
 # -- public ---------------------------------------------------------------------------------------
@@ -191,7 +185,7 @@ def plot_sensitivities(
     """
     found, name = result.sensitivity, result.name(quantity)
     names = found.names if parameters is None else map(name_of, listed("parameters", parameters))
-    curves = [_Curve(one, "", result.times, found[quantity, one]) for one in names]
+    curves = [Curve(one, "", result.times, found[quantity, one]) for one in names]
     return _draw(ax, curves, f"derivatives of {name}", time_unit)
 
 
@@ -217,10 +211,10 @@ def plot_states(
     ndarray of matplotlib Axes, shape (k,)
     """
     titles = dict(zip(STATES, ("coordinates", "speeds", "auxiliary states"), strict=True))
-    runs = [run for _, run in _runs(result)]
-    kinds = [kind for kind in STATES if all(_names_of(run, (kind,)) for run in runs)]
+    runs = [run for _, run in runs_of(result)]
+    kinds = [kind for kind in STATES if all(names_in(run, (kind,)) for run in runs)]
     if not kinds:
-        raise _nothing("states", runs[0])
+        raise nothing_to_plot("states", runs[0])
     if axes is None:
         plt = _pyplot()
         size = (6.4, 1.0 + 2.2 * len(kinds))
@@ -257,7 +251,7 @@ def plot_constraints(
     """
     sizes = [
         replace(curve, values=np.where(curve.values == 0.0, np.nan, np.abs(curve.values)))
-        for curve in _curves(result, ("constraint",), "constraints", names, None)
+        for curve in curves_of(result, ("constraint",), "constraints", names, None)
     ]
     ax = _draw(ax, sizes, "sizes of the residuals", time_unit)
     ax.set_yscale("log")
@@ -286,17 +280,17 @@ def plot_energy(result: Any, *, ax: Any = None, unit: str = "", time_unit: str =
     """
     unit = text(unit, "`unit`")
     curves = []
-    for k, (label, run) in enumerate(_runs(result)):
+    for k, (label, run) in enumerate(runs_of(result)):
         times, table = _energies(run)
         curves += [
-            _Curve(name.removesuffix("_energy"), "", times, values, unit, label, k)
+            Curve(name.removesuffix("_energy"), "", times, values, unit, label, k)
             for name, values in table.items()
         ]
     return _draw(ax, curves, "energy", time_unit)
 
 
 def _energies(result: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    if _of_one_run(result):
+    if is_trajectory(result):
         return result.times, dict(zip(ENERGIES, result.energy.T, strict=True))
     missing = [name for name in ENERGIES if name not in result.variables]
     if missing:
@@ -304,7 +298,7 @@ def _energies(result: Any) -> tuple[np.ndarray, dict[str, np.ndarray]]:
             f"`result` must have the variables {', '.join(ENERGIES)}; {missing[0]} is missing. "
             "Name outputs like that, or use `trajectory.to_xarray(energy=True)`."
         )
-    return np.asarray(result["time"]), {name: _values(result[name]) for name in ENERGIES}
+    return np.asarray(result["time"]), {name: samples_over_time(result[name]) for name in ENERGIES}
 
 
 def plot_phase(
@@ -334,14 +328,14 @@ def plot_phase(
     -------
     matplotlib Axes
     """
-    runs = _runs(result)
+    runs = runs_of(result)
     orbits = []
     for _, run in runs:
-        (across,) = _curves(run, (), "quantities", [x], units)
+        (across,) = curves_of(run, (), "quantities", [x], units)
         orbits.append(
             (
                 across,
-                _rate(run, across, units) if y is None else _curves(run, (), "", [y], units)[0],
+                rate_of(run, across, units) if y is None else curves_of(run, (), "", [y], units)[0],
             )
         )
     ax = _axes(ax)
@@ -374,17 +368,17 @@ def _plot(
     units: Units,
     time_unit: str,
 ) -> Any:
-    return _draw(ax, _curves(result, kinds, what, names, units), what, time_unit)
+    return _draw(ax, curves_of(result, kinds, what, names, units), what, time_unit)
 
 
-def _draw(ax: Any, curves: Sequence[_Curve], what: str, time_unit: str) -> Any:
+def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str) -> Any:
     ax = _axes(ax)
     shared = {c.unit for c in curves}
     quantities = list(dict.fromkeys(c.name for c in curves))
     colours: dict[str, Any] = {}
     for curve in curves:
         # A unit that all have is told once, at the axis.
-        label = _typeset(curve.name, curve.latex) if len(shared) == 1 else curve.label
+        label = typeset(curve.name, curve.latex) if len(shared) == 1 else curve.label
         style: dict[str, Any] = {"label": label}
         if curve.run and len(quantities) == 1:
             style["label"] = curve.run
@@ -404,8 +398,8 @@ def _draw(ax: Any, curves: Sequence[_Curve], what: str, time_unit: str) -> Any:
         (line,) = ax.plot(curve.times, middle, **style)
         colours.setdefault(curve.name, line.get_color())
         ax.fill_between(curve.times, low, high, color=line.get_color(), alpha=0.2, linewidth=0)
-    ax.set_xlabel(_with_unit("time", text(time_unit, "`time_unit`")))
-    ax.set_ylabel(_with_unit(what, shared.pop() if len(shared) == 1 else ""))
+    ax.set_xlabel(with_unit("time", text(time_unit, "`time_unit`")))
+    ax.set_ylabel(with_unit(what, shared.pop() if len(shared) == 1 else ""))
     ax.margins(x=0)
     ax.grid(alpha=0.3)
     title = "median, 5 to 95 %" if any(c.values.ndim > 1 for c in curves) else None
@@ -414,22 +408,6 @@ def _draw(ax: Any, curves: Sequence[_Curve], what: str, time_unit: str) -> Any:
     else:  # which makes room beside the curves
         ax.legend(title=title, loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
     return ax
-
-
-def _with_unit(label: str, unit: str) -> str:
-    return f"{label} ({unit})" if unit else label
-
-
-def _typeset(name: str, latex: str) -> str:
-    """Return a label that matplotlib's own mathematics can set, or the plain name."""
-    if not latex:
-        return name.replace("$", r"\$")
-    parser = require("matplotlib.mathtext", "plot", "pydy.plot").MathTextParser("path")
-    try:
-        parser.parse(f"${latex}$")
-    except ValueError:
-        return name.replace("$", r"\$")
-    return f"${latex}$"
 
 
 def _pyplot() -> Any:
@@ -442,119 +420,3 @@ def _axes(ax: Any) -> Any:
     if not hasattr(ax, "set_xlabel"):
         raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
     return ax
-
-
-# -- what there is to draw ------------------------------------------------------------------------
-
-
-def _curves(
-    result: Any,
-    kinds: tuple[str, ...],
-    what: str,
-    names: Sequence[Any] | None,
-    units: Units,
-) -> list[_Curve]:
-    """Return the curves of some kinds, or those that are named."""
-    known = _units(units)
-    if names is not None:
-        names = listed("names", [names] if isinstance(names, str) else names, "symbols or names")
-        if not names:
-            raise ValueError("`names` is empty: there is nothing to plot. None means all.")
-    curves = []
-    for k, (label, run) in enumerate(_runs(result)):
-        chosen = _names_of(run, kinds) if names is None else [_find(run, name) for name in names]
-        if not chosen:
-            raise _nothing(what, run)
-        for name in chosen:
-            if _of_one_run(run):
-                times, latex, values = run.times, run.latex(name), run[name]
-            else:
-                times, values = np.asarray(run["time"]), _values(run[name])
-                latex = run[name].attrs.get("latex", "")
-            curves.append(_Curve(name, latex, times, values, known.get(name, ""), label, k))
-    return curves
-
-
-def _runs(result: Any) -> list[tuple[str, Any]]:
-    """Return what is to be drawn together, with labels; a single result has none."""
-    if isinstance(result, (list, tuple)) and result:
-        result = {f"run {k}": run for k, run in enumerate(result, 1)}
-    if not isinstance(result, Mapping) or hasattr(result, "data_vars") or not result:
-        _check(result)
-        return [("", result)]
-    for run in result.values():
-        _check(run)
-    return [(text(label, "a label in `result`"), run) for label, run in result.items()]
-
-
-def _of_one_run(result: Any) -> bool:
-    """Return whether a result is a Trajectory, which imports this module, and no Dataset."""
-    return hasattr(result, "names_of")
-
-
-def _units(units: Units) -> dict[str, str]:
-    given = check_mapping("units", units)
-    return {
-        spelled(key): text(unit, f"`units[{key}]`")
-        for key, unit in given.items()
-        for spelled in (str, name_of)
-    }
-
-
-def _check(result: Any) -> None:
-    if _of_one_run(result):
-        return
-    if not hasattr(result, "data_vars") or "time" not in result.dims:
-        raise TypeError(
-            "`result` must be a Trajectory, such as `system.simulate()` returns, an "
-            "xarray.Dataset with the dimension 'time', or a list or dictionary of these, got "
-            f"{type(result).__name__}."
-        )
-
-
-def _names_of(result: Any, kinds: tuple[str, ...]) -> list[str]:
-    _check(result)
-    if _of_one_run(result):
-        return list(result.names_of(*kinds))
-    return [n for n, v in result.data_vars.items() if v.attrs.get("role") in kinds]
-
-
-def _find(result: Any, key: Any) -> str:
-    """Return the name under which the result holds a quantity."""
-    if _of_one_run(result):
-        return str(result.name(key))
-    for name in (key if isinstance(key, str) else str(key), name_of(key)):
-        if name in result.data_vars:
-            return name
-    raise KeyError(f"`{key}` is none of the dataset's variables: {', '.join(result.data_vars)}.")
-
-
-def _values(variable: Any) -> np.ndarray:
-    """Return the values with all sample dimensions in one, before time."""
-    table = np.asarray(variable.transpose(..., "time"))
-    return table if table.ndim == 1 else table.reshape(-1, table.shape[-1])
-
-
-def _rate(result: Any, curve: _Curve, units: Units) -> _Curve:
-    if _of_one_run(result):
-        states = result.names_of(*STATES)
-        if curve.name in states:
-            values = result.derivatives[:, states.index(curve.name)]
-            name = f"{curve.name}'"
-            latex, unit = result.latex_of_rate(curve.name), _units(units).get(name, "")
-            return _Curve(name, latex, curve.times, values, unit)
-    elif f"{curve.name}'" in result.data_vars:
-        return _curves(result, (), "", [f"{curve.name}'"], units)[0]
-    raise ValueError(
-        f"`y` must be given, because the derivative of `{curve.name}` is not known: it is no state "
-        "of a trajectory."
-    )
-
-
-def _nothing(what: str, result: Any) -> ValueError:
-    if _of_one_run(result):
-        return ValueError(f"`result` has no {what} to plot: {result!r}.")
-    return ValueError(
-        f"`result` has no variables whose attribute 'role' says that they are {what}; name what "
-        f"to plot with `names`, of {', '.join(result.data_vars)}."
-    )

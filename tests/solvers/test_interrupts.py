@@ -169,8 +169,8 @@ def test_the_bits_do_not_depend_on_how_the_work_is_sliced(solver, budget, monkey
         return solver(problem.f, problem.x0, times, problem.args, full_output=True, **options)
 
     whole, info = run()
-    monkeypatch.setattr(integration, "_first_budget", lambda *_: budget)
-    monkeypatch.setattr(integration, "_SLICE", 1e-12)  # one step at a time after that
+    monkeypatch.setattr(integration, "first_budget", lambda *_: budget)
+    monkeypatch.setattr(integration, "SLICE", 1e-12)  # one step at a time after that
     sliced, other = run()
     np.testing.assert_array_equal(sliced, whole)
     assert other == info
@@ -200,7 +200,7 @@ class Bar:
 @pytest.mark.parametrize("solver", ALL)
 def test_the_bar_goes_through_simulated_time(solver, monkeypatch):
     monkeypatch.setattr("tqdm.auto.tqdm", Bar)
-    monkeypatch.setattr(integration, "_first_budget", lambda *_: 10)
+    monkeypatch.setattr(integration, "first_budget", lambda *_: 10)
     problem = problems.rigid_body()
     solver(problem.f, problem.x0, [3.0, 23.0], problem.args, progress=True, **options_of(solver))
     assert Bar.made.total == 20.0

@@ -233,11 +233,8 @@ class Scene:
         if states is None:
             motion = motion_of_trajectory(trajectory, model, constants, wanted)
         elif symbols is None and model is not None and model.trajectory is not None:
-            motion = motion_of_trajectory(
-                model.trajectory(*checked_samples(trajectory, states, len(model.states))),
-                model,
-                constants,
-            )
+            checked = checked_samples(trajectory, states, len(model.states))
+            motion = motion_of_trajectory(model.trajectory(*checked), model, constants)
         else:
             motion = motion_of_arrays(trajectory, states, symbols, constants, specifieds)
         if fps is not None:

@@ -18,7 +18,6 @@ import numpy as np
 from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
-    MissingDependencyError,
     warn_user,
 )
 from pydy._kernel import Kernel, KernelCall
@@ -43,6 +42,7 @@ from pydy.solvers.run import layout as at
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.methods import IMPLICIT
+from pydy.solvers.run.pace import SLICE, first_budget, progress_bar
 from pydy.solvers.run.problem import BLOCK, address
 from pydy.solvers.run.shipped import stepper
 from pydy.solvers.run.workspace import Workspace
@@ -53,20 +53,9 @@ __all__ = ["Integration"]
 
 _TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
 
-_SLICE = 0.02  # seconds in compiled code, about
 _CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time are accumulating
 _EPS = np.finfo(float).eps
 _PROJECT = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_double, ctypes.c_int64)
-
-
-def _first_budget(method: str, call: KernelCall | None, calls_python: bool) -> int:
-    """Return how many steps take a few milliseconds at most; further ones are measured."""
-    if calls_python or call is None:
-        return 1
-    if method == IMPLICIT:
-        return 4
-    # Twenty evaluations, of a nanosecond for each operation and 100 besides.
-    return max(4, 100_000 // (100 + len(call.kernel.program.ops)))
 
 
 class Integration:
@@ -116,7 +105,7 @@ class Integration:
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
         self.reusable = not attended and self.call is not None and method != IMPLICIT
-        self._budget = _first_budget(method, self.call, bool(self.callbacks))
+        self._budget = first_budget(method, self.call, bool(self.callbacks))
         arrays.beginning[1][at.BUDGET] = 0 if attended else self._budget
         # Rows are written in whole blocks.
         self._number = len(times)
@@ -175,7 +164,9 @@ class Integration:
     def _run(self) -> None:
         state, count = self.progress.state, self.progress.counts
         budget = self._budget
-        bar = self._bar()
+        bar = None
+        if self.options.progress:
+            bar = progress_bar(self.name, self.span, float(state[at.TIME]))
         try:
             while True:
                 self.interrupts.check()
@@ -198,24 +189,10 @@ class Integration:
                     self._fail(code)
                 taken = count[at.STEPS] + count[at.REJECTED] - taken
                 if code == at.PAUSED and elapsed > 0.0:
-                    budget = int(min(max(1.0, taken * _SLICE / elapsed), 4.0 * budget))
+                    budget = int(min(max(1.0, taken * SLICE / elapsed), 4.0 * budget))
         finally:
             if bar is not None:
                 bar.close()
-
-    def _bar(self) -> Any:
-        if not self.options.progress:
-            return None
-        try:
-            from tqdm.auto import tqdm
-        except ImportError:
-            raise MissingDependencyError(
-                "`progress=True` needs tqdm: pip install tqdm, or pass progress=False."
-            ) from None
-        layout = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
-        bar = tqdm(total=self.span, desc=self.name, bar_format=layout)
-        bar.start = float(self.progress.state[at.TIME])
-        return bar
 
     def _nearly_exact(self) -> bool:
         """Return whether some tolerance may be too small for double precision."""
