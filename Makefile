@@ -74,6 +74,7 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/operations.py
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	PYDY_CPU=x86-64-v3 $(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
+	$(PY) benchmarks/exported.py --peer-python $(PEERS_PY)
 
 bench-solvers: $(VENV)/.installed-test $(PEERS)/.installed $(REFERENCE)/.installed
 	$(PY) benchmarks/solvers.py --peer-python $(PEERS_PY) --reference $(REFERENCE_PY)

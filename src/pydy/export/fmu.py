@@ -72,6 +72,7 @@ def _sources(model: Model, fmi: str) -> dict[str, str]:
         "all.c": f'#include "{interface}"\n#include "{model.name}.c"\n',
         interface: resource(interface),
         "fmu_core.c": resource("fmu_core.c"),
+        "fmu_solver.c": resource("fmu_solver.c"),
         "config.h": "\n".join(_config(model, header)),
         header: c_header(model, [f"{model.title}: exported by pydy {__version__}."]),
         f"{model.name}.c": c_model_source(model, header),
