@@ -1,0 +1,85 @@
+"""The exported module, run by Chromium: values and trajectories are those of the System."""
+
+import numpy as np
+import pytest
+
+from exported import TIMES, ball, pendulum
+from pydy.examples import whipple_bicycle
+from pydy.system import System
+
+LOAD = """async (text) => {
+    const place = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+    window.model = (await import(place)).default;
+}"""
+
+
+@pytest.fixture
+def loaded(browser):
+    page = browser.new_page()
+
+    def loaded(path):
+        page.evaluate(LOAD, path.read_text(encoding="utf-8"))
+        return page
+
+    yield loaded
+    page.close()
+
+
+def rates(page, x, r=()):
+    call = """([x, r]) => {
+        const out = new Float64Array(x.length), failed = model.rates(0.3, x, r, out);
+        return [failed, Array.from(out)];
+    }"""
+    failed, out = page.evaluate(call, [list(map(float, x)), list(r)])
+    return failed, np.array([np.nan if v is None else v for v in out])
+
+
+@pytest.mark.parametrize("longest", [4000, 60])
+def test_rates_are_as_accurate_as_numpys(tmp_path, loaded, monkeypatch, longest):
+    monkeypatch.setattr("pydy.export.straight.LONGEST", longest)
+    bicycle = whipple_bicycle.derive()
+    system = System(bicycle.kane, constants=whipple_bicycle.benchmark_parameters(bicycle))
+    x = np.random.default_rng(1).uniform(-0.3, 0.3, system.num_states)
+    page = loaded(system.export(tmp_path / "bicycle.js").path)
+    failed, found = rates(page, x, [0.0] * system.num_specifieds)
+    assert not failed
+    expected = system.evaluate_ode(x, t=0.3)
+    assert found == pytest.approx(expected, rel=1e-11, abs=1e-12 * abs(expected).max())
+
+
+def test_weak_pivots_are_solved_by_pivoting_and_singular_matrices_told(tmp_path, loaded):
+    system = pendulum()
+    system.constants = {**system.constants, "m0": 1e-14, "m2": 1e-13}
+    x = np.array([0.1, np.pi / 2, 0.3, 0.2, 0.1, 0.4])
+    page = loaded(system.export(tmp_path / "weak.js").path)
+    failed, found = rates(page, x, [0.0])
+    assert not failed
+    assert found == pytest.approx(system.evaluate_ode(x, t=0.3, r={"F": 0.0}), rel=1e-6)
+    page.evaluate("model.bind({ m0: 0, m1: 0, m2: 0 })")
+    failed, found = rates(page, x, [0.0])
+    assert failed
+    assert np.isnan(found[3:]).all()
+
+
+def test_simulate_takes_names_and_returns_rows(tmp_path, loaded):
+    system, bounce = ball()
+    page = loaded(system.export(tmp_path / "ball.js", events=bounce).path)
+    run = page.evaluate(
+        """(times) => {
+            const run = model.simulate({ times, initial: { y: 1.5 }, rtol: 1e-9, atol: 1e-9 });
+            return { ...run, states: run.states.map((row) => Array.from(row)) };
+        }""",
+        TIMES.tolist(),
+    )
+    system.initial_conditions = {"y": 1.5}
+    expected, info = system.integrate(rtol=1e-9, atol=1e-9, events=bounce, full_output=True)
+    assert np.array(run["states"]) == pytest.approx(expected, abs=1e-10)
+    assert run["steps"] == info["steps"]
+    assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in info["events"]])
+    assert {e["name"] for e in run["events"]} == {"bounce"}
+
+
+def test_an_unknown_name_is_answered_with_those_there_are(tmp_path, loaded):
+    page = loaded(pendulum().export(tmp_path / "pendulum.js").path)
+    with pytest.raises(Exception, match="constants: no l9; there are g, l0"):
+        page.evaluate("model.bind({ l9: 1 })")
