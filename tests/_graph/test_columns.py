@@ -17,8 +17,8 @@ def programs(assembly, directions):
     """The Program of all columns, and those of the shared part and of one column."""
     columns = Columns(assembly.sizes[0], directions)
     parts = assembly.sizes, assembly.passes
-    whole = columns.rates_program(assembly.graph.copy(), assembly.rates, *parts)
-    return columns, whole, columns.split_programs(assembly.graph.copy(), assembly.rates, *parts)
+    whole = columns.rates_program(*assembly.simplified("rates"), *parts)
+    return columns, whole, columns.split_programs(*assembly.simplified("rates"), *parts)
 
 
 def assembly_of(system):

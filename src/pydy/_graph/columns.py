@@ -93,12 +93,11 @@ class Columns:
         graph : Graph
             Gets the new nodes.
         nodes : sequence of nodes
-            The derivatives of the states.
+            The derivatives of the states, simplified.
         sizes : (int, int, int)
             Numbers of states, specifieds and constants.
         passes : Passes
         """
-        nodes = simplify(graph, nodes, passes)
         cells = self._cells(graph, nodes, passes)
         return self._lowered(graph, [("rates", (self.size,), [*nodes, *cells])], sizes, passes)
 
@@ -120,7 +119,6 @@ class Columns:
         The parameters are those of `rates_program`.
         """
         n, (_, s, c), inputs = self.states, sizes, self._inputs
-        nodes = simplify(graph, nodes, passes)
         terms: dict[int, list[tuple[int, float]]] = {}
         for k, direction in enumerate(inputs):
             size = graph.input("p", c + k)
@@ -134,7 +132,7 @@ class Columns:
         cells = factor_sums(graph, cells) if "factor" in passes else cells
         blocks = [("rates", (n,), nodes), ("column", (n,), cells)]
         whole = (2 * n, s + self.weights, c + len(inputs))
-        return split(lower(graph, whole, blocks, passes=passes), n, c)
+        return split(lower(graph, whole, blocks, passes=passes, own=sizes), n, c)
 
     def program(
         self,
@@ -200,7 +198,8 @@ class Columns:
         }
         cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))
         blocks = [(name, (len(part),), [next(cells) for _ in part]) for name, part in parts.items()]
-        return lower(graph, (self.size, last + s, sizes[2]), blocks, passes=passes)
+        whole = (self.size, last + s, sizes[2])
+        return lower(graph, whole, blocks, passes=passes, own=sizes)
 
     def _cells(self, graph: Graph, nodes: Sequence[int], passes: Passes) -> list[int]:
         rows = self.rows(graph)
@@ -215,4 +214,4 @@ class Columns:
         passes: Passes,
     ) -> Program:
         whole = (self.size, sizes[1] + self.weights, sizes[2])
-        return lower(graph, whole, blocks, passes=passes)
+        return lower(graph, whole, blocks, passes=passes, own=sizes)

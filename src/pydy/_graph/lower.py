@@ -28,6 +28,7 @@ def lower(
     blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
     *,
     passes: Passes | None = None,
+    own: tuple[int, int, int] | None = None,
 ) -> Program:
     """Return the Program that computes `blocks`.
 
@@ -41,21 +42,31 @@ def lower(
         Row-major.
     passes : Passes, optional
         All by default.
+    own : (int, int, int), optional
+        How many of these inputs the matrices of linear solves depend on; all by default. Pivots
+        are chosen at random states of so many inputs: further ones leave the choice as it is.
     """
     passes = Passes() if passes is None else passes
-    lowering = _Lowering(graph, sizes, passes)
+    lowering = _Lowering(graph, sizes, passes, own or sizes)
     program = Program.from_tape(*lowering.run(blocks))
     # Generators multiply the same factors in their own order, which shared pairs do not foresee.
     if lowering.by_generators and "share products" in passes:
-        other = lower(graph, sizes, blocks, passes=passes.but("share products"))
+        other = lower(graph, sizes, blocks, passes=passes.but("share products"), own=own)
         return min(program, other, key=lambda p: p.operation_count["run"].total())
     return program
 
 
 class _Lowering:
-    def __init__(self, graph: Graph, sizes: tuple[int, int, int], passes: Passes) -> None:
+    def __init__(
+        self,
+        graph: Graph,
+        sizes: tuple[int, int, int],
+        passes: Passes,
+        own: tuple[int, int, int],
+    ) -> None:
         self.graph = graph
         self.sizes = sizes
+        self.own = own
         self.tape = Tape()
         self.by_generators = False
         self.passes = passes
@@ -124,7 +135,7 @@ class _Lowering:
     def _factorised(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
         cells = [self.new[e] for e in entries]
         matrix = Matrix(
-            self.tape, kind, n, cells, self.graph, entries, self.sizes, self._sum_of_parts
+            self.tape, kind, n, cells, self.graph, entries, self.own, self._sum_of_parts
         )
         found = factorised(matrix, self.passes)
         self.by_generators |= isinstance(found, SemiseparableLDL)

@@ -187,9 +187,10 @@ class Sensitive:
         columns, assembly = self.columns, self.model.assembly
 
         def make() -> Program:
-            graph = assembly.graph.copy()
             if not blocks:
-                return columns.rates_program(graph, assembly.rates, assembly.sizes, assembly.passes)
+                graph, rates = assembly.simplified("rates")
+                return columns.rates_program(graph, rates, assembly.sizes, assembly.passes)
+            graph = assembly.graph.copy()
             nodes = [(name, getattr(assembly, name)) for name in blocks]
             return columns.program(graph, nodes, assembly.sizes, assembly.passes)
 
@@ -205,8 +206,8 @@ class Sensitive:
 
         @cache
         def made() -> tuple[Program, Program]:
-            nodes, sizes, passes = assembly.rates, assembly.sizes, assembly.passes
-            return columns.split_programs(assembly.graph.copy(), nodes, sizes, passes)
+            graph, rates = assembly.simplified("rates")
+            return columns.split_programs(graph, rates, assembly.sizes, assembly.passes)
 
         what = f"of sensitivities {columns}"
         shared = stored_program(assembly, f"shared part {what}", lambda: made()[0])

@@ -25,8 +25,8 @@ def test_columns_side_by_side_are_those_of_one_program(name, count):
     n, s, c = assembly.sizes
     columns = Columns(n, tuple(("p", k % c) if k % 2 else None for k in range(count)))
     parts = assembly.sizes, assembly.passes
-    whole = columns.rates_program(assembly.graph.copy(), assembly.rates, *parts)
-    split = columns.split_programs(assembly.graph.copy(), assembly.rates, *parts)
+    whole = columns.rates_program(*assembly.simplified("rates"), *parts)
+    split = columns.split_programs(*assembly.simplified("rates"), *parts)
     fast = compile_columns(SplitProgram(*split, columns.table()))
     rng = np.random.default_rng(1)
     m = 3
