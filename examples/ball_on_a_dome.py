@@ -39,12 +39,14 @@ def derive():
     W = me.ReferenceFrame("W")
     arm = W.orientnew("A", "Axis", (-theta, W.z))  # arm.y points from dome to ball
     arm.set_ang_vel(W, -u * W.z)
-    contact, centre = me.Point("P"), me.Point("C")
+    top, contact, centre = me.Point("O"), me.Point("P"), me.Point("C")
+    top.set_vel(W, 0)
+    contact.set_pos(top, R * arm.y - R * W.y)
     slip = u_normal * arm.y + u_along * arm.x
     contact.set_vel(W, slip)
     centre.set_pos(contact, r * arm.y)
     centre.set_vel(W, (R + r) * u * arm.x + slip)
-    ball = me.ReferenceFrame("B")
+    ball = W.orientnew("B", "Axis", (-(R + r) / r * theta, W.z))
     ball.set_ang_vel(W, -(R + r) / r * u * W.z)
     inertia = me.inertia(arm, *[sm.Rational(2, 5) * m * r**2] * 3)
     body = me.RigidBody("ball", centre, ball, m, (inertia, centre))

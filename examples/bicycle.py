@@ -17,7 +17,7 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 
-from pydy.examples import whipple_bicycle
+from pydy.examples import bicycle_scene, whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
 from pydy.system import System
 
@@ -73,6 +73,7 @@ def main(small=False):
     off_ground = np.abs(system.evaluate_holonomic_constraints(x=x)).max()
     print(f"front wheel off the ground by {off_ground:.0e} m at most")
     assert off_ground < 1e-7
+    bicycle_scene.scene(system, bicycle, "Pushed at 5 m/s").animate(system.times, x)
     columns = [system.states.index(bicycle[name]) for name in ("phi", "delta")]
     draw(speeds, eigenvalues, system.times, np.degrees(x[:, columns]))
 

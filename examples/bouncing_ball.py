@@ -33,7 +33,9 @@ def derive():
     x, y, v_x, v_y = me.dynamicsymbols("x y v_x v_y")
     t = me.dynamicsymbols._t
     N = me.ReferenceFrame("N")
-    ball = me.Point("B")
+    origin = me.Point("O")
+    origin.set_vel(N, 0)
+    ball = origin.locatenew("B", x * N.x + y * N.y)
     ball.set_vel(N, v_x * N.x + v_y * N.y)
     kane = me.KanesMethod(N, [x, y], [v_x, v_y], [x.diff(t) - v_x, y.diff(t) - v_y])
     kane.kanes_equations([me.Particle("ball", ball, m)], [(ball, -m * g * N.y)])

@@ -109,6 +109,8 @@ def main(small=False):
     print(f"mass not askew: spin {straight[-1, 5]:.2f} rad/s after {system.times[-1]:g} s")
     assert drift < 1e-7
     assert np.abs(straight[:, 5] + 5.0).max() < 0.1
+    centre = kane.bodies[0].masscenter
+    system.scene(origin=centre).animate(system.times, runs["spun clockwise"])
     draw(system.times, {**runs, "clockwise, mass not askew": straight})
 
 

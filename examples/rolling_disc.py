@@ -46,7 +46,9 @@ def derive():
     B.set_ang_vel(N, lean * B.x + turn * sm.tan(phi) * B.y + turn * B.z)
     disc_spin = lean * B.x + spin * B.y + turn * B.z
 
-    contact, centre = me.Point("P"), me.Point("C")
+    origin, contact, centre = me.Point("O"), me.Point("P"), me.Point("C")
+    origin.set_vel(N, 0)
+    contact.set_pos(origin, x * N.x + y * N.y)
     contact.set_vel(N, v_x * N.x + v_y * N.y)
     centre.set_pos(contact, r * B.z)
     centre.set_vel(N, contact.vel(N) + B.ang_vel_in(N).cross(r * B.z))

@@ -35,10 +35,12 @@ def derive(n):
     v = me.dynamicsymbols(f"v1:{n + 1}")
     t = me.dynamicsymbols._t
     N = me.ReferenceFrame("N")
+    origin = me.Point("O")
+    origin.set_vel(N, 0)
     stretch = [x[0], *(b - a for a, b in pairwise(x)), 0]
     masses, loads = [], []
     for i in range(n):
-        point = me.Point(f"P{i + 1}")
+        point = origin.locatenew(f"P{i + 1}", (i + 1 + x[i]) * N.x)
         point.set_vel(N, v[i] * N.x)
         masses.append(me.Particle(f"mass{i + 1}", point, m))
         loads.append((point, k * (stretch[i + 1] - stretch[i]) * N.x))
