@@ -10,6 +10,7 @@ import sympy.physics.mechanics as me
 import zoo
 from cases import close
 from mechanisms import MECHANISMS
+from pydy.errors import SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.system import System
 
@@ -158,3 +159,67 @@ def test_other_arguments_are_checked():
         Definition(frame, [x], [vx], bodies=[point])
     with pytest.raises(ValueError, match=r"`equations='method'` needs a method object"):
         System(bead(), equations="method")
+
+
+def swung(*more, loads=()):
+    """A particle on a massless arm, and what may be wrong with it; `more` makes further bodies."""
+    ground, arm, rest = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    arm.orient_axis(ground, ground.z, x)
+    rest.set_vel(ground, 0)
+    end = rest.locatenew("P", 2 * arm.x)
+    bodies = [me.Particle("bob", end, sm.Symbol("m")), *(make(ground, rest) for make in more)]
+    return Definition(ground, [x, y], [vx, vy], bodies=bodies, loads=loads)
+
+
+LOST = {
+    "The point L, the mass centre of the body ball, has no velocity": (
+        lambda ground, rest: me.Particle("ball", me.Point("L"), 1)
+    ),
+    "The frame B has no orientation in the inertial frame N": (
+        lambda ground, rest: me.RigidBody("ball", rest, me.ReferenceFrame("B"), 1)
+    ),
+    "The frame C has no orientation": (
+        lambda ground, rest: me.Particle("b", rest.locatenew("Q", me.ReferenceFrame("C").x), 1)
+    ),
+}
+
+
+@pytest.mark.parametrize("message", LOST)
+def test_a_body_that_hangs_on_nothing_is_named(message):
+    with pytest.raises(ValueError, match=message):
+        System(swung(LOST[message]))
+
+
+def test_a_load_at_a_point_that_nothing_places_is_named():
+    with pytest.raises(ValueError, match="The point L, which a load acts at, has no velocity"):
+        System(swung(loads=[(me.Point("L"), me.ReferenceFrame("N").x)]))
+
+
+def test_a_speed_that_moves_nothing_is_named():
+    with pytest.raises(ValueError, match=r"The speed `vy\(t\)` moves no mass and no inertia"):
+        System(swung())
+
+
+def turned(order, angles):
+    """A particle on an arm that turns about three axes, of which two are enough."""
+    turns = list(me.dynamicsymbols("w1:4"))
+    ground, arm, rest = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    arm.orient_body_fixed(ground, angles, order)
+    rest.set_vel(ground, 0)
+    end = rest.locatenew("P", arm.x)
+    inertia = me.inertia(arm, 1, 2, 3) if order == "xyz" else me.inertia(arm, 0, 0, 0)
+    body = me.RigidBody("b", end, arm, sm.Symbol("m"), (inertia, end))
+    return System(Definition(ground, angles, turns, bodies=[body]))
+
+
+def test_speeds_that_move_nothing_together_are_named():
+    system = turned("zyz", list(me.dynamicsymbols("a1:4")))
+    with pytest.raises(SingularMatrixError, match=r"in every configuration: .*Give the bodies"):
+        system.evaluate_ode([0.1, 0.2, 0.3, 0.0, 0.0, 0.0])
+
+
+def test_gimbal_lock_of_the_mass_matrix_is_told_from_a_mechanism_without_inertia():
+    system = turned("xyz", list(me.dynamicsymbols("a1:4")))
+    with pytest.raises(SingularMatrixError, match=r"in this configuration: w1\(t\), w3\(t\) can"):
+        system.evaluate_ode([0.1, np.pi / 2, 0.3, 0.0, 0.0, 0.0])
+    assert np.isfinite(system.evaluate_ode([0.1, 0.2, 0.3, 0.0, 0.0, 0.0])).all()

@@ -22,7 +22,7 @@ def formed(bodies, loads=None, frame=None):
 
 def test_a_body_whose_mass_centre_moves_nobody_knows_how_is_named():
     body = me.Particle("p", me.Point("P"), sm.Symbol("m"))
-    with pytest.raises(ValueError, match=r"The point P has no velocity .* N.*set_vel\(N"):
+    with pytest.raises(ValueError, match=r"The point P, the mass centre of the body p, has no velocity .* N.*set_vel\(N"):
         formed([body])
 
 
@@ -101,6 +101,6 @@ def test_a_method_without_kinematic_equations_is_refused():
 def test_a_velocity_whose_components_are_speeds_is_not_replaced_by_the_rate_of_its_place():
     model = mechanisms.satellite()
     centre, tip = (body.masscenter for body in model.kane.bodies)
-    ways = Tree(model.kane._inertial).paths([centre, tip])
+    ways = Tree(model.kane._inertial).paths([centre, tip], {})
     assert ways[centre] == (None, ())
     assert ways[tip][0] is centre

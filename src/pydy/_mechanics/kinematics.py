@@ -297,7 +297,9 @@ class Kinematics:
 
     def place(self, points: Iterable[Any]) -> None:
         """Find out how points hang together; those whose motion is wanted must be among them."""
-        self._ways = self.tree.paths(points)
+        roles = {where: "which a load acts at" for where, _ in self.body.loads}
+        roles |= {b.masscenter: f"the mass centre of the body {b.name}" for b in self.body.bodies}
+        self._ways = self.tree.paths(points, roles)
 
     def motion(self, point: Any) -> Motion:
         """Return the frame of the components, velocity and acceleration of a point."""

@@ -6,7 +6,7 @@ The only module that reads the private attributes of SymPy's vector classes.
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Container, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -253,12 +253,18 @@ class Tree:
         """Return the acceleration that the user set, or None."""
         return point._acc_dict.get(self.inertial)
 
-    def paths(self, points: Iterable[Any]) -> dict[Any, Way]:
+    def paths(self, points: Iterable[Any], roles: Mapping[Any, str]) -> dict[Any, Way]:
         """Return for each point another one and the vectors from there, (None, ()) for roots.
 
         The vectors lead to a point whose motion is known without this one's: a given velocity can
         then be compared with that of the place. None is shorter than one whose components are
         speeds: that is a root. A point without one hangs on the nearest that has one, as in SymPy.
+
+        Parameters
+        ----------
+        points : iterable of points
+        roles : mapping of points to str
+            What they are there for, for messages.
 
         Raises
         ------
@@ -281,9 +287,10 @@ class Tree:
                 rank[point], above[point] = len(rank), base
         for point in wanted:
             if point not in nearest:
+                role = f", {roles[point]}," if point in roles else ""
                 raise ValueError(
-                    f"The point {point} has no velocity in the inertial frame {self.inertial}, and "
-                    "no place from a point that has one. Use "
+                    f"The point {point}{role} has no velocity in the inertial frame "
+                    f"{self.inertial}, and no place from a point that has one. Use "
                     f"`{point}.set_vel({self.inertial}, ...)` or `{point}.set_pos(...)`."
                 )
         hung = self._hung(wanted, nearest)

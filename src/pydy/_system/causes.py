@@ -22,6 +22,7 @@ from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 
 __all__ = ["cause_of", "explain"]
 
+_NOTHING = 1e-12  # of the inertia that each speed has alone
 _TINY = 1e-6  # of the largest: near a singular configuration, where steps become ever smaller
 
 
@@ -98,7 +99,45 @@ def cause_of(
                 "`constraint_solver='CRAMER'` to KanesMethod in place of its default, 'LU', or "
                 "name the dependent speeds in another order."
             )
+    if not len(rows):
+        beside = np.random.default_rng(0).uniform(0.3, 1.3, x.shape)
+        other = model.interpreted(_parts, (np.array([t]), beside[None], r[None], p))
+        return _without_inertia(equations.speeds, values["matrix"], other["matrix"][0])
     return None
+
+
+def _without_inertia(speeds: Sequence[Any], here: np.ndarray, beside: np.ndarray) -> str | None:
+    """Say which speeds move nothing together, here or in every configuration."""
+    free = _weightless(here)
+    if not free.size:
+        return None
+    names = describe([speeds[k] for k in free])
+    if _weightless(beside).size:
+        return (
+            f"The mass matrix is singular in every configuration: {names} can change together so "
+            "that no mass and no inertia moves, and nothing determines them. Give the bodies "
+            "between them a mass or an inertia, leave out a coordinate, or add a constraint."
+        )
+    return (
+        f"The mass matrix is singular in this configuration: {names} can change together so that "
+        "no mass and no inertia moves, as angles in gimbal lock can. Start elsewhere, choose other "
+        "coordinates, or give the bodies between them a mass or an inertia."
+    )
+
+
+def _weightless(cells: np.ndarray) -> np.ndarray:
+    """Return the places of the speeds in a direction in which a mass matrix is zero."""
+    n = int(np.sqrt(cells.size))
+    matrix = cells.reshape(n, n)
+    if not n or not np.isfinite(matrix).all():
+        return np.empty(0, dtype=int)
+    size = np.sqrt(np.maximum(np.diag(matrix), 0.0))
+    size[size == 0.0] = 1.0
+    least, directions = np.linalg.eigh(matrix / size[:, None] / size)
+    if least[0] > _NOTHING:
+        return np.empty(0, dtype=int)
+    direction = np.abs(directions[:, 0])
+    return np.flatnonzero(direction > _TINY * direction.max())
 
 
 def _idle(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
