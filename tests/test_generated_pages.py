@@ -1,0 +1,66 @@
+"""What the documentation makes when it is built."""
+
+import json
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pydy import __version__
+from pydy.models import n_link_pendulum_on_cart
+from pydy.system import System
+from pydy.viz import Scene
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.fixture
+def generated(monkeypatch, tmp_path):
+    """The module beside the pages, which writes elsewhere and leaves classes as they were."""
+    monkeypatch.syspath_prepend(str(ROOT / "docs"))
+    monkeypatch.delitem(sys.modules, "generated", raising=False)
+    import generated
+
+    monkeypatch.setattr(generated, "STATIC", tmp_path)
+    for owner, name in ((System, "simulate"), (System, "integrate"), (Scene, "animate")):
+        monkeypatch.setattr(owner, name, getattr(owner, name))
+    yield generated
+    sys.modules.pop("generated", None)
+
+
+def test_the_table_and_the_figure_show_the_benchmarks_counts(generated, tmp_path):
+    results = json.loads((ROOT / "docs/data/operations.json").read_text(encoding="utf-8"))
+    assert {r["model"] for r in results["results"]} >= set(generated.NAMES)
+    counts = {"bicycle": (1500, 1000), "pendulum-5": (400, 100)}
+    generated.write_table(counts, tmp_path / "table.md")
+    rows = (tmp_path / "table.md").read_text(encoding="utf-8").splitlines()
+    assert rows[2:] == [
+        "| bicycle | 1,500 | 1,000 | 1.5 |",
+        "| pendulum, 5 links | 400 | 100 | 4.0 |",
+    ]
+    generated.draw_counts(counts, tmp_path / "figure.svg")
+    assert "<svg" in (tmp_path / "figure.svg").read_text(encoding="utf-8")
+
+
+def test_what_an_example_simulated_last_is_animated_below_it(generated, tmp_path):
+    generated.watch_systems()
+    names = {"src_file": "examples/carts.py"}
+    assert generated.scrape_animation(None, names, {}) == ""
+    system = n_link_pendulum_on_cart(1)
+    system.times = np.linspace(0.0, 1.0, num=31)
+    system.integrate()
+    text = generated.scrape_animation(None, names, {})
+    assert 'src="../_static/animations/carts.html"' in text
+    page = tmp_path / "animations/carts.html"
+    assert page.stat().st_size > 500_000
+    assert generated.scrape_animation(None, names, {}) == ""
+    system.scene(title="Own").animate(system.simulate())
+    generated.scrape_animation(None, names, {})
+    assert "<title>Own</title>" in page.read_text(encoding="utf-8")
+
+
+def test_the_citation_has_the_version():
+    text = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert re.search(r"^version: (.*)$", text, re.MULTILINE)[1] == __version__
