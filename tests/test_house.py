@@ -324,6 +324,7 @@ def test_importing_system_loads_no_optional_library():
 LONG = {
     "pydy.system": (600, "the documented methods of System, each a few lines that call their task"),
     "pydy.trajectory": (420, "the documented methods of Trajectory"),
+    "pydy.viz.scene": (350, "the documented methods of Scene"),
 }
 
 

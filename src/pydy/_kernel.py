@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._graph.program import Program
 
-__all__ = ["Kernel", "KernelCall"]
+__all__ = ["Inputs", "Kernel", "KernelCall"]
 
 Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
@@ -81,6 +81,46 @@ class Kernel:
 
 
 @dataclass(frozen=True, eq=False)
+class Inputs:
+    """How r, the array of the specifieds, is computed.
+
+    Attributes
+    ----------
+    values : ndarray, shape (s,)
+        Those that are numbers; anything elsewhere.
+    sampled : sequence of (columns, SampledInput)
+        Those that are sampled data, with their places in r.
+    functions : sequence of (columns, function)
+        Those that ``function(x, t)`` gives.
+    """
+
+    values: np.ndarray
+    sampled: Sequence[tuple[np.ndarray, Any]] = ()
+    functions: Sequence[tuple[np.ndarray, Callable[..., Any]]] = ()
+
+    def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
+        """Return a fresh array of all specifieds at a state and time, shape (s,)."""
+        r = self.values.copy()
+        for columns, samples in self.sampled:
+            r[columns] = samples.at(t)
+        for columns, function in self.functions:
+            r[columns] = function(x, t)
+        return r
+
+    def rows(self, x: np.ndarray, t: np.ndarray) -> np.ndarray:
+        """Return r for m states and times: shape (1, s) when it is the same for all, or (m, s)."""
+        if not self.sampled and not self.functions:
+            return self.values[None].copy()
+        r = np.tile(self.values, (len(t), 1))
+        for columns, samples in self.sampled:
+            r[:, columns] = samples.rows(t)
+        for columns, function in self.functions:
+            for k, instant in enumerate(t):
+                r[k, columns] = function(x[k], float(instant))
+        return r
+
+
+@dataclass(frozen=True, eq=False)
 class KernelCall:
     """A right-hand side as a Kernel and the numbers to call it with.
 
@@ -115,10 +155,7 @@ class KernelCall:
         """Return r at a state and time."""
         if self.inputs is not None:
             return self.inputs(x, t)
-        r = self.r.copy()
-        for columns, samples in self.sampled:
-            r[columns] = samples.at(t)
-        return r
+        return Inputs(self.r, self.sampled)(x, t)
 
     def slopes_at(self, t: float) -> np.ndarray:
         """Return the derivatives of the specifieds by time: of samples, and zero of numbers."""

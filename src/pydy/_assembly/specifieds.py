@@ -16,6 +16,7 @@ import sympy as sm
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
+from pydy._assembly.symbols import input_nodes
 from pydy._checks import describe
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
@@ -148,10 +149,8 @@ def _resolve(
         A function that cannot be translated.
     """
     layout, equations = definition.layout, definition.equations
-    inputs = {s: graph.input("r", k) for k, s in enumerate(layout.specifieds)}
-    atoms = {**inputs, equations.time: graph.input("t", 0)}
-    atoms.update((s, graph.input("x", k)) for k, s in enumerate(layout.states))
-    atoms.update((s, graph.input("p", k)) for k, s in enumerate(layout.constants))
+    atoms = input_nodes(graph, equations.time, layout.states, layout.specifieds, layout.constants)
+    inputs = {s: atoms[s] for s in layout.specifieds}
     atoms.update((z, graph.zero) for z in equations.zeros)
     read = SymPyReader(graph, atoms)
     for formula in formulas:

@@ -23,6 +23,7 @@ from pydy.ensemble.samples import Coordinate, Samples, block_sizes
 from pydy.ensemble.work import Work, read_reductions
 from pydy.inputs import SampledInput
 from pydy.solvers.options import Options, read_options
+from pydy.solvers.run.problem import BLOCK
 from pydy.solvers.solver import SOLVERS, Solver
 
 __all__ = ["make_ensemble"]
@@ -261,7 +262,7 @@ def make_ensemble(
     default = int(min(max(_BYTES / row, _LEAST), most))
     about = {
         "ode_solver": solver.name,
-        "lanes": 8 if model.in_lanes else 1,
+        "lanes": BLOCK if model.in_lanes else 1,
         "rtol": np.asarray(read.rtol).tolist(),
         "atol": np.asarray(read.atol).tolist(),
         "pydy_version": __version__,

@@ -24,7 +24,7 @@ from pydy._checks import Places, describe, listed
 from pydy._graph.columns import Columns
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
-from pydy._kernel import Kernel, KernelCall
+from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event
@@ -285,12 +285,7 @@ class Sensitive:
     def rows(self, times: np.ndarray) -> np.ndarray:
         """Return r with its further inputs at some times, shape (m, s + w) or (1, s + w)."""
         call = self.call()
-        if not call.sampled:
-            return call.r[None]
-        r = np.tile(call.r, (len(times), 1))
-        for places, samples in call.sampled:
-            r[:, places] = samples.rows(times)
-        return r
+        return Inputs(call.r, call.sampled).rows(np.empty((len(times), 0)), times)
 
     def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the derivatives of the sensitivities by time, shape (m, n, k)."""

@@ -14,6 +14,7 @@ import sympy as sm
 from sympy.logic.boolalg import Boolean
 
 from pydy._checks import Places, choice, describe, listed, number, real_array, shown, vector
+from pydy._kernel import Inputs
 from pydy._mechanics.symbols import find_symbols
 from pydy.inputs import SampledInput
 
@@ -373,27 +374,17 @@ class SpecifiedsPlan:
                     f"{np.min(t)} to {np.max(t)}. Ask for times within the data, or add samples."
                 )
 
+    @property
+    def _inputs(self) -> Inputs:
+        return Inputs(self.values, self.sampled, self._functions)
+
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return a fresh array of all specifieds, shape (s,)."""
-        r = self.values.copy()
-        for columns, samples in self.sampled:
-            for column, value in zip(columns.tolist(), samples.at(t), strict=True):
-                r[column] = value
-        for columns, function in self._functions:
-            r[columns] = function(x, t)
-        return r
+        return self._inputs(x, t)
 
     def rows(self, x: np.ndarray, t: np.ndarray) -> np.ndarray:
         """Return r for m states and times: shape (1, s) when it is the same for all, or (m, s)."""
-        if self.constant:
-            return self.values[None].copy()
-        r = np.tile(self.values, (len(t), 1))
-        for columns, samples in self.sampled:
-            r[:, columns] = samples.rows(t)
-        for columns, function in self._functions:
-            for k, instant in enumerate(t):
-                r[k, columns] = function(x[k], float(instant))
-        return r
+        return self._inputs.rows(x, t)
 
 
 def _refuse_mixtures(value: Any, label: str) -> None:

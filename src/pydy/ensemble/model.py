@@ -11,12 +11,11 @@ import numpy as np
 from pydy import _forks
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
-from pydy._kernel import Kernel, KernelCall
+from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy.solvers.options import Options
+from pydy.solvers.run.problem import BLOCK
 
 __all__ = ["Model", "Results", "evaluate_outputs", "run"]
-
-_LANES = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +113,7 @@ def run(
         return _run_one_by_one(model, x, r, p, times, stopped, states)
     from pydy.solvers.lanes.runs import integrate_samples
 
-    kernel = _kernel(model.rates, _LANES)
+    kernel = _kernel(model.rates, BLOCK)
     found = integrate_samples(
         kernel, model.method, x, r, p, model.sampled, times, model.options, states, stopped
     )
@@ -137,7 +136,7 @@ def evaluate_outputs(
     if not model.functions:
         from pydy.solvers.lanes.runs import evaluate_samples
 
-        return evaluate_samples(_kernel(program, _LANES), r, p, model.sampled, times, states)
+        return evaluate_samples(_kernel(program, BLOCK), r, p, model.sampled, times, states)
     kernel = _kernel(program, 1)
     out = np.empty((len(program.outputs), *states.shape[1:]))
     for k in range(states.shape[1]):
@@ -163,16 +162,12 @@ def _inputs(
     model: Model, r: np.ndarray, stopped: Callable[[], bool]
 ) -> Callable[[np.ndarray, float], np.ndarray]:
     """Return the function that gives all specifieds of one sample."""
+    every = Inputs(r, model.sampled, model.functions)
 
     def inputs(x: np.ndarray, t: float) -> np.ndarray:
         if stopped():
             raise KeyboardInterrupt
-        result = r.copy()
-        for columns, samples in model.sampled:
-            result[columns] = samples.at(t)
-        for columns, function in model.functions:
-            result[columns] = function(x, t)
-        return result
+        return every(x, t)
 
     return inputs
 
