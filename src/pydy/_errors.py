@@ -14,6 +14,7 @@ import numpy as np
 __all__ = [
     "EnsembleInterrupted",
     "EquilibriumError",
+    "FitInterrupted",
     "GeneratorError",
     "IntegrationError",
     "IntegrationInterrupted",
@@ -118,6 +119,25 @@ class IntegrationInterrupted(_Partial, KeyboardInterrupt):
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it, with the attributes of
     `IntegrationError`.
     """
+
+
+class FitInterrupted(KeyboardInterrupt):
+    """The user interrupted a fit. The best estimates so far are here.
+
+    A `KeyboardInterrupt`, so that no ``except Exception`` swallows it.
+
+    Attributes
+    ----------
+    values : dict of str to float
+        The parameters by name.
+    """
+
+    def __init__(self, message: str, values: dict[str, float]) -> None:
+        super().__init__(message)
+        self.values = values
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (str(self), self.values))
 
 
 class EnsembleInterrupted(KeyboardInterrupt):

@@ -8,6 +8,7 @@ from __future__ import annotations
 from pydy._errors import (
     EnsembleInterrupted,
     EquilibriumError,
+    FitInterrupted,
     GeneratorError,
     IntegrationError,
     IntegrationInterrupted,
@@ -21,6 +22,7 @@ from pydy._errors import (
 __all__ = [
     "EnsembleInterrupted",
     "EquilibriumError",
+    "FitInterrupted",
     "GeneratorError",
     "IntegrationError",
     "IntegrationInterrupted",

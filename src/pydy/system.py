@@ -26,6 +26,7 @@ from pydy._system.definition import Definer
 from pydy._system.dependents import check_dependents, solve_dependents
 from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.ensemble_inputs import make_ensemble
+from pydy._system.fits import fit
 from pydy._system.forces import Multipliers, Reaction, find_multipliers, find_reaction
 from pydy._system.generation import Generated, checked_options, generate
 from pydy._system.inputs import SymbolSet, base_symbols, check_times, named_forces
@@ -42,8 +43,10 @@ from pydy.analysis import (
     EigenvalueSweep,
     Equilibrium,
     EquilibriumBranch,
+    FitResult,
     LinearModel,
     PeriodicOrbit,
+    Trial,
 )
 from pydy.trajectory import Trajectory
 
@@ -1185,6 +1188,80 @@ class System:
         7 equilibria, c0 from 1 to -1: Hopf at 0
         """
         return follow_equilibria(self._now(), over, unknowns, given, moving, step, most)
+
+    def fit(
+        self,
+        parameters: Iterable[Any],
+        trials: Trial | Iterable[Trial],
+        *,
+        bounds: dict[Any, Any] | None = None,
+        priors: dict[Any, Any] | None = None,
+        segments: int = 1,
+        most: int = 100,
+        progress: bool = False,
+        **solver_kwargs: Any,
+    ) -> FitResult:
+        """Estimate parameters from measured motions by least squares with exact derivatives.
+
+        The search starts from the System's numbers; what is no parameter keeps them.
+
+        Parameters
+        ----------
+        parameters : iterable of symbols or names
+            Constants, those in expressions for specifieds too, specifieds that are numbers, and
+            states for their initial conditions; all trials share them. Initial conditions of single
+            trials are named in `Trial.unknown`.
+        trials : Trial or iterable of Trial
+            The measurements.
+        bounds : dict, optional
+            Pairs of the lowest and the highest value of parameters.
+        priors : dict, optional
+            Pairs of the mean and the standard deviation of what is known of parameters beforehand.
+        segments : int, optional
+            Into how many pieces each trial is cut, with states of their own that have to meet in
+            the end: multiple shooting, for long or unstable motions.
+        most : int, optional
+            The most evaluations.
+        progress : bool, optional
+            Show a bar; needs tqdm.
+        **solver_kwargs
+            Options of the native solver, ``'dop853'`` where `ode_solver` is none; `rtol` and `atol`
+            are 1e-9 by default.
+
+        Returns
+        -------
+        FitResult
+
+        Raises
+        ------
+        ValueError, TypeError
+            A parameter that the system does not have, a specified without derivatives, or data
+            that do not fit.
+        FitInterrupted
+            Ctrl-C; it hands over the best estimates so far.
+
+        Warns
+        -----
+        PyDyUserWarning
+            The data leave combinations of parameters undetermined, a bound holds a parameter, or
+            the search did not converge.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.analysis import Trial
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> times = np.linspace(0.0, 10.0, num=101)
+        >>> swing = np.exp(-0.1 * times) * np.cos(np.sqrt(3.99) * times)  # k = 4, c = 0.2
+        >>> trial = Trial(times, {'x0': swing}, {'x0': 1.0, 'v0': -0.1})
+        >>> result = system.fit(['k0', 'c0'], trial)
+        >>> result.estimates.round(6)
+        array([4. , 0.2])
+        """
+        return fit(
+            self, parameters, trials, bounds, priors, segments, most, progress, solver_kwargs
+        )
 
     def find_periodic_orbit(
         self,

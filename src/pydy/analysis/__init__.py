@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
 from pydy.analysis.equilibria import Equilibrium
+from pydy.analysis.fit import FitResult, Trial
 from pydy.analysis.linear import LinearModel
 from pydy.analysis.orbits import PeriodicOrbit
 from pydy.analysis.sweeps import Crossing, EigenvalueSweep
@@ -16,7 +17,9 @@ __all__ = [
     "EigenvalueSweep",
     "Equilibrium",
     "EquilibriumBranch",
+    "FitResult",
     "LinearModel",
     "PeriodicOrbit",
     "SpecialPoint",
+    "Trial",
 ]

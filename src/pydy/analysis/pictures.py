@@ -9,7 +9,14 @@ import numpy as np
 from pydy._checks import shown
 from pydy._optional import require
 
-__all__ = ["axes_of", "plot_bode", "plot_branch", "plot_eigenvalues", "plot_root_locus"]
+__all__ = [
+    "axes_of",
+    "plot_bode",
+    "plot_branch",
+    "plot_eigenvalues",
+    "plot_residuals",
+    "plot_root_locus",
+]
 
 
 def axes_of(ax: Any) -> Any:
@@ -81,6 +88,24 @@ def plot_branch(
     ax.set_xlabel(parameter)
     ax.set_ylabel(name)
     return ax
+
+
+def plot_residuals(
+    times: list[np.ndarray], residuals: list[dict[str, np.ndarray]], axes: Any
+) -> Any:
+    """Draw residuals over time, an Axes for each trial."""
+    if axes is None:
+        plt = require("matplotlib.pyplot", "plot", "a plot")
+        _, axes = plt.subplots(len(times), squeeze=False, layout="constrained")
+        axes = axes[:, 0]
+    for ax, instants, columns in zip(np.atleast_1d(axes), times, residuals, strict=True):
+        axes_of(ax).axhline(0.0, color="0.7", linewidth=0.8)
+        for name, column in columns.items():
+            ax.plot(instants, column, ".", markersize=3, label=name)
+        ax.set_xlabel("time")
+        ax.set_ylabel("measured less model")
+        ax.legend()
+    return axes
 
 
 def plot_bode(frequencies: np.ndarray, response: np.ndarray, title: str, axes: Any) -> Any:

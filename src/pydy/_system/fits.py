@@ -1,0 +1,416 @@
+"""Fits of a System to trials: residuals and their Jacobian from simulations with sensitivities."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from copy import copy
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import Places, check_mapping, flag, listed, real_array, whole
+from pydy._errors import IntegrationError, SingularMatrixError, warn_user
+from pydy._names import unique_names
+from pydy._optional import require
+from pydy._system.balance import located
+from pydy._system.trials import Data, checked_trial
+from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
+from pydy.solvers.solver import Solver
+
+__all__ = ["fit"]
+
+# Weights of the gaps between segments, in shares of a state's spread, from search to search.
+_STAGES = (1e1, 1e3, 1e5)
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A piece of a trial that is simulated at once.
+
+    Attributes
+    ----------
+    first, last : int
+        Samples ``first <= k < last``.
+    begin, end : float
+        Times.
+    column : int or None
+        Of the unknown states at its beginning; None for those of the trial.
+    """
+
+    first: int
+    last: int
+    begin: float
+    end: float
+    column: int | None
+
+
+class _Fit:
+    def __init__(
+        self, system: Any, parameters: Any, trials: list[Trial], segments: int, options: Any
+    ) -> None:
+        self.system = system
+        self.runner = copy(system)
+        if not isinstance(self.runner.ode_solver, Solver):
+            self.runner.ode_solver = "dop853"
+        self.options = {"rtol": 1e-9, "atol": 1e-9, **options}
+        definition = system._now().definition
+        states = definition.places["states"]
+        outputs = Places(definition.outputs_symbols, "outputs of the system")
+        self.expressions: dict[Any, Any] = {}
+        self.data = [
+            checked_trial(k, trial, states, outputs, self.expressions)
+            for k, trial in enumerate(trials)
+        ]
+        if len({d.trial.noise is None for d in self.data}) > 1:
+            raise ValueError("Give the `noise` of all trials, or of none.")
+        self.own_noise = self.data[0].trial.noise is None
+        if self.expressions:
+            added = {name: expression for expression, name in self.expressions.items()}
+            self.runner.outputs = {**system.outputs, **added}
+        equations = definition.equations
+        tied = {*equations.dependent_coordinates, *equations.dependent_speeds}
+        self.tied = bool(tied)
+        if tied:
+            self.options.setdefault("constraints", "project")
+        self.order = definition.states
+        self.free = [s for s in (*equations.coordinates, *equations.speeds) if s not in tied]
+        self.shared: list[tuple[str, Any]] = []
+        for key in listed("parameters", parameters):
+            kind, place = located(definition, key, "parameters")
+            symbol = definition.places[kind].symbols[place]
+            if any(symbol == other for _, other in self.shared):
+                raise ValueError(f"`parameters` has `{key}` more than once.")
+            self.shared.append((kind, symbol))
+        self.names = list(unique_names([s for _, s in self.shared]))
+        start = [self._start(kind, symbol) for kind, symbol in self.shared]
+        self.columns: list[int] = []
+        self.initial = [self._initial(d) for d in self.data]
+        parameters = {str(s) for _, s in self.shared}
+
+        def others(*given: Mapping[Any, Any]) -> dict[Any, Any]:
+            merged = {str(key): (key, value) for one in given for key, value in one.items()}
+            return {key: value for name, (key, value) in merged.items() if name not in parameters}
+
+        self.constants = [others(system.constants, d.trial.constants) for d in self.data]
+        self.specifieds = [others(system.specifieds, d.trial.specifieds) for d in self.data]
+        for k, d in enumerate(self.data):
+            self.columns.append(len(self.names))
+            for symbol in d.unknown:
+                if any(symbol == other for _, other in self.shared):
+                    raise ValueError(
+                        f"`{symbol}` is unknown in {d.label}, and a parameter of all trials too."
+                    )
+                self.names.append(f"{unique_names([symbol])[0]} of {d.label}")
+                start.append(self.initial[k][symbol])
+        self.count = len(self.names)  # of parameters proper
+        if not self.count:
+            raise ValueError("`parameters` must name at least one constant or state.")
+        self.parts = [self._split(d, segments) for d in self.data]
+        self.start = np.array(start)
+        self.spread = np.ones(len(self.free))
+        self.gaps = 0.0
+        self.is_gap = np.empty(0, dtype=bool)
+
+    def _initial(self, d: Data) -> dict[Any, float]:
+        states = self.system._now().definition.places["states"]
+        merged = {
+            **self.system.initial_conditions,
+            **check_mapping("initial_conditions", d.trial.initial_conditions),
+        }
+        x = states.read(f"initial_conditions of {d.label}", merged, 0.0)
+        return dict(zip(states.symbols, x.tolist(), strict=True))
+
+    def _start(self, kind: str, symbol: Any) -> float:
+        now = self.system._now()
+        if kind == "states":
+            return float(now.x[now.definition.states.index(symbol)])
+        if kind == "constants":
+            return float(now.p[now.definition.constants.index(symbol)])
+        r = now.plan.rows(now.x[None], np.array([now.t]))[0]
+        return float(r[now.definition.specifieds.index(symbol)])
+
+    def _split(self, d: Data, segments: int) -> list[_Part]:
+        m = len(d.times)
+        edges = np.unique(np.linspace(0, m - 1, segments + 1).round().astype(int))
+        parts = []
+        for j, (a, b) in enumerate(pairwise(edges)):
+            column = None
+            if j:
+                column = len(self.names)
+                self.names += [f"{s} of {d.label} at {d.times[a]:g}" for s in self.free]
+            first = int(a) + 1 if j else 0
+            begin = float(d.times[a]) if j else d.start
+            parts.append(_Part(first, int(b) + 1, begin, float(d.times[b]), column))
+        if not parts:
+            parts = [_Part(0, m, d.start, float(d.times[-1]), None)]
+        return parts
+
+    # -- simulations ------------------------------------------------------------------------------
+
+    def _set(self, z: np.ndarray, k: int, part: _Part) -> tuple[list[Any], list[int]]:
+        """Put numbers into the runner; return what is differentiated by, and its columns."""
+        d, runner = self.data[k], self.runner
+        constants, specifieds = dict(self.constants[k]), dict(self.specifieds[k])
+        initial = dict(self.initial[k])
+        symbols, columns = [], []
+        for j, (kind, symbol) in enumerate(self.shared):
+            if kind == "constants":
+                constants[symbol] = float(z[j])
+            elif kind == "specifieds":
+                specifieds[symbol] = float(z[j])
+            elif part.column is None:
+                initial[symbol] = float(z[j])
+            else:
+                continue
+            symbols.append(symbol)
+            columns.append(j)
+        own = d.unknown if part.column is None else self.free
+        at = self.columns[k] if part.column is None else part.column
+        for j, symbol in enumerate(own):
+            initial[symbol] = float(z[at + j])
+            symbols.append(symbol)
+            columns.append(at + j)
+        runner.constants, runner.specifieds = constants, specifieds
+        runner.initial_conditions = initial
+        return symbols, columns
+
+    def ride(self, z: np.ndarray, k: int, part: _Part) -> tuple[Any, list[int], int]:
+        """Simulate a part; return the trajectory, the columns, and the first sample's place."""
+        d = self.data[k]
+        symbols, columns = self._set(z, k, part)
+        times = d.times[part.first : part.last]
+        skip = int(not len(times) or times[0] > part.begin)
+        times = np.append(part.begin, times) if skip else times
+        if len(times) < 2:
+            times = np.append(times, times[-1] + 1e-9)
+        self.runner.times = times
+        if self.tied:
+            self.runner.set_dependent_initial_conditions()
+        return self.runner.simulate(sensitivities=symbols, **self.options), columns, skip
+
+    def evaluate(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return residuals of all trials, then gaps, and their derivatives."""
+        values, slopes, gaps = [], [], []
+        for k, d in enumerate(self.data):
+            for j, part in enumerate(self.parts[k]):
+                ride, columns, skip = self.ride(z, k, part)
+                run = slice(skip, skip + part.last - part.first)
+                noise = d.noise[part.first : part.last]
+                model = np.stack([ride[key][run] for key in d.keys], axis=1)
+                there = np.isfinite(d.values[part.first : part.last])
+                missed = (model - d.values[part.first : part.last]) / noise
+                J = np.zeros((*model.shape, len(z)))
+                for q, key in enumerate(d.keys):
+                    J[:, q, columns] = ride.sensitivity[key][run] / noise[:, q, None]
+                values.append(missed[there])
+                slopes.append(J[there])
+                gaps.append(np.zeros(len(values[-1]), dtype=bool))
+                if j + 1 < len(self.parts[k]):
+                    following = self.parts[k][j + 1].column
+                    assert following is not None
+                    places = [self.order.index(s) for s in self.free]
+                    scale = self.gaps / self.spread
+                    ahead = slice(following, following + len(places))
+                    values.append((ride.states[-1][places] - z[ahead]) * scale)
+                    G = np.zeros((len(places), len(z)))
+                    G[:, columns] = ride.sensitivity.values[-1][places] * scale[:, None]
+                    G[:, ahead] -= np.diag(scale)
+                    slopes.append(G)
+                    gaps.append(np.ones(len(G), dtype=bool))
+        self.is_gap = np.concatenate(gaps)
+        return np.concatenate(values), np.concatenate(slopes)
+
+    def guess(self) -> np.ndarray:
+        """Return where to start: at segments, what was measured, else the motion so far."""
+        z = np.append(self.start, np.zeros(len(self.names) - self.count))
+        found = []
+        for k, d in enumerate(self.data):
+            for j, part in enumerate(self.parts[k][:-1]):
+                try:
+                    end = self.ride(z, k, part)[0].states[-1].copy()
+                except (IntegrationError, SingularMatrixError):
+                    end = np.zeros(len(self.order))
+                for q, key in enumerate(d.keys):
+                    sample = d.values[part.last - 1, q]
+                    if key in self.order and np.isfinite(sample):
+                        end[self.order.index(key)] = sample
+                following = self.parts[k][j + 1].column
+                assert following is not None
+                ahead = [end[self.order.index(s)] for s in self.free]
+                z[following : following + len(ahead)] = ahead
+                found.append(ahead)
+        if found:
+            self.spread = np.maximum(np.std(found, axis=0), 1e-2)
+        return z
+
+
+def fit(
+    system: Any,
+    parameters: Any,
+    trials: Any,
+    bounds: Any,
+    priors: Any,
+    segments: Any,
+    most: Any,
+    progress: Any,
+    options: dict[str, Any],
+) -> FitResult:
+    """Return what `System.fit` describes."""
+    given = [trials] if isinstance(trials, Trial) else listed("trials", trials)
+    if not given:
+        raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
+    work = _Fit(system, parameters, given, whole(segments, "`segments`"), options)
+    z = work.guess()
+    limits = _bounds(work, bounds, len(z))
+    if not ((limits[0] <= z) & (z <= limits[1])).all():
+        z = np.clip(z, *limits)
+    known = _priors(work, priors)
+    bar = None
+    if flag(progress, "`progress`"):
+        bar = require("tqdm", "progress", "`progress=True`").tqdm(unit=" evaluations")
+    count = 0
+
+    def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        nonlocal count
+        count += 1
+        try:
+            values, slopes = work.evaluate(z)
+        except (IntegrationError, SingularMatrixError):
+            if count == 1:
+                raise
+            values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))
+        if bar is not None:
+            bar.update()
+            bar.set_postfix(residual=f"{np.sqrt(np.mean(values**2)):.4g}", refresh=False)
+        more = np.zeros((len(known), len(z)))
+        more[np.arange(len(known)), [k for k, _, _ in known]] = [1.0 / s for _, _, s in known]
+        pulls = [(z[k] - mean) / s for k, mean, s in known]
+        return np.append(values, pulls), np.vstack([slopes, more])
+
+    samples = sum(int(np.isfinite(d.values).sum()) for d in work.data)
+    size = samples + (len(z) - work.count)
+    stages = _STAGES if len(z) > work.count else (0.0,)
+    try:
+        for stage in stages:
+            work.gaps = stage
+            last = stage == stages[-1]
+            z, values, J, found = estimate(
+                evaluate, z, limits, work.names, whole(most, "`most`"), told=last
+            )
+    finally:
+        if bar is not None:
+            bar.close()
+    return _result(work, z, values, J, found, limits, (samples + len(known), count))
+
+
+def _result(
+    work: _Fit,
+    z: np.ndarray,
+    values: np.ndarray,
+    J: np.ndarray,
+    found: Any,
+    limits: tuple[np.ndarray, np.ndarray],
+    counts: tuple[int, int],
+) -> FitResult:
+    names, k = tuple(work.names[: work.count]), work.count
+    degrees = counts[0] - k
+    gap = np.append(work.is_gap, np.zeros(len(values) - len(work.is_gap), dtype=bool))
+    found_values = values[~gap]
+    whole_J, J = J, J[~gap, :k]
+    if gap.any():
+        # The states between segments follow from the parameters: their gaps stay closed.
+        follow = np.linalg.solve(whole_J[gap, k:], -whole_J[gap, :k])
+        J = J + whole_J[~gap, k:] @ follow
+    noise = float(np.sqrt(found_values @ found_values / degrees)) if degrees > 0 else np.nan
+    covariance, undetermined = covariance_of(J, z[:k], names)
+    if work.own_noise:
+        covariance = covariance * noise**2
+    held = held_by(z[:k], (limits[0][:k], limits[1][:k]), names)
+    if undetermined:
+        warn_user(
+            f"The data do not determine these relative changes of parameters: "
+            f"{'; '.join(undetermined)}. Fix one of them, give `priors`, or measure more."
+        )
+    if held:
+        warn_user(
+            f"The fit stopped at a bound of {', '.join(held)}: the estimates there, and all "
+            "standard errors, are not those of a free fit."
+        )
+    residuals, start = [], 0
+    for d, parts in zip(work.data, work.parts, strict=True):
+        table = np.full(d.values.shape, np.nan)
+        for j, part in enumerate(parts):
+            run = slice(part.first, part.last)
+            there = np.isfinite(d.values[run])
+            block = np.full(there.shape, np.nan)
+            count = int(there.sum())
+            block[there] = -values[start : start + count]
+            table[run] = block * d.noise[run]
+            start += count + (len(work.free) if j + 1 < len(parts) else 0)
+        residuals.append(dict(zip(d.names, table.T, strict=True)))
+    shared = list(zip(work.shared, z.tolist(), strict=False))
+    return FitResult(
+        names=names,
+        estimates=z[:k].copy(),
+        covariance=covariance,
+        constants={s: v for (kind, s), v in shared if kind == "constants"},
+        initial_conditions={s: v for (kind, s), v in shared if kind == "states"},
+        undetermined=undetermined,
+        at_bounds=held,
+        residuals=residuals,
+        times=[d.times for d in work.data],
+        noise=noise,
+        degrees=degrees,
+        evaluations=counts[1],
+        success=bool(found.success),
+        message=str(found.message),
+    )
+
+
+def _places(work: _Fit, key: Any, argument: str) -> list[int]:
+    """Return the parameters that a key means; a state means that of each trial."""
+    shared = Places([s for _, s in work.shared], "parameters of the fit")
+    place = shared.get(key, argument)
+    if place is not None:
+        return [place]
+    found = []
+    for d, column in zip(work.data, work.columns, strict=True):
+        own = Places(d.unknown, "unknown initial conditions")
+        place = own.get(key, argument)
+        if place is not None:
+            found.append(column + place)
+    if not found:
+        Places(
+            [*shared.symbols, *{s: 0 for d in work.data for s in d.unknown}],
+            "parameters of the fit",
+        ).find(key, argument)
+    return found
+
+
+def _bounds(work: _Fit, bounds: Any, size: int) -> tuple[np.ndarray, np.ndarray]:
+    low, high = np.full(size, -np.inf), np.full(size, np.inf)
+    for key, pair in check_mapping("bounds", bounds).items():
+        limits = real_array(pair, f"`bounds[{key}]`")
+        if limits.shape != (2,) or not limits[0] < limits[1]:
+            raise ValueError(
+                f"`bounds[{key}]` must be a pair of the lowest and the highest value, got {pair}."
+            )
+        for place in _places(work, key, "bounds"):
+            low[place], high[place] = limits
+    return low, high
+
+
+def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
+    found = []
+    for key, pair in check_mapping("priors", priors).items():
+        numbers = real_array(pair, f"`priors[{key}]`")
+        if numbers.shape != (2,) or not (np.isfinite(numbers).all() and numbers[1] > 0.0):
+            raise ValueError(
+                f"`priors[{key}]` must be a pair of the mean and the positive standard deviation, "
+                f"got {pair}."
+            )
+        mean, spread = float(numbers[0]), float(numbers[1])
+        found += [(place, mean, spread) for place in _places(work, key, "priors")]
+    return found

@@ -1,0 +1,259 @@
+"""Parameters from measurements: trials, and what a fit of them found.
+
+`System.fit` returns a `FitResult`. The estimates minimise the sum of squares of the residuals,
+each over the standard deviation of its noise, with exact derivatives
+(`scipy.optimize.least_squares`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from scipy.optimize import least_squares
+from scipy.stats import t as student
+
+from pydy._checks import number
+from pydy._errors import FitInterrupted, warn_user
+from pydy.analysis.pictures import plot_residuals
+
+__all__ = ["FitResult", "Trial", "estimate"]
+
+# Singular values of the scaled Jacobian below this share leave a combination undetermined.
+_UNDETERMINED = 1e-8
+_BOUND = 1e-8
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """One measured motion.
+
+    Parameters
+    ----------
+    times : array_like, shape (m,)
+        When samples were taken, ascending.
+    measured : dict
+        Maps what was measured to its samples, shape (m,), NaN where one is missing: states and
+        outputs, by symbol or name, and expressions of states, specifieds and constants.
+    initial_conditions, constants, specifieds : dict, optional
+        What is known of this trial; all else is the System's.
+    unknown : iterable of states, optional
+        Whose initial conditions are to be found for this trial alone; the search starts from those
+        above.
+    noise : float, array_like or dict, optional
+        The standard deviation of the noise: of everything, or of each measured quantity, as a
+        number or a value for each sample. Without it, it is estimated from the residuals.
+    start : float, optional
+        The time of the initial conditions; the first of the times by default.
+    name : str, optional
+        For results and messages.
+    """
+
+    times: Any
+    measured: Mapping[Any, Any]
+    initial_conditions: Mapping[Any, Any] = field(default_factory=dict)
+    constants: Mapping[Any, Any] = field(default_factory=dict)
+    specifieds: Mapping[Any, Any] = field(default_factory=dict)
+    unknown: Sequence[Any] = ()
+    noise: Any = None
+    start: float | None = None
+    name: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class FitResult:
+    """Estimates of parameters, and how well the data determine them.
+
+    Attributes
+    ----------
+    names : tuple of str
+        Of the parameters; initial conditions of a trial are named such as ``'q1 of trial 0'``.
+    estimates : ndarray, shape (k,)
+    covariance : ndarray, shape (k, k)
+        Of the estimates. Directions that the data do not determine have an infinite variance.
+    constants, initial_conditions : dict
+        Those among the parameters that all trials share; they fit the System's attributes.
+    undetermined : tuple of str
+        Combinations of parameters, as relative changes, that the data do not determine.
+    at_bounds : tuple of str
+        Parameters that a bound holds.
+    residuals : list of dict
+        For each trial: arrays of measurement less model, by name of what was measured.
+    times : list of ndarray
+        The sampling times of each trial.
+    noise : float
+        The standard deviation of a residual over that of its noise as given: near 1 where model
+        and noise are right. Where no noise was given, that of the noise.
+    degrees : int
+        Of freedom: samples and priors less parameters.
+    evaluations : int
+        How many times all trials were simulated.
+    success : bool
+        Whether the search converged.
+    message : str
+        Why it ended.
+    """
+
+    names: tuple[str, ...]
+    estimates: np.ndarray
+    covariance: np.ndarray
+    constants: dict[Any, float]
+    initial_conditions: dict[Any, float]
+    undetermined: tuple[str, ...]
+    at_bounds: tuple[str, ...]
+    residuals: list[dict[str, np.ndarray]]
+    times: list[np.ndarray]
+    noise: float
+    degrees: int
+    evaluations: int
+    success: bool
+    message: str
+
+    def __getitem__(self, name: str) -> float:
+        """Return an estimate by name."""
+        if name not in self.names:
+            raise KeyError(f"The parameters are {', '.join(self.names)}; {name!r} is none.")
+        return float(self.estimates[self.names.index(name)])
+
+    @property
+    def standard_errors(self) -> np.ndarray:
+        """Standard deviations of the estimates, shape (k,)."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @property
+    def correlation(self) -> np.ndarray:
+        """Correlation matrix of the estimates, shape (k, k)."""
+        sizes = self.standard_errors
+        with np.errstate(all="ignore"):
+            result: np.ndarray = self.covariance / np.outer(sizes, sizes)
+        return result
+
+    def confidence_intervals(self, level: float = 0.95) -> np.ndarray:
+        """Return the lowest and highest values that are compatible with the data, shape (k, 2).
+
+        They follow from the model linearised at the estimates, with Student's distribution.
+        """
+        share = number(level, "`level`", finite=True)
+        if not 0.0 < share < 1.0:
+            raise ValueError(f"`level` must lie between 0 and 1, got {share!r}.")
+        reach = student.ppf(0.5 + 0.5 * share, max(self.degrees, 1)) * self.standard_errors
+        return np.stack([self.estimates - reach, self.estimates + reach], axis=1)
+
+    def plot_residuals(self, axes: Any = None) -> Any:
+        """Plot the residuals of each trial over time; return the Axes."""
+        return plot_residuals(self.times, self.residuals, axes)
+
+    def __str__(self) -> str:
+        rows = [
+            f"{name} = {value:.8g} ± {error:.2g}"
+            for name, value, error in zip(
+                self.names, self.estimates, self.standard_errors, strict=True
+            )
+        ]
+        more = f"; undetermined: {'; '.join(self.undetermined)}" if self.undetermined else ""
+        return f"Fit of {', '.join(rows)}; residuals {self.noise:.4g}{more}"
+
+
+def estimate(
+    evaluate: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+    start: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    names: Sequence[str],
+    most: int,
+    told: bool = True,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, Any]:
+    """Minimise the sum of squares of residuals.
+
+    Parameters
+    ----------
+    evaluate : callable
+        Returns residuals (m,) and their Jacobian (m, k); NaN where the motion cannot be computed.
+    start : ndarray, shape (k,)
+    bounds : (ndarray, ndarray), shapes (k,)
+    names : sequence of str
+    most : int
+        The most evaluations.
+
+    Returns
+    -------
+    z : ndarray, shape (k,)
+    residuals, jacobian : ndarray
+        There.
+    found : OptimizeResult
+
+    Raises
+    ------
+    FitInterrupted
+        Ctrl-C; it hands over the best estimates so far.
+    """
+    best: list[Any] = [np.inf, start]
+    known: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
+
+    def at(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        key = z.tobytes()
+        if key not in known:
+            known.clear()
+            known[key] = evaluate(z)
+            cost = float(known[key][0] @ known[key][0])
+            if cost < best[0]:
+                best[:] = [cost, z.copy()]
+        return known[key]
+
+    try:
+        found = least_squares(
+            lambda z: at(z)[0], start, lambda z: at(z)[1], bounds, x_scale="jac",
+            xtol=1e-12, ftol=1e-12, gtol=1e-12, max_nfev=most,
+        )  # fmt: skip
+        residuals, jacobian = at(found.x)
+    except KeyboardInterrupt as stop:
+        values = dict(zip(names, best[1].tolist(), strict=True))
+        raise FitInterrupted(
+            "The fit was interrupted. Its best estimates so far are in `values`.", values
+        ) from stop
+    if told and found.status == 0:
+        warn_user(
+            f"The fit did not converge in {most} evaluations; the estimates are its last. Start "
+            "nearer to the parameters, bound them, or use `segments` for long or unstable motions."
+        )
+    return found.x, residuals, jacobian, found
+
+
+def covariance_of(
+    jacobian: np.ndarray, values: np.ndarray, names: Sequence[str]
+) -> tuple[np.ndarray, tuple[str, ...]]:
+    """Return (JᵀJ)⁻¹, and combinations of parameters that J does not determine.
+
+    Parameters are compared by relative changes, so that units do not matter.
+    """
+    sizes = np.where(np.abs(values) > 0.0, np.abs(values), 1.0)
+    _, singular, right = np.linalg.svd(jacobian * sizes, full_matrices=False)
+    largest = singular.max(initial=0.0)
+    weak = singular <= _UNDETERMINED * largest
+    inverse = np.where(weak, 0.0, 1.0 / np.where(weak, 1.0, singular))
+    covariance = (right.T * inverse**2) @ right
+    texts = []
+    for direction in right[weak]:
+        lead = np.abs(direction).max()
+        sign = np.sign(direction[np.abs(direction).argmax()])
+        parts = [
+            name if abs(abs(share) - lead) < 1e-9 and sign * share > 0 else
+            f"{sign * share / lead:.3g} {name}"
+            for name, share in zip(names, direction, strict=True)
+            if abs(share) > 1e-4 * lead
+        ]  # fmt: skip
+        texts.append(" + ".join(parts))
+        touched = np.abs(direction) > 1e-4 * lead
+        covariance[touched, touched] = np.inf
+    return covariance * np.outer(sizes, sizes), tuple(texts)
+
+
+def held_by(
+    values: np.ndarray, bounds: tuple[np.ndarray, np.ndarray], names: Sequence[str]
+) -> tuple[str, ...]:
+    """Return the parameters that lie at a bound."""
+    low, high = bounds
+    size = np.maximum(np.abs(values), 1e-300)
+    near = (values - low <= _BOUND * size) | (high - values <= _BOUND * size)
+    return tuple(name for name, flag in zip(names, near, strict=True) if flag)

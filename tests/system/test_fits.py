@@ -1,0 +1,269 @@
+"""Fits of parameters to measurements."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.integrate import solve_ivp
+
+import zoo
+from cases import system_of
+from pydy.analysis import Trial
+from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+
+TIMES = np.linspace(0.0, 10.0, num=101)
+
+
+def swing(k=4.0, c=0.2, x0=1.0, times=TIMES):
+    """A damped oscillator of unit mass, let go at x0 with a speed that makes its phase simple."""
+    return x0 * np.exp(-c / 2 * times) * np.cos(np.sqrt(k - c**2 / 4) * times)
+
+
+def let_go(samples, x0=1.0, c=0.2, **more):
+    return Trial(TIMES, {"x0": samples}, {"x0": x0, "v0": -c / 2 * x0}, **more)
+
+
+@pytest.fixture
+def oscillator():
+    return multi_mass_spring_damper()
+
+
+def test_exact_data_give_the_parameters_back(oscillator):
+    result = oscillator.fit(["k0", "c0"], let_go(swing()))
+    np.testing.assert_allclose(result.estimates, [4.0, 0.2], rtol=1e-7)
+    assert result.success
+    assert result.constants == {
+        s: result[s.name] for s in oscillator.constants_symbols if s.name != "m0"
+    }
+    assert (result.undetermined, result.at_bounds) == ((), ())
+    assert result.noise < 1e-7
+
+
+def test_the_truth_lies_within_the_confidence_intervals(oscillator):
+    rng = np.random.default_rng(4)
+    inside = np.zeros(2)
+    for _ in range(40):
+        noisy = swing() + rng.normal(0.0, 0.02, len(TIMES))
+        result = oscillator.fit(["k0", "c0"], let_go(noisy, noise=0.02), rtol=1e-7, atol=1e-7)
+        low, high = result.confidence_intervals().T
+        inside += (low <= [4.0, 0.2]) & (high >= [4.0, 0.2])
+    assert (inside >= 34).all()  # of 40 at 95 %
+    assert result.noise == pytest.approx(1.0, abs=0.25)
+
+
+def test_covariances_are_those_of_a_fit_with_differences(oscillator):
+    rng = np.random.default_rng(1)
+    noisy = swing() + rng.normal(0.0, 0.02, len(TIMES))
+    result = oscillator.fit(["k0", "c0", "x0"], let_go(noisy), rtol=1e-12, atol=1e-12)
+
+    def model(z):
+        k, c, x0 = z
+        return solve_ivp(
+            lambda t, x: [x[1], -k * x[0] - c * x[1]], (0.0, 10.0), [x0, -0.1], "DOP853",
+            t_eval=TIMES, rtol=1e-13, atol=1e-13,
+        ).y[0]  # fmt: skip
+
+    oscillator.initial_conditions = {"v0": -0.1}
+    z = result.estimates
+    J = np.stack([(model(z + h) - model(z - h)) / 2e-4 for h in 1e-4 * np.eye(3)], axis=1)
+    left = noisy - model(z)
+    np.testing.assert_allclose(result.residuals[0]["x0"], left, atol=1e-9)
+    np.testing.assert_allclose(J.T @ left, 0.0, atol=1e-6)  # it is the minimum
+    expected = np.linalg.inv(J.T @ J) * (left @ left) / (len(TIMES) - 3)
+    np.testing.assert_allclose(result.covariance, expected, rtol=1e-5)
+    np.testing.assert_allclose(np.diag(result.correlation), 1.0)
+
+
+def test_trials_have_initial_conditions_inputs_and_times_of_their_own():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.ode_solver = "dop853"
+    truth = {"m0": 1.5, "k0": 4.0, "c0": 0.3}
+    data = []
+    for k, (force, start, first) in enumerate([(0.0, 1.0, 0.0), (2.0, -0.5, 1.0)]):
+        system.constants = truth
+        system.specifieds = {"f0": force}
+        system.initial_conditions = {"x0": start, "v0": 0.2}
+        times = np.linspace(first, 9.0, num=60 + 7 * k)
+        system.times = times
+        x = system.simulate(rtol=1e-11, atol=1e-11)["x0"].copy()
+        x[5:9] = np.nan  # missing
+        data.append(Trial(times, {"x0": x}, {"x0": 0.8}, {}, {"f0": force}, unknown=["x0", "v0"]))
+    system.constants, system.specifieds, system.initial_conditions = {}, {}, {}
+    result = system.fit(["m0", "k0", "c0"], data)
+    names = ("m0", "k0", "c0", *(f"{s} of trial {k}" for k in (0, 1) for s in ("x0", "v0")))
+    assert result.names == names
+    np.testing.assert_allclose(result.estimates, [1.5, 4.0, 0.3, 1.0, 0.2, -0.5, 0.2], rtol=1e-6)
+    assert np.isnan(result.residuals[1]["x0"][5:9]).all()
+    assert result.residuals[1]["x0"].shape == (67,)
+
+
+def test_measurements_may_be_expressions_and_parameters_lie_in_inputs():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    x0, v0 = system.states
+    amplitude, t = sm.Symbol("amplitude"), me.dynamicsymbols._t
+    system.specifieds = {"f0": amplitude * sm.sin(3 * t)}
+    system.constants = {amplitude: 2.0, "k0": 5.0}
+    system.times, system.ode_solver = TIMES, "dop853"
+    ride = system.simulate(rtol=1e-11, atol=1e-11)
+    energy = ride[v0] ** 2 / 2 + 5.0 * ride[x0] ** 2 / 2
+    k0 = next(s for s in system.constants_symbols if s.name == "k0")
+    trial = Trial(TIMES, {v0**2 / 2 + k0 * x0**2 / 2: energy, "v0": ride[v0]})
+    system.constants = {amplitude: 1.0, "k0": 4.0}
+    result = system.fit([amplitude, "k0"], trial)
+    np.testing.assert_allclose(result.estimates, [2.0, 5.0], rtol=1e-6)
+    assert list(result.residuals[0])[1] == "v0"
+    assert system.outputs == {}  # the System is left alone
+
+
+def test_what_the_data_leave_undetermined_is_named(oscillator):
+    with pytest.warns(PyDyUserWarning, match=r"do not determine .*: .*m0"):
+        result = oscillator.fit(["m0", "k0", "c0"], let_go(swing()))
+    (combination,) = result.undetermined
+    assert {part.split()[-1] for part in combination.split(" + ")} == {"m0", "k0", "c0"}
+    assert result["k0"] / result["m0"] == pytest.approx(4.0, rel=1e-6)
+    assert np.isinf(np.diag(result.covariance)).all()
+
+
+def test_a_prior_determines_what_the_data_do_not(oscillator):
+    result = oscillator.fit(
+        ["m0", "k0", "c0"], let_go(swing(), noise=0.01), priors={"m0": (2.0, 0.1)}
+    )
+    np.testing.assert_allclose(result.estimates, [2.0, 8.0, 0.4], rtol=1e-5)
+    assert result.standard_errors[0] == pytest.approx(0.1, rel=1e-3)
+
+
+def test_a_fit_that_stops_at_a_bound_says_so(oscillator):
+    with pytest.warns(PyDyUserWarning, match="stopped at a bound of k0"):
+        result = oscillator.fit(["k0", "c0"], let_go(swing()), bounds={"k0": (1.0, 3.5)})
+    assert result.at_bounds == ("k0",)
+    assert result["k0"] == pytest.approx(3.5)
+
+
+def test_a_fit_that_does_not_converge_says_so(oscillator):
+    with pytest.warns(PyDyUserWarning, match="did not converge in 2 evaluations"):
+        result = oscillator.fit(["k0", "c0"], let_go(swing()), most=2)
+    assert not result.success
+
+
+def test_weights_follow_the_noise(oscillator):
+    noise = np.where(TIMES < 5.0, 0.01, 10.0)
+    wrong = swing() + np.where(TIMES < 5.0, 0.0, 3.0)
+    result = oscillator.fit(["k0"], let_go(wrong, noise={"x0": noise}, constants={"c0": 0.2}))
+    assert result["k0"] == pytest.approx(4.0, rel=1e-3)
+
+
+def test_segments_find_what_one_shot_does_not():
+    """A pendulum of another length runs out of phase: one shot ends in a local minimum."""
+    system = n_link_pendulum_on_cart(1, cart_force=False)
+    system.constants = {"m0": 1e6, "g": 9.81, "l0": 1.0}
+    system.initial_conditions = {"q1": 2.0}
+    system.times = times = np.linspace(0.0, 20.0, num=401)
+    system.ode_solver = "dop853"
+    ride = system.simulate(rtol=1e-11, atol=1e-11)
+    trial = Trial(times, {"q1": ride["q1"], "u1": ride["u1"]})
+    system.constants = {"m0": 1e6, "g": 9.81, "l0": 1.6}
+    once = system.fit(["l0"], trial)
+    assert abs(once["l0"] - 1.0) > 0.1
+    several = system.fit(["l0"], trial, segments=20)
+    assert several["l0"] == pytest.approx(1.0, rel=1e-6)
+    assert several.names == ("l0",)
+    assert np.abs(several.residuals[0]["q1"]).max() < 1e-4
+
+
+def test_constrained_systems_are_fitted_on_their_constraints():
+    model = zoo.fourbar()
+    system = system_of(model)
+    system.initial_conditions = model.start
+    system.set_dependent_initial_conditions()
+    system.times = times = np.linspace(0.0, 1.0, num=41)
+    system.ode_solver = "dop853"
+    q = system.coordinates
+    ride = system.simulate(constraints="project", rtol=1e-10, atol=1e-10)
+    name = sorted(str(s) for s in system.constants_symbols if str(s).startswith("m"))[0]
+    before = {str(k): v for k, v in system.constants.items()}[name]
+    system.constants = {**system.constants, name: 1.3 * before} if name in system.constants else {
+        **{s: v for s, v in system.constants.items() if str(s) != name}, name: 1.3 * before,
+    }  # fmt: skip
+    result = system.fit([name], Trial(times, {s: ride[s] for s in q}))
+    assert result[name] == pytest.approx(before, rel=1e-5)
+
+
+def test_ctrl_c_hands_over_the_best_estimates(oscillator, monkeypatch):
+    calls = []
+    simulate = type(oscillator).simulate
+
+    def interrupted(self, **options):
+        calls.append(1)
+        if len(calls) > 4:
+            raise KeyboardInterrupt
+        return simulate(self, **options)
+
+    monkeypatch.setattr(type(oscillator), "simulate", interrupted)
+    with pytest.raises(FitInterrupted) as caught:
+        oscillator.fit(["k0", "c0"], let_go(swing()))
+    assert set(caught.value.values) == {"k0", "c0"}
+    assert isinstance(caught.value, KeyboardInterrupt)
+
+
+def test_residuals_are_plotted(oscillator):
+    import matplotlib.pyplot as plt
+
+    result = oscillator.fit(["k0", "c0"], [let_go(swing()), let_go(swing(x0=0.5), x0=0.5)])
+    axes = result.plot_residuals()
+    assert [ax.get_ylabel() for ax in axes] == ["measured less model"] * 2
+    plt.close("all")
+    assert str(result).startswith("Fit of k0 = 4 ±")
+    with pytest.raises(KeyError, match="'bogus' is none"):
+        result["bogus"]
+    with pytest.raises(ValueError, match="`level` must lie between 0 and 1"):
+        result.confidence_intervals(95)
+
+
+def bad(**more):
+    given = {"times": TIMES, "measured": {"x0": swing()}, **more}
+    return Trial(**given)
+
+
+@pytest.mark.parametrize(
+    ("parameters", "trials", "options", "message"),
+    [
+        (["bogus"], bad(), {}, "`parameters` has the key `bogus`"),
+        (["k0", "k0"], bad(), {}, "more than once"),
+        ([], bad(), {}, "at least one constant or state"),
+        (["k0"], [], {}, "at least one pydy.analysis.Trial"),
+        (["k0"], [3], {}, "must be pydy.analysis.Trial"),
+        (["k0"], bad(times=np.append(TIMES[:-1], np.nan)), {}, "finite, got .*nan.* at 100"),
+        (["k0"], bad(times=TIMES[::-1]), {}, "must ascend"),
+        (["k0"], bad(measured={"x0": [1.0]}), {}, r"must have the shape \(101,\).*got \(1,\)"),
+        (["k0"], bad(measured={"bogus": swing()}), {}, "measured of trial 0` has the key `bogus`"),
+        (["k0"], bad(measured={}), {}, "at least one quantity"),
+        (["k0"], bad(measured={"x0": swing() + np.inf}), {}, "NaN where a sample is missing"),
+        (["k0"], bad(noise=-1.0), {}, "`noise` of trial 0 must be positive"),
+        (["k0"], bad(noise={"v0": 1.0}), {}, "an entry for each measured quantity"),
+        (["k0"], [bad(noise=1.0), bad()], {}, "of all trials, or of none"),
+        (["k0"], bad(start=3.0), {}, "must not lie after the first"),
+        (["k0"], bad(unknown=["bogus"]), {}, "bogus"),
+        (["x0"], bad(unknown=["x0"]), {}, "unknown in trial 0, and a parameter of all"),
+        (["k0"], bad(), {"bounds": {"k0": (2.0, 1.0)}}, "pair of the lowest and the highest"),
+        (["k0"], bad(), {"bounds": {"c0": (0.0, 1.0)}}, "`bounds` has the key `c0`"),
+        (["k0"], bad(), {"priors": {"k0": (2.0, 0.0)}}, "mean and the positive standard"),
+        (["k0"], bad(), {"segments": 0}, "`segments`"),
+    ],
+)  # fmt: skip
+def test_what_does_not_fit_is_named(oscillator, parameters, trials, options, message):
+    with pytest.raises((ValueError, TypeError), match=message):
+        oscillator.fit(parameters, trials, **options)
+
+
+def test_a_specified_that_is_a_python_function_is_named():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.specifieds = {"f0": lambda x, t: np.sin(t)}
+    with pytest.raises(ValueError, match=r"Python function.*SymPy expression .*or as samples"):
+        system.fit(["k0"], bad())
+
+
+def test_motions_that_cannot_be_computed_at_the_start_are_told(oscillator):
+    oscillator.constants = {"k0": -1e8}
+    with pytest.raises(IntegrationError):
+        oscillator.fit(["k0"], let_go(swing()))
