@@ -77,6 +77,7 @@ def watch_systems() -> None:
     from pydy.viz.scene import Scene
 
     simulate, integrate, animate = System.simulate, System.integrate, Scene.animate
+    to_html = Scene.to_html
 
     def simulated(self: Any, **options: Any) -> Any:
         trajectory = simulate(self, **options)
@@ -95,12 +96,18 @@ def watch_systems() -> None:
         _LAST["own"] = self  # an example that animates says itself what is to be seen
         return self
 
+    def written(self: Any, *arguments: Any, **options: Any) -> Any:
+        _LAST["live"] = options.get("live")  # sliders of an example are those of its page here
+        return to_html(self, *arguments, **options)
+
     System.simulate, System.integrate, Scene.animate = simulated, integrated, animated
+    Scene.to_html = written
 
 
 def scrape_animation(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
     """Return reStructuredText that shows the motion simulated in a block of an example."""
     found, own = _LAST.pop("scene", None), _LAST.pop("own", None)
+    live = _LAST.pop("live", None)
     if found is None and own is None:
         return ""
     name = Path(block_vars["src_file"]).stem
@@ -108,10 +115,10 @@ def scrape_animation(block: Any, block_vars: dict[str, Any], gallery_conf: Any) 
         scene = own if own is not None else found()
     except ValueError:  # no bodies, or no point at rest: there is nothing to be seen
         return ""
-    _LAST.clear()
     folder = STATIC / "animations"
     folder.mkdir(exist_ok=True)
-    scene.to_html(folder / f"{name}.html")
+    scene.to_html(folder / f"{name}.html", live=live)
+    _LAST.clear()
     title = escape(name.replace("_", " "))
     return (
         "\n.. raw:: html\n\n"
