@@ -279,8 +279,8 @@ def simulate(ride: Ride, path: Path) -> None:
     sliders = {
         speed: Slider(1.0, 8.0, SPEED, "m/s", sets={bicycle["omega_R"]: -speed / bicycle["r_R"]}),
         most: Slider(0.0, 600.0, PUSH, "N"),
-        phi: Slider(-0.3, 0.3, unit="rad", label="roll at the start"),
-        delta: Slider(-0.3, 0.3, unit="rad", label="steer at the start"),
+        phi: Slider(-0.3, 0.3, unit="rad", label="initial roll"),
+        delta: Slider(-0.3, 0.3, unit="rad", label="initial steer"),
     }
     falls = [
         Event(phi**2 - FALLEN**2, direction=1, terminal=True, name="fall"),
