@@ -110,3 +110,15 @@ def test_the_camera_follows_a_body(path, open_page):
     page.get_by_label("Follow ball").click()
     page.evaluate("pydy.seek(0)")
     assert page.evaluate("pydy.camera()")[1] == pytest.approx(target)
+
+
+@pytest.mark.parametrize("width", [320, 390, 640, 760])
+def test_all_buttons_are_in_the_picture(path, open_page, screenshot, width):
+    page = open_page(path, width=width, height=700, color_scheme="dark")
+    for button in page.locator("#bar button, #bar select").all():
+        box = button.bounding_box()
+        assert box["x"] >= 0
+        assert box["x"] + box["width"] <= width
+        assert box["y"] + box["height"] <= 700
+    assert page.locator("#time").bounding_box()["width"] > 0.8 * width
+    screenshot(page, f"dark-{width}")
