@@ -26,7 +26,7 @@ import sys
 import numpy as np
 from pydy._backends.llvm import background
 from pydy.models import multi_mass_spring_damper
-background._QUIET_SECONDS = 0.0
+background.QUIET_SECONDS = 0.0
 for n in (1, 2, 3):
     system = multi_mass_spring_damper(n)
     x = np.arange(1.0, 2 * n + 1)
@@ -341,7 +341,7 @@ EQUATIONS = """
 import sys, warnings
 import numpy as np
 from pydy._backends.llvm import background, compiling
-background._QUIET_SECONDS = 1e9
+background.QUIET_SECONDS = 1e9
 if sys.argv[1:] == ["wrong"]:
     right = compiling.binding.parse_assembly
     def wrong(text, *rest):

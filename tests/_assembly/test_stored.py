@@ -19,7 +19,7 @@ from pydy._assembly import assembly
 from pydy._backends.llvm import background, compiling, native
 from pydy.system import System
 
-background._QUIET_SECONDS = 0.0
+background.QUIET_SECONDS = 0.0
 counts = {"simplified": 0, "compiled": 0}
 
 def counted(module, name, kind):

@@ -22,7 +22,10 @@ def formed(bodies, loads=None, frame=None):
 
 def test_a_body_whose_mass_centre_moves_nobody_knows_how_is_named():
     body = me.Particle("p", me.Point("P"), sm.Symbol("m"))
-    with pytest.raises(ValueError, match=r"The point P, the mass centre of the body p, has no velocity .* N.*set_vel\(N"):
+    with pytest.raises(
+        ValueError,
+        match=r"The point P, the mass centre of the body p, has no velocity .* N.*set_vel\(N",
+    ):
         formed([body])
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
@@ -102,5 +102,4 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
         places = {next(iter(row)): i for i, row in enumerate(rows)}
         if len(places) == n:
             return [graph.div(right[places[k]], rows[places[k]][k]) for k in range(n)]
-    matrix = [[row.get(k, graph.zero) for k in range(n)] for row in rows]
-    return graph.solve(matrix, [right], "lu")[0]
+    return graph.solve(dense_rows(graph, rows, n), [right], "lu")[0]

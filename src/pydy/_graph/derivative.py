@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
-__all__ = ["Rows", "directional", "jacobian"]
+__all__ = ["Rows", "dense", "dense_jacobian", "dense_rows", "directional", "jacobian"]
 
 Row = dict[int, int]
 
@@ -46,8 +46,17 @@ def jacobian(
 
 def dense_jacobian(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[int]:
     """Return all derivatives of some nodes by others, row by row."""
-    rows = jacobian(graph, outputs, by)
-    return [row.get(k, graph.zero) for row in rows for k in range(len(by))]
+    return dense(graph, jacobian(graph, outputs, by), len(by))
+
+
+def dense(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> list[int]:
+    """Return derivatives with their zeros, row by row."""
+    return [node for row in dense_rows(graph, rows, width) for node in row]
+
+
+def dense_rows(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> list[list[int]]:
+    """Return derivatives with their zeros, as a list of rows."""
+    return [[row.get(k, graph.zero) for k in range(width)] for row in rows]
 
 
 def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) -> list[Row]:

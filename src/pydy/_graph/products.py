@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import directional, jacobian
+from pydy._graph.derivative import dense, directional, jacobian
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
@@ -69,12 +69,12 @@ def derivative_program(
 
         if kind == "jacobian":
             shape: tuple[int, ...] = (m, k)
-            cells = _dense(g, jacobian(g, nodes, by), k)
+            cells = dense(g, jacobian(g, nodes, by), k)
             extra = 0
         elif kind == "jacobian-vector":
             shape, extra = (m, vectors), k * vectors
             seeds = {node: given(k, i) for i, node in enumerate(by)}
-            cells = _dense(g, directional(g, nodes, seeds), vectors)
+            cells = dense(g, directional(g, nodes, seeds), vectors)
         elif kind == "vector-jacobian":
             shape, extra = (k, vectors), m * vectors
             weights = [given(m, i) for i in range(m)]
@@ -88,10 +88,6 @@ def derivative_program(
             first = adjoints(g, nodes, [g.one], by)
             first = factor_sums(g, first) if "factor" in passes else first
             seeds = {node: given(k, i) for i, node in enumerate(by)}
-            cells = _dense(g, directional(g, first, seeds), vectors)
+            cells = dense(g, directional(g, first, seeds), vectors)
         cells = factor_sums(g, cells) if "factor" in passes else cells
         return lower(g, (n, s + extra, c), [(kind, shape, cells)], passes=passes)
-
-
-def _dense(graph: Graph, rows: Sequence[dict[int, int]], width: int) -> list[int]:
-    return [row.get(k, graph.zero) for row in rows for k in range(width)]

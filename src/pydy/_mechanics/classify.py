@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import dense_rows, jacobian
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import Block, GenericStates
 
@@ -72,8 +72,8 @@ def _rows(states: GenericStates, name: str, nodes: list[int]) -> Block:
     """Return the block of linear equations in the speeds: coefficients, and what is left."""
     g, speeds = states.graph, states.speeds
     cells: list[int] = []
-    for node, row in zip(nodes, jacobian(g, nodes, speeds), strict=True):
-        slope = [row.get(k, g.zero) for k in range(len(speeds))]
+    rows = dense_rows(g, jacobian(g, nodes, speeds), len(speeds))
+    for node, slope in zip(nodes, rows, strict=True):
         terms = [(g.mul(c, s), -1.0) for c, s in zip(slope, speeds, strict=True)]
         cells += [*slope, g.sum([(node, 1.0), *terms])]
     return name, (len(nodes), len(speeds) + 1), cells

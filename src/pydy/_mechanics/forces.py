@@ -21,7 +21,7 @@ from sympy.physics.mechanics import Point, Vector
 
 from pydy._forks import cached_property
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.identities import signatures
 from pydy._graph.rewrite import substitute
@@ -100,7 +100,7 @@ class ConstraintForces:
         if self.body.changing:  # no speed is dependent in all configurations
             d = n
         bound = jacobian(g, rows, kinematics.speeds[n - d :])
-        columns = [[row.get(k, g.zero) for k in range(d)] for row in bound]  # Jᵀ, by columns
+        columns = dense_rows(g, bound, d)  # Jᵀ, by columns
         force = [g.neg(x) for x in rest[n - d :]]
         if self.body.changing:
             found = multipliers_of(g, columns, force, redundant=bool(self.redundant))

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from pydy._graph.derivative import jacobian
+from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
@@ -317,5 +317,4 @@ def _idle(kinematics: Kinematics, forcing: Sequence[int]) -> list[int]:
 
 
 def _slopes(graph: Graph, nodes: Sequence[int], by: Sequence[int]) -> list[list[int]]:
-    table = jacobian(graph, nodes, by)
-    return [[row.get(k, graph.zero) for k in range(len(by))] for row in table]
+    return dense_rows(graph, jacobian(graph, nodes, by), len(by))

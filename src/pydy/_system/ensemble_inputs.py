@@ -23,8 +23,8 @@ from pydy.ensemble.samples import Coordinate, Samples, block_sizes
 from pydy.ensemble.work import Work, read_reductions
 from pydy.inputs import SampledInput
 from pydy.solvers.options import Options, read_options
-from pydy.solvers.run.problem import BLOCK
 from pydy.solvers.solver import SOLVERS, Solver
+from pydy.solvers.tuning import LANES
 
 __all__ = ["make_ensemble"]
 
@@ -262,7 +262,7 @@ def make_ensemble(
     default = int(min(max(_BYTES / row, _LEAST), most))
     about = {
         "ode_solver": solver.name,
-        "lanes": BLOCK if model.in_lanes else 1,
+        "lanes": LANES if model.in_lanes else 1,
         "rtol": np.asarray(read.rtol).tolist(),
         "atol": np.asarray(read.atol).tolist(),
         "pydy_version": __version__,

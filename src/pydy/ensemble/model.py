@@ -13,7 +13,7 @@ from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy.solvers.options import Options
-from pydy.solvers.run.problem import BLOCK
+from pydy.solvers.tuning import LANES
 
 __all__ = ["Model", "Results", "evaluate_outputs", "run"]
 
@@ -113,7 +113,7 @@ def run(
         return _run_one_by_one(model, x, r, p, times, stopped, states)
     from pydy.solvers.lanes.runs import integrate_samples
 
-    kernel = _kernel(model.rates, BLOCK)
+    kernel = _kernel(model.rates, LANES)
     found = integrate_samples(
         kernel, model.method, x, r, p, model.sampled, times, model.options, states, stopped
     )
@@ -136,7 +136,7 @@ def evaluate_outputs(
     if not model.functions:
         from pydy.solvers.lanes.runs import evaluate_samples
 
-        return evaluate_samples(_kernel(program, BLOCK), r, p, model.sampled, times, states)
+        return evaluate_samples(_kernel(program, LANES), r, p, model.sampled, times, states)
     kernel = _kernel(program, 1)
     out = np.empty((len(program.outputs), *states.shape[1:]))
     for k in range(states.shape[1]):

@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
-__all__ = ["NEARLY_SINGULAR", "ROUNDINGS"]
+__all__ = ["BLOCK", "LANES", "NEARLY_SINGULAR", "ROUNDINGS"]
+
+BLOCK = 8
+"""Numbers that the compiled loops work on side by side; vectors are padded to whole blocks."""
+
+LANES = BLOCK
+"""Trajectories of an ensemble that are integrated side by side, on every processor."""
 
 ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""

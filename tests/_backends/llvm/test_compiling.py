@@ -103,7 +103,7 @@ def test_it_ends_with_the_program():
 from pydy._backends.llvm import background
 from pydy._backends.llvm.backend import LLVMBackend
 import test_compiling, time
-background._QUIET_SECONDS = 0.0
+background.QUIET_SECONDS = 0.0
 kernel = LLVMBackend().compile(test_compiling.program(5))
 test_compiling.until(lambda: background._helper._process is not None)
 print(background._helper._process.pid)
@@ -139,7 +139,7 @@ def test_a_forked_child_leaves_the_process_to_its_parent(helper):
 
 @pytest.fixture
 def at_once(monkeypatch):
-    monkeypatch.setattr(background, "_QUIET_SECONDS", 0.0)
+    monkeypatch.setattr(background, "QUIET_SECONDS", 0.0)
 
 
 @pytest.fixture
@@ -201,7 +201,7 @@ def test_where_no_process_can_be_started_the_program_compiles(nothing_cached, no
 
 
 def test_a_process_without_work_is_ended(nothing_cached, at_once, monkeypatch):
-    monkeypatch.setattr(background, "_IDLE_SECONDS", 0.05)
+    monkeypatch.setattr(background, "IDLE_SECONDS", 0.05)
     kernel = LLVMBackend().compile(program(15))
     assert kernel.owner
     until(lambda: not background._TASKS and background._helper._process is None)

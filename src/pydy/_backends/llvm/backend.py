@@ -23,6 +23,7 @@ from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions, si
 from pydy._backends.llvm.solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.llvm.targets import target
 from pydy._backends.registry import compile_program
+from pydy._backends.tuning import LARGE, LOOP, SHORT
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -107,11 +108,6 @@ def width_of(program: Program, lanes: int) -> int:
     return lanes if _is_small(program) else min(lanes, target().registers.widest)
 
 
-# Operations from which code does not fit the processor's cache for it, and those for one result of
-# models that do little but the same for each: chains and nets of masses.
-_LARGE, _SHORT = 1500, 6
-
-
 def _repeats(program: Program) -> bool:
     """Return whether LLVM should look for operations that can be done side by side in one state.
 
@@ -119,7 +115,7 @@ def _repeats(program: Program) -> bool:
     compiling takes 3 to 5 times as long.
     """
     count = sum(program.operation_count["run"].values())
-    return _LARGE < count < _SHORT * len(program.outputs)
+    return LARGE < count < SHORT * len(program.outputs)
 
 
 def _improve(known: ref[Entry], source: jit.Source, calls: bool, compile_source: Compile) -> None:
@@ -260,10 +256,6 @@ def _parameters(suffix: str = "") -> str:
     return f"{inputs}, ptr noalias %out{suffix}"
 
 
-# Up to so many operations at every call a strided kernel is a loop.
-_LOOP = 100
-
-
 def _kernel(program: Program, lanes: int, brief: bool) -> str:
     """Return the functions of the second stage; wide code has a `strided` form beside `kernel`.
 
@@ -308,7 +300,7 @@ def _column_kernel(program: Program, lanes: int, brief: bool, columns: int) -> s
 
 
 def _is_small(program: Program) -> bool:
-    return sum(not setup for setup in program.setup) <= _LOOP
+    return sum(not setup for setup in program.setup) <= LOOP
 
 
 def _strided(program: Program, lanes: int, brief: bool, loop: bool, prefix: str = "") -> str:

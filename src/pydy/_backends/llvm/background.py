@@ -21,6 +21,7 @@ from weakref import WeakKeyDictionary
 
 from pydy import _forks
 from pydy._backends.llvm.compiling import Helper, HelperError, Source, object_code
+from pydy._backends.tuning import IDLE_SECONDS, QUIET_SECONDS
 
 __all__ = ["Compile", "Task", "in_use", "submit"]
 
@@ -54,8 +55,6 @@ class Task:
             self._function = None
 
 
-_QUIET_SECONDS = 0.25
-_IDLE_SECONDS = 10.0
 _START = _forks.Lock()
 _last_wanted = 0.0
 
@@ -96,12 +95,12 @@ def submit(task: Task) -> None:
 
 def _work() -> None:
     while not _ENDING.is_set():
-        if not _SUBMITTED.wait(_IDLE_SECONDS):
+        if not _SUBMITTED.wait(IDLE_SECONDS):
             _helper.close()
             _SUBMITTED.wait()
         _SUBMITTED.clear()
         while _TASKS and not _ENDING.is_set():
-            left = _last_wanted + _QUIET_SECONDS - time.monotonic()
+            left = _last_wanted + QUIET_SECONDS - time.monotonic()
             if left > 0.0:
                 _ENDING.wait(left)
             elif not _do_newest():

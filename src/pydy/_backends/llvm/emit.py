@@ -11,8 +11,9 @@ from collections.abc import Callable
 
 from pydy._backends.llvm.guards import Solves
 from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
-from pydy._backends.llvm.plan import BLOCK, Place, Registers, fusion, readers
+from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
+from pydy._backends.tuning import BLOCK, FOR_SINCOS, TEMPORARY, TOGETHER
 from pydy._graph.operations import ANGLES, OPERATIONS, TRUTHS, operands
 from pydy._graph.program import Program
 
@@ -23,11 +24,6 @@ BRANCH_WEIGHTS = (
     '!0 = !{!"branch_weights", i32 1, i32 2000}',
     '!1 = !{!"branch_weights", i32 2000, i32 1}',
 )
-# Registers for intermediate results, and for those of sine and cosine.
-_TEMPORARY = 5
-_SINCOS = 12
-# Angles whose sines and cosines are taken with one look at their sizes.
-_TOGETHER = 8
 
 
 class Emitter:
@@ -66,7 +62,7 @@ class Emitter:
         self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
         self.fused, self.swallowed = fusion(program)
         uses = readers(program, self.swallowed, setup)
-        self.capacity = max(registers - _TEMPORARY, 4)
+        self.capacity = max(registers - TEMPORARY, 4)
         self.names = Registers(f, self.v, self.capacity, uses)
         self.written = 0
         # A parameter that is never null.
@@ -285,9 +281,9 @@ class Emitter:
         )
         ready = [k for k in waiting if k in self.names and k not in self.angles]
         if self.lanes > 1:
-            for start in range(0, len(ready), _TOGETHER):
-                group = ready[start : start + _TOGETHER]
-                self.names.leave(node - 1, min(_SINCOS, self.capacity - 1))
+            for start in range(0, len(ready), TOGETHER):
+                group = ready[start : start + TOGETHER]
+                self.names.leave(node - 1, min(FOR_SINCOS, self.capacity - 1))
                 pairs = sincos_together(f, [self.names[k] for k in group], self.lanes)
                 self.angles.update(zip(group, pairs, strict=True))
             return

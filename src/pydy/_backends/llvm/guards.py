@@ -9,13 +9,10 @@ from typing import Protocol
 from pydy._backends.llvm.ir import Function, literal, vector_type
 from pydy._backends.llvm.plan import Registers
 from pydy._backends.llvm.solve import mask, solver_names
+from pydy._backends.tuning import FALLBACK_STACK, SPARSE
 from pydy._graph.program import Program
 
 __all__ = ["Solves", "Writer"]
-
-# A matrix with more entries for each one that is computed at every call is kept without the others.
-_SPARSE = 4
-_STACK_BYTES = 2**16
 
 
 def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
@@ -78,7 +75,7 @@ class Solves:
                 continue
             stored = _stored(*args[:2])
             moving = self._moving(stored)
-            sparse = len(stored) > _SPARSE * len(moving)
+            sparse = len(stored) > SPARSE * len(moving)
             self._kept[k] = self.f.slot(self.v, max(len(moving if sparse else stored), 1))
             for place, node in enumerate(moving if sparse else stored):
                 if self.e.computed(node):
@@ -254,13 +251,13 @@ class Solves:
         moving = {node: k for k, node in enumerate(self._moving(stored))}
         matrix, room = self._kept[guard], ""
         work = n * n + 3 * n
-        sparse = len(stored) > _SPARSE * len(moving)
+        sparse = len(stored) > SPARSE * len(moving)
         if not sparse:
             scratch = f.slot(v, work) if symmetric else ""
         else:
             count = len(stored) + work
             size = 8 * self.lanes * count
-            heap = size > _STACK_BYTES
+            heap = size > FALLBACK_STACK
             matrix = f.let(f"call ptr @malloc(i64 {size})") if heap else f.slot(v, count)
             room = matrix if heap else ""
             scratch = f.at(matrix, str(len(stored)), v)

@@ -13,10 +13,7 @@ from pydy._backends.llvm.ir import Function
 from pydy._graph.operations import operands
 from pydy._graph.program import Program
 
-__all__ = ["BLOCK", "Place", "Registers", "fusion", "readers"]
-
-# Operations in one basic block. LLVM's time grows faster than a block's length.
-BLOCK = 60
+__all__ = ["Place", "Registers", "fusion", "readers"]
 
 Place = str | tuple[str, int]
 

@@ -1,4 +1,4 @@
-; sources 7411566bfb694af5d3327e08d216a43635392a870ccc2c31ef6ff189529a357b
+; sources 9fb8ab04b3090eceb93ef9e3ac69e9781796c68d7e55d722c7da767573712d58
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

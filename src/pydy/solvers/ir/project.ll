@@ -1,4 +1,4 @@
-; sources a6b313d81f75a16e857bf7a1a2e75532de32b57f3fb5de1e7c58f71f2f0e5133
+; sources f2bd3d84d8433295cfd0317f3cd859c95c669c22d4cda42e276350087f603c61
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

@@ -1,4 +1,4 @@
-; sources f01eea8a715d40999baa78903647c77be1251882d2aaa2fc84f47f73234b91d9
+; sources aca153fe1e04fd915aac9de68c8780a135a1248b992e4f5b140da18183df22ec
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

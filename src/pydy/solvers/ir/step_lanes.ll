@@ -1,4 +1,4 @@
-; sources bb5536e2a5048547398708ea7fc26aa86cea3e6a3a8da9e9816bd559a765e4c3
+; sources d48ccd8e35de2f26a1ed69bdf246a23bc1e119a67025bfa34643682d445bf4e3
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0

@@ -18,9 +18,10 @@ from pydy.solvers.lanes.layout import (
 )
 from pydy.solvers.loop.compiled import entry, inlined
 from pydy.solvers.loop.entrance import opening
-from pydy.solvers.loop.intrinsics import BLOCK, address_of, call_kernel, call_prepare, get, put
+from pydy.solvers.loop.intrinsics import address_of, call_kernel, call_prepare, get, put
 from pydy.solvers.loop.rates import interval_of
 from pydy.solvers.loop.vectors import splat, store
+from pydy.solvers.tuning import BLOCK
 
 __all__ = ["copy_in", "evaluate_lanes", "rates_of_lanes"]
 

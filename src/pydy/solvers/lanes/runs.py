@@ -16,13 +16,13 @@ from pydy.solvers.options import Options
 from pydy.solvers.run import layout
 from pydy.solvers.run.layout import Memory
 from pydy.solvers.run.methods import method_arrays
-from pydy.solvers.run.problem import BLOCK, address, lined_up, tables_of
+from pydy.solvers.run.problem import address, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.table import rows_of, table_of
+from pydy.solvers.tuning import BLOCK
 
-__all__ = ["LANES", "LaneResult", "evaluate_samples", "integrate_samples"]
+__all__ = ["LaneResult", "evaluate_samples", "integrate_samples"]
 
-LANES = BLOCK
 _SLICE = 0.02  # seconds in compiled code, about, between two looks at whether to go on
 
 

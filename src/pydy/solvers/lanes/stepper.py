@@ -38,14 +38,7 @@ from pydy.solvers.lanes.layout import (
 )
 from pydy.solvers.loop.compiled import entry, inlined
 from pydy.solvers.loop.entrance import opening
-from pydy.solvers.loop.intrinsics import (
-    BLOCK,
-    address_of,
-    call_prepare,
-    lowest_bit,
-    nested,
-    put,
-)
+from pydy.solvers.loop.intrinsics import address_of, call_prepare, lowest_bit, nested, put
 from pydy.solvers.loop.runge_kutta import combine_row
 from pydy.solvers.loop.vectors import (
     absolute,
@@ -78,6 +71,7 @@ from pydy.solvers.run.layout import (
     Memory,
     Method,
 )
+from pydy.solvers.tuning import BLOCK
 
 __all__ = ["step_lanes"]
 

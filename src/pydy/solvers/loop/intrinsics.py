@@ -11,9 +11,9 @@ from numba.core import cgutils
 from numba.extending import intrinsic as _intrinsic
 
 from pydy.solvers.run.layout import COLUMNS
+from pydy.solvers.tuning import BLOCK
 
 __all__ = [
-    "BLOCK",
     "address_of",
     "array_of_row",
     "call_kernel",
@@ -27,9 +27,6 @@ __all__ = [
     "numbers_at",
     "put",
 ]
-
-BLOCK = 8
-"""Vectors are worked on in blocks of so many numbers, padded with zeros."""
 
 intrinsic: Any = _intrinsic  # what it returns is called from compiled code only
 

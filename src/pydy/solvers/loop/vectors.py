@@ -22,7 +22,8 @@ from numba.core.typing.templates import ConcreteTemplate, infer_global, signatur
 from numba.extending import lower_builtin, models, register_model
 from numba.np.arrayobj import make_array
 
-from pydy.solvers.loop.intrinsics import BLOCK, intrinsic
+from pydy.solvers.loop.intrinsics import intrinsic
+from pydy.solvers.tuning import BLOCK
 
 __all__ = [
     "absolute",

@@ -43,11 +43,11 @@ from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.methods import IMPLICIT
 from pydy.solvers.run.pace import SLICE, first_budget, progress_bar
-from pydy.solvers.run.problem import BLOCK, address
+from pydy.solvers.run.problem import address
 from pydy.solvers.run.shipped import stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
-from pydy.solvers.tuning import NEARLY_SINGULAR
+from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR
 
 __all__ = ["Integration"]
 

@@ -15,6 +15,7 @@ from pydy._checks import vector
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.layout import Problem, Watch
+from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
@@ -29,7 +30,6 @@ __all__ = [
     "watch_arrays",
 ]
 
-BLOCK = 8
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 _FUNCTION = ctypes.CFUNCTYPE(
     ctypes.c_int32, ctypes.POINTER(ctypes.c_double), *[ctypes.c_size_t] * 4

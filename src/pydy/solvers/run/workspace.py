@@ -28,7 +28,6 @@ from pydy.solvers.run.layout import (
 )
 from pydy.solvers.run.methods import IMPLICIT, method_arrays
 from pydy.solvers.run.problem import (
-    BLOCK,
     Callback,
     address,
     bind_constants,
@@ -40,6 +39,7 @@ from pydy.solvers.run.problem import (
 )
 from pydy.solvers.run.table import rows_of, table_of
 from pydy.solvers.sensitivities import CompiledSensitivities
+from pydy.solvers.tuning import BLOCK
 
 __all__ = ["Workspace"]
 

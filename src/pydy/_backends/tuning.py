@@ -1,0 +1,58 @@
+"""Thresholds of compiled code, each with what it was found by.
+
+Times are of eight lanes on a processor with AVX-512 (docs/decisions/02-register-allocation.md),
+unless it says otherwise. What depends on the processor is in `pydy._backends.llvm.targets`.
+"""
+
+from __future__ import annotations
+
+__all__ = [
+    "BLOCK",
+    "FALLBACK_STACK",
+    "FOR_SINCOS",
+    "IDLE_SECONDS",
+    "LARGE",
+    "LOOP",
+    "QUIET_SECONDS",
+    "SHORT",
+    "SPARSE",
+    "TEMPORARY",
+    "TOGETHER",
+]
+
+# Operations in one basic block: LLVM's time grows faster than a block's length. 30 and 120: no
+# gain.
+BLOCK = 60
+
+# Registers left to intermediate results. Fewer: LLVM moves values to memory a second time; more:
+# no gain.
+TEMPORARY = 5
+
+# Registers that sine and cosine work in.
+FOR_SINCOS = 12
+
+# Angles whose sines and cosines are taken with one look at their sizes: 84 stores instead of 140
+# for five links.
+TOGETHER = 8
+
+# Operations up to which a kernel of several lanes is a loop over blocks of states: what leads in
+# and out of a function takes as long as the equations of one link.
+LOOP = 100
+
+# Operations from which code does not fit the processor's cache for it, and those for one result of
+# models that do little but the same for each: 300 masses in half the time where LLVM looks for
+# them, in 3 to 5 times the compile time.
+LARGE = 1500
+SHORT = 6
+
+# Entries of a matrix for each one that is computed at every call, from which only those are kept
+# for a fallback: 100 springs have 10,000 entries and compute none.
+SPARSE = 4
+
+# Bytes of a fallback's matrices on the stack; threads have small ones.
+FALLBACK_STACK = 2**16
+
+# Without a compilation for so long, code is compiled anew at LLVM's best on the side: a short
+# script starts no process for it. The process ends after so long without work.
+QUIET_SECONDS = 0.25
+IDLE_SECONDS = 10.0
