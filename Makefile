@@ -9,7 +9,7 @@ PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
 # The released PyDy that benchmarks compare with; it needs an environment of its own.
 REFERENCE := .venv-reference
 REFERENCE_PY := $(REFERENCE)/bin/python
-# heyoka, CasADi, JAX, Pinocchio and diffsol, which are compared with ours.
+# heyoka, CasADi, JAX, Pinocchio, MuJoCo and diffsol, which are compared with ours.
 PEERS := .venv-peers
 PEERS_PY := $(PEERS)/bin/python
 
@@ -28,7 +28,7 @@ help:
 	@echo "make test-arm64  bits and a part of the tests on AArch64 under emulation (needs apt-get)"
 	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
-	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts"
+	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts; trees"
 	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
 	@echo "make solvers-ir  write the compiled loops of the solvers as LLVM IR, after a change of them"
 	@echo "make three  bundle three.js for the animation page anew (needs npm and a network)"
@@ -73,6 +73,7 @@ bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/operations.py
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
+	$(PY) benchmarks/trees.py --peer-python $(PEERS_PY)
 	PYDY_CPU=x86-64-v3 $(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/exported.py --peer-python $(PEERS_PY)
 

@@ -32,7 +32,7 @@ def test_a_body_whose_mass_centre_moves_nobody_knows_how_is_named():
 def test_a_load_at_a_point_that_nothing_positions_is_named():
     frame, point, other = me.ReferenceFrame("N"), me.Point("P"), me.Point("Q")
     point.set_vel(frame, me.dynamicsymbols("u") * frame.x)
-    with pytest.raises(ValueError, match=r"The point Q has no velocity"):
+    with pytest.raises(ValueError, match=r"The point Q, which a load acts at, has no velocity"):
         formed([me.Particle("p", point, 1)], [(other, frame.x)], frame)
 
 
