@@ -180,15 +180,8 @@ class Trajectory:
         self._model = model
         self._dense = dense
         self._sensitivity_model = sensitivity_model
-        self._sensitivity: Sensitivity | None = None
-        if sensitivities is not None:
-            self._sensitivity = Sensitivity(
-                sensitivities[1],
-                sensitivities[0],
-                self.state_symbols,
-                self.outputs_symbols,
-                self._sensitivity_of_outputs,
-            )
+        self._sensitivities = sensitivities
+        self._known_sensitivity: Sensitivity | None = None
         self._derivatives: np.ndarray | None = None
         self._energy: np.ndarray | None = None
         self._latex: dict[str, str] = {}
@@ -352,19 +345,30 @@ class Trajectory:
         ValueError
             The trajectory was simulated without.
         """
-        if self._sensitivity is None:
+        found = self._sensitivity
+        if found is None:
             raise ValueError(
                 "The trajectory holds no sensitivities. Name the parameters when you simulate: "
                 "system.simulate(sensitivities=[…])."
             )
-        return self._sensitivity
+        return found
+
+    @property
+    def _sensitivity(self) -> Sensitivity | None:
+        """The same, or None; its names are found when it is first asked for."""
+        if self._known_sensitivity is None and self._sensitivities is not None:
+            parameters, values = self._sensitivities
+            symbols = (self.state_symbols, self.outputs_symbols)
+            evaluate = self._sensitivity_of_outputs
+            self._known_sensitivity = Sensitivity(values, parameters, *symbols, evaluate)
+        return self._known_sensitivity
 
     def _take_sensitivity(self, names: Sequence[str], table: np.ndarray) -> None:
         """Take sensitivities of states and outputs from a file."""
         n = self.states.shape[1]
         columns = dict.fromkeys(names, 1)
         symbols = (self.state_symbols, self.outputs_symbols)
-        self._sensitivity = Sensitivity(table[:, :n], columns, *symbols, lambda: table[:, n:])
+        self._known_sensitivity = Sensitivity(table[:, :n], columns, *symbols, lambda: table[:, n:])
 
     def _sensitivity_of_outputs(self) -> np.ndarray:
         model, values = self._sensitivity_model, self.sensitivity.values

@@ -194,12 +194,13 @@ class Sensitive:
             nodes = [(name, getattr(assembly, name)) for name in blocks]
             return columns.program(graph, nodes, assembly.sizes, assembly.passes)
 
-        what = f"sensitivities of {', '.join(blocks)} {columns}"
+        def stored() -> Program:
+            what = f"sensitivities of {', '.join(blocks)} {columns}"
+            return stored_program(assembly, what, make)
+
         if not blocks and self._side_by_side:
             return self.model.kernel_by(("sensitivities", columns), self._compiled_apart)
-        return self.model.compiled_by(
-            ("sensitivities", blocks, columns), lambda: stored_program(assembly, what, make)
-        )
+        return self.model.compiled_by(("sensitivities", blocks, columns), stored)
 
     def _compiled_apart(self) -> Kernel:
         columns, assembly = self.columns, self.model.assembly
