@@ -206,6 +206,11 @@ def test_ctrl_c_hands_over_the_best_estimates(oscillator, monkeypatch):
     assert isinstance(caught.value, KeyboardInterrupt)
 
 
+def test_a_bar_counts_the_evaluations(oscillator, capsys):
+    result = oscillator.fit(["k0"], let_go(swing(), constants={"c0": 0.2}), progress=True)
+    assert f"{result.evaluations} evaluations" in capsys.readouterr().err
+
+
 def test_residuals_are_plotted(oscillator):
     import matplotlib.pyplot as plt
 

@@ -269,7 +269,7 @@ def fit(
     known = _priors(work, priors)
     bar = None
     if flag(progress, "`progress`"):
-        bar = require("tqdm", "progress", "`progress=True`").tqdm(unit=" evaluations")
+        bar = require("tqdm", "ensemble", "`progress=True`").tqdm(unit=" evaluations")
     count = 0
 
     def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
