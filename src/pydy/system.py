@@ -1629,8 +1629,8 @@ class System:
 
         target = path_of(path, "`path`")
         check_options(target, options)
-        model = self._exportable(name=text(name or target.stem, "`name`"), events=events,
-                                 inputs=inputs)  # fmt: skip
+        title = target.stem if name is None else text(name, "`name`")
+        model = self._exportable(name=title, events=events, inputs=inputs)
         return write(model, target, **options)
 
     def _exportable(self, **options: Any) -> Model:

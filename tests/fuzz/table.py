@@ -18,6 +18,7 @@ FAMILIES = (
     "command_line",
     "ensembles",
     "evaluation",
+    "exports",
     "generation",
     "integration",
     "pictures",

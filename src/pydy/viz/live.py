@@ -70,7 +70,7 @@ class Slider:
             object.__setattr__(self, "value", given)
         text(self.unit, "`unit` of Slider")
         text(self.label, "`label` of Slider")
-        if not isinstance(self.sets, Mapping):
+        if not isinstance(self.sets, dict):
             raise TypeError(
                 f"`sets` of Slider must map states to expressions, got {shown(self.sets)}."
             )
@@ -109,8 +109,10 @@ class Live:
             )
         choice(self.constraints, ("auto", "project", None), "`constraints` of Live")
         for name in ("rtol", "atol", *(() if self.max_step is None else ("max_step",))):
-            if not number(getattr(self, name), f"`{name}` of Live", finite=True) > 0:
-                raise ValueError(f"`{name}` of Live must be positive, got {getattr(self, name)!r}.")
+            given = number(getattr(self, name), f"`{name}` of Live", finite=True)
+            if not given > 0:
+                raise ValueError(f"`{name}` of Live must be positive, got {given}.")
+            object.__setattr__(self, name, given)
 
 
 @dataclass(frozen=True, eq=False)

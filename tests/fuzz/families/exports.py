@@ -1,0 +1,110 @@
+"""Models as files, and pages that simulate."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from fuzz.kinds import choice, nothing, real, text
+from fuzz.table import empty_or_none, flags, number, target
+from fuzz.world import world
+from pydy.export.writing import check_options
+from pydy.viz import Live, Slider
+
+
+def _exported(path: str = "model.py", **options: Any) -> str:
+    """Return what an export writes first."""
+    return world().o.system.export(path, **options).path.read_bytes().hex()
+
+
+@target("export.target", choice("numpy", "jax"))
+def _(v):
+    return _exported(target=v)
+
+
+@target("export.fmi", choice("3.0", "2.0"))
+def _(v):
+    return _exported("model.fmu", fmi=v, binary=False)
+
+
+@target("export.binary", flags)
+def _(v):
+    return check_options(Path("model.fmu"), {"binary": v})
+
+
+@target("export.name", text().or_none())
+def _(v):
+    return _exported(name=v)
+
+
+def _none_of_them(value: Any) -> bool:
+    return empty_or_none(value) or getattr(value, "size", 1) == 0
+
+
+@target("export.events", nothing("symbols", "texts", "arrays", allowed=_none_of_them))
+def _(v):
+    return _exported(events=v)
+
+
+@target("export.inputs", nothing("symbols", "arrays", allowed=_none_of_them))
+def _(v):
+    return _exported(inputs=v)
+
+
+@target("export.path", nothing("texts"))
+def _(v):
+    return _exported(v)
+
+
+# -- pages that simulate --------------------------------------------------------------------------
+
+
+@target("Slider.low", real(most=0.9))
+def _(v):
+    return Slider(v, 1.0).low
+
+
+@target("Slider.high", real(least=0.1))
+def _(v):
+    return Slider(0.0, v).high
+
+
+@target("Slider.value", number.or_none())
+def _(v):
+    return Slider(0.0, 1.0, v).value
+
+
+@target("Slider.unit", text())
+def _(v):
+    return Slider(0.0, 1.0, unit=v).unit
+
+
+@target("Slider.label", text())
+def _(v):
+    return Slider(0.0, 1.0, label=v).label
+
+
+@target("Slider.sets", nothing("symbols", "arrays", allowed=lambda v: isinstance(v, dict)))
+def _(v):
+    return Slider(0.0, 1.0, sets=v)
+
+
+@target("Live.rtol", real(above=0.0))
+def _(v):
+    return Live({}, rtol=v).rtol
+
+
+@target("Live.max_step", real(above=0.0).or_none())
+def _(v):
+    return Live({}, max_step=v).max_step
+
+
+@target("Live.constraints", choice("auto", "project", None))
+def _(v):
+    return Live({}, constraints=v).constraints
+
+
+@target("to_html.live", nothing("symbols", "texts", "arrays", allowed=empty_or_none))
+def _(v):
+    o = world().o
+    return o.native.scene(reference_frame=o.N, origin=o.O).animate(o.trajectory).html(live=v)
