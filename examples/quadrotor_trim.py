@@ -2,9 +2,10 @@
 Trim and feedback of a quadrotor
 ================================
 
-A quadrotor that flies straight ahead against the air leans into it.  How far, and how fast its rotors
-must push, is a trim: states and inputs at which nothing changes but the place.  Its linear model
-there goes to python-control, whose linear-quadratic regulator brings the vehicle back after a gust.
+A quadrotor that flies straight ahead against the air leans into it.  How far, and how hard its
+rotors must push, is a trim: states and inputs at which nothing changes but the place.  Its linear
+model there goes to python-control, whose linear-quadratic regulator brings the vehicle back after
+a gust.
 """
 
 import sys

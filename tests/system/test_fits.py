@@ -11,6 +11,8 @@ from cases import system_of
 from pydy.analysis import Trial
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.solvers import Event
+from pydy.system import System
 
 TIMES = np.linspace(0.0, 10.0, num=101)
 
@@ -187,6 +189,38 @@ def test_constrained_systems_are_fitted_on_their_constraints():
     }  # fmt: skip
     result = system.fit([name], Trial(times, {s: ride[s] for s in q}))
     assert result[name] == pytest.approx(before, rel=1e-5)
+
+
+def bouncing_ball():
+    h, v = me.dynamicsymbols("h v")
+    m, g, e = sm.symbols("m g e")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", h * N.z)
+    P.set_vel(N, v * N.z)
+    kane = me.KanesMethod(N, [h], [v], [h.diff() - v])
+    kane.kanes_equations([me.Particle("b", P, m)], [(P, -m * g * N.z)])
+    system = System(kane, initial_conditions={h: 1.0}, times=np.linspace(0.0, 2.0, num=101))
+    system.outputs = {me.dynamicsymbols("lost"): 1 - e**2}
+    system.ode_solver = "dop853"
+    bounce = Event(h, direction=-1, reset={v: -e * v}, name="bounce")
+    return system, h, bounce
+
+
+def test_restitution_is_found_through_bounces():
+    system, h, bounce = bouncing_ball()
+    system.constants = {"g": 9.81, "e": 0.8}
+    heights = system.simulate(events=bounce)[h]
+    system.constants = {"g": 9.6, "e": 0.78}
+    result = system.fit(["e", "g"], Trial(system.times, {h: heights}), events=bounce)
+    np.testing.assert_allclose(result.estimates, [0.8, 9.81], rtol=1e-9)
+
+
+def test_an_event_that_ends_a_trial_early_is_told():
+    system, h, bounce = bouncing_ball()
+    ending = Event(h, direction=-1, terminal=True)
+    with pytest.raises(ValueError, match="An event ended trial 0 at t = .* before the last"):
+        system.fit(["g"], Trial(system.times, {h: np.zeros(101)}), events=ending)
 
 
 def test_ctrl_c_hands_over_the_best_estimates(oscillator, monkeypatch):

@@ -188,7 +188,13 @@ class _Fit:
         self.runner.times = times
         if self.tied:
             self.runner.set_dependent_initial_conditions()
-        return self.runner.simulate(sensitivities=symbols, **self.options), columns, skip
+        ride = self.runner.simulate(sensitivities=symbols, **self.options)
+        if len(ride.times) < len(times):
+            raise ValueError(
+                f"An event ended {d.label} at t = {float(ride.times[-1])!r}, before the last of its "
+                "samples. Pass events that are not terminal, or leave out later samples."
+            )
+        return ride, columns, skip
 
     def evaluate(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return residuals of all trials, then gaps, and their derivatives."""
