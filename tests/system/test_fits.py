@@ -217,9 +217,9 @@ def test_restitution_is_found_through_bounces():
 
 
 def test_an_event_that_ends_a_trial_early_is_told():
-    system, h, bounce = bouncing_ball()
+    system, h, _ = bouncing_ball()
     ending = Event(h, direction=-1, terminal=True)
-    with pytest.raises(ValueError, match="An event ended trial 0 at t = .* before the last"):
+    with pytest.raises(ValueError, match=r"An event ended trial 0 at t = .* before the last"):
         system.fit(["g"], Trial(system.times, {h: np.zeros(101)}), events=ending)
 
 
