@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sm
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real, text
-from fuzz.table import empty_or_none, expression, flags, hashable, key, target
+from fuzz.table import empty_or_none, expression, flags, hashable, key, one_of, target
 from fuzz.world import TIMES, driven, world
 from pydy.solvers import Event, dop853, radau, rk4
 
@@ -80,6 +80,17 @@ for _name in ("full_output", "progress"):
 @target("integrate.events", nothing("symbols", "texts", allowed=empty_or_none))
 def _(v):
     return world().o.native.integrate(events=v)
+
+
+@target("simulate.sensitivities", nothing("symbols", "texts", allowed=one_of(None)))
+def _(v):
+    return world().o.native.simulate(sensitivities=v).states
+
+
+@target("simulate.control_sensitivities", flags)
+def _(v):
+    found = world().o.native.simulate(sensitivities=["k"], control_sensitivities=v)
+    return found.sensitivity.values
 
 
 @target("integrate.constraints", choice(None, "project"))
