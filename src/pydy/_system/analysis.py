@@ -19,13 +19,12 @@ from pydy._names import unique_names
 from pydy._system.balance import GROUPS, evaluated, feedback, located
 from pydy._system.evaluation import samples
 from pydy._system.snapshot import Snapshot
-from pydy._system.start import TRIED, violations
+from pydy._system.start import violations
+from pydy._system.tuning import BESIDE, TRIED
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
 
 __all__ = ["Point", "linearize", "variables"]
-
-_BESIDE = 1e-3
 
 
 def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], ...]:
@@ -124,7 +123,7 @@ class Point:
         beside it.
         """
         n = gradient.shape[2]
-        offset = _BESIDE * np.maximum(np.abs(self.x), 1.0) * np.cos(np.arange(n))
+        offset = BESIDE * np.maximum(np.abs(self.x), 1.0) * np.cos(np.arange(n))
         beside = replace(self, x=self.x + offset)
         found = [beside.value(self.made.compiled_jacobian(b, "x"), n) for b in self.blocks]
         moved = np.concatenate(found, axis=1)

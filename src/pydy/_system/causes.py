@@ -18,12 +18,10 @@ from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import dense_jacobian
+from pydy._system.tuning import NEARLY_SINGULAR, NO_INERTIA
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 
 __all__ = ["cause_of", "explain"]
-
-_NOTHING = 1e-12  # of the inertia that each speed has alone
-_TINY = 1e-6  # of the largest: near a singular configuration, where steps become ever smaller
 
 
 def explain(
@@ -134,10 +132,10 @@ def _weightless(cells: np.ndarray) -> np.ndarray:
     size = np.sqrt(np.maximum(np.diag(matrix), 0.0))
     size[size == 0.0] = 1.0
     least, directions = np.linalg.eigh(matrix / size[:, None] / size)
-    if least[0] > _NOTHING:
+    if least[0] > NO_INERTIA:
         return np.empty(0, dtype=int)
     direction = np.abs(directions[:, 0])
-    return np.flatnonzero(direction > _TINY * direction.max())
+    return np.flatnonzero(direction > NEARLY_SINGULAR * direction.max())
 
 
 def _idle(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
@@ -164,7 +162,7 @@ def _wild(kinematics: np.ndarray) -> np.ndarray:
     """Tell which rows of N, of q' = N u, are not finite, or so large that they soon will not be."""
     sizes = np.abs(kinematics).max(axis=1, initial=0.0)
     least = np.min(sizes, initial=np.inf, where=np.isfinite(sizes) & (sizes > 0.0))
-    wild: np.ndarray = ~np.isfinite(sizes) | (sizes * _TINY > least)
+    wild: np.ndarray = ~np.isfinite(sizes) | (sizes * NEARLY_SINGULAR > least)
     return wild
 
 
@@ -174,9 +172,9 @@ def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
     rows = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
     columns = [speeds.index(u) for u in chosen]
     sizes = np.linalg.svd(rows[:, columns], compute_uv=False)
-    if len(columns) == len(rows) and sizes[-1] > _TINY * sizes[0]:
+    if len(columns) == len(rows) and sizes[-1] > NEARLY_SINGULAR * sizes[0]:
         return None
-    if np.linalg.svd(rows, compute_uv=False)[-1] < _TINY:
+    if np.linalg.svd(rows, compute_uv=False)[-1] < NEARLY_SINGULAR:
         return (
             "The velocity constraints are not independent there: the configuration is a singular "
             "one, or a constraint is redundant."

@@ -15,6 +15,7 @@ from pydy._system.inputs import check_times
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import prepare
 from pydy._system.start import check_samples
+from pydy._system.tuning import BLOCK_BYTES, LARGEST_BLOCK, SMALLEST_BLOCK
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.ensemble.engine import Ensemble
@@ -27,9 +28,6 @@ from pydy.solvers.solver import SOLVERS, Solver
 from pydy.solvers.tuning import LANES
 
 __all__ = ["make_ensemble"]
-
-_BYTES = 8e6  # of results in a block, about
-_LEAST, _MOST = 64, 8192  # samples in a block
 
 
 class _Axes:
@@ -258,8 +256,8 @@ def make_ensemble(
     # Work with few samples goes to all threads; large results come in pieces.
     row = 8.0 * len(names) * (len(times) if not reductions else 8)
     # One by one takes long: an interrupt should find blocks that are finished.
-    most = _MOST if model.in_lanes else _LEAST
-    default = int(min(max(_BYTES / row, _LEAST), most))
+    most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK
+    default = int(min(max(BLOCK_BYTES / row, SMALLEST_BLOCK), most))
     about = {
         "ode_solver": solver.name,
         "lanes": LANES if model.in_lanes else 1,

@@ -12,11 +12,9 @@ from pydy._assembly.model import CompiledModel
 from pydy._errors import warn_user
 from pydy._graph.derivative import dense_jacobian
 from pydy._system.solving import constraint_names
+from pydy._system.tuning import DIGITS, TRIED
 
-__all__ = ["TRIED", "check_samples", "check_start", "violations"]
-
-TRIED = 64  # samples of an ensemble
-_DIGITS = 1e-5  # six digits of each state, rounded
+__all__ = ["check_samples", "check_start", "violations"]
 
 
 def check_start(
@@ -82,7 +80,7 @@ def violations(
         size[part] = np.maximum(size[part], size[part].max(initial=0.0) or 1.0)
     found = model.interpreted(_slopes, at).values()
     slopes = np.concatenate([part.reshape(-1, len(x)) for part in found])
-    allowed = _DIGITS * (np.abs(slopes) @ size)
+    allowed = DIGITS * (np.abs(slopes) @ size)
     far = np.flatnonzero(~(np.abs(residuals) <= allowed))
     if not far.size:
         return ""
