@@ -72,6 +72,7 @@ bench: $(VENV)/.installed-test $(REFERENCE)/.installed
 
 bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/operations.py
+	$(PY) benchmarks/build.py
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/trees.py --peer-python $(PEERS_PY)
 	PYDY_CPU=x86-64-v3 $(PY) benchmarks/peers.py --peer-python $(PEERS_PY)

@@ -30,12 +30,18 @@ HUMANOID = [
 ]
 
 
-def tree(parents: list[int], rng: np.random.Generator, *, floating: bool = False) -> dict[str, Any]:
-    """Return a tree of revolute joints and a state, as plain data."""
+def tree(
+    parents: list[int],
+    rng: np.random.Generator,
+    *,
+    floating: bool = False,
+    aligned: bool = False,
+) -> dict[str, Any]:
+    """Return a tree of revolute joints, about random axes or x, y and z, and a state."""
     links = []
     for k, parent in enumerate(parents):
         free = floating and k == 0
-        axis = rng.normal(size=3)
+        axis = np.eye(3)[k % 3] if aligned else rng.normal(size=3)
         half = rng.normal(size=(3, 3))
         size = half @ half.T + np.eye(3)  # with products, and the triangle inequality held
         size = np.trace(size) * np.eye(3) - size
@@ -43,7 +49,7 @@ def tree(parents: list[int], rng: np.random.Generator, *, floating: bool = False
             {
                 "parent": parent,
                 "axis": None if free else list(axis / np.linalg.norm(axis)),
-                "turn": [0.0] * 3 if free else list(rng.normal(size=3)),
+                "turn": [0.0] * 3 if free or aligned else list(rng.normal(size=3)),
                 "place": [0.0] * 3 if free else list(rng.normal(size=3)),
                 "mass": rng.uniform(0.5, 2.0),
                 "centre": list(rng.normal(size=3) / 3),
@@ -97,9 +103,10 @@ def definition(made: dict[str, Any]) -> Definition:
             loads += [(end, vector(torques[:3], own)), (own, vector(torques[3:6], own))]
             torques = torques[6:]
         else:
-            fixed = me.ReferenceFrame(f"F{k}")
-            angle = float(np.linalg.norm(link["turn"]))
-            fixed.orient_axis(above, vector(link["turn"], above).normalize(), angle)
+            fixed, angle = above, float(np.linalg.norm(link["turn"]))
+            if angle:
+                fixed = me.ReferenceFrame(f"F{k}")
+                fixed.orient_axis(above, vector(link["turn"], above).normalize(), angle)
             axis, place = vector(link["axis"], fixed), k - floating
             own.orient_axis(fixed, axis, q[place])
             own.set_ang_vel(fixed, u[place] * axis)
@@ -118,7 +125,7 @@ def definition(made: dict[str, Any]) -> Definition:
 
 def vector(components: Any, frame: me.ReferenceFrame) -> me.Vector:
     """Return a vector from its components."""
-    return sum((c * e for c, e in zip(components, frame, strict=True)), me.Vector(0))
+    return sum((c * e for c, e in zip(components, frame, strict=True) if c != 0), me.Vector(0))
 
 
 def main() -> int:
@@ -130,6 +137,7 @@ def main() -> int:
     cases = {
         "chain of 12 joints": tree(list(range(-1, 11)), rng),
         "tree of 29 joints": tree(HUMANOID, rng),
+        "the same about x, y and z": tree(HUMANOID, rng, aligned=True),
         "floating base with 8 joints": tree([-1, 0, 1, 2, 3, 0, 5, 6, 0], rng, floating=True),
     }
     worker = Path(__file__).parent / "workers" / "trees.py"
