@@ -7,6 +7,8 @@ import sympy.physics.mechanics as me
 from scipy.linalg import eigvals
 
 import pydy.analysis.sweeps
+import zoo
+from cases import system_of
 from hoop import bead_on_a_hoop
 from pydy import System
 from pydy.errors import EquilibriumError
@@ -96,6 +98,26 @@ def system_matrix(m1):
     system = multi_mass_spring_damper(2, apply_gravity=True, apply_external_forces=True)
     system.constants = {"m1": m1}
     return system.evaluate_jacobian(system.find_equilibrium().state)
+
+
+def test_constrained_mechanisms_are_swept_and_followed():
+    model = zoo.fourbar()
+    system = system_of(model)
+    system.initial_conditions = model.start
+    system.set_dependent_initial_conditions()
+    system.initial_conditions = system.find_equilibrium().initial_conditions
+    (m2,) = [s for s in system.constants_symbols if s.name == "m2"]
+    values = np.array([0.5, 1.0, 2.0])
+    sweep = system.eigenvalues({m2: values})
+    branch = system.follow_equilibria({m2: [0.5, 2.0]}, step=0.5)
+    known = {**system.constants}
+    for k, value in enumerate(values):
+        system.constants = {**{s: v for s, v in known.items() if str(s) != "m2"}, m2: value}
+        state = system.find_equilibrium().state
+        np.testing.assert_allclose(sweep.equilibria[k], state, atol=1e-9)
+        expected = np.sort_complex(system.linearize(state).eigenvalues)
+        np.testing.assert_allclose(np.sort_complex(sweep.eigenvalues[k]), expected, atol=1e-7)
+    np.testing.assert_allclose(branch.states[-1], state, atol=1e-9)
 
 
 def test_equilibria_of_a_branch_are_kept():

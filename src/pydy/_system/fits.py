@@ -191,8 +191,8 @@ class _Fit:
         ride = self.runner.simulate(sensitivities=symbols, **self.options)
         if len(ride.times) < len(times):
             raise ValueError(
-                f"An event ended {d.label} at t = {float(ride.times[-1])!r}, before the last of its "
-                "samples. Pass events that are not terminal, or leave out later samples."
+                f"An event ended {d.label} at t = {float(ride.times[-1])!r}, before the last of "
+                "its samples. Pass events that are not terminal, or leave out later samples."
             )
         return ride, columns, skip
 
