@@ -129,6 +129,7 @@ function restart() {
 }
 
 function stop(status) {
+  data.events = (motion.run ? motion.run.records : []).map((one) => ({ time: one.time, name: liveModel.eventNames[one.index] }));
   motion.run = null;
   motion.status = status;
   if (motion.reached > 0 && motion.reached < count) fillRest(motion.reached);
@@ -139,6 +140,7 @@ function stop(status) {
     setTrail(visual, false);
     setTrail(visual, true);
   }
+  fillEvents();
   scaleSeries();
   drawStrip();
   invalidate();

@@ -132,12 +132,16 @@ function copyLink() {
 // -- events on the time axis ----------------------------------------------------------------------------
 
 const eventMarks = document.getElementById("events");
-for (const event of data.events) {
-  const mark = document.createElement("button");
-  mark.type = "button";
-  mark.title = `${event.name} at ${written(event.time)} s`;
-  mark.setAttribute("aria-label", mark.title);
-  mark.style.left = `${100 * (event.time - start) / duration}%`;
-  mark.addEventListener("click", () => { pause(); seek(event.time); });
-  eventMarks.append(mark);
+function fillEvents() {
+  eventMarks.replaceChildren();
+  for (const event of data.events) {
+    const mark = document.createElement("button");
+    mark.type = "button";
+    mark.title = `${event.name} at ${written(event.time)} s`;
+    mark.setAttribute("aria-label", mark.title);
+    mark.style.left = `${100 * (event.time - start) / duration}%`;
+    mark.addEventListener("click", () => { pause(); seek(event.time); });
+    eventMarks.append(mark);
+  }
 }
+fillEvents();
