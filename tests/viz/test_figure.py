@@ -8,7 +8,19 @@ import numpy as np
 import pytest
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from pydy.viz import Arrow, Box, Line, Scene, Sphere, Trace, Visual
+from pydy.viz import (
+    Arrow,
+    Box,
+    Capsule,
+    Cone,
+    Cylinder,
+    Line,
+    Scene,
+    Sphere,
+    Torus,
+    Trace,
+    Visual,
+)
 
 q = dynamicsymbols("q")
 N, O = ReferenceFrame("N"), Point("O")
@@ -158,3 +170,25 @@ def test_a_bar_counts_the_frames(scene, tmp_path, capsys):
     assert "5/5" in capsys.readouterr().err
     with pytest.raises(TypeError, match="`progress` must be True or False, got 'yes'"):
         scene.save(tmp_path / "a.gif", progress="yes")
+
+
+def test_triangles_that_face_away_are_not_drawn_and_are_not_missed(monkeypatch):
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    import pydy.viz.figure as drawing
+
+    solids = [Sphere(1), Cylinder(2, 0.4), Torus(1, 0.2), Capsule(1, 0.3), Cone(1, 0.5)]
+    visuals = [
+        Visual(s, N, O.locatenew("s", 3 * k * N.x), name=str(k)) for k, s in enumerate(solids)
+    ]
+    scene = Scene(N, O, *visuals).animate([0.0], np.zeros((1, 0)), symbols=[])
+    pictures, counts = [], []
+    for grazing in (2.0, drawing._GRAZING):
+        monkeypatch.setattr(drawing, "_GRAZING", grazing)
+        axes = scene.to_matplotlib()
+        canvas = FigureCanvasAgg(axes.figure)
+        canvas.draw()
+        pictures.append(np.asarray(canvas.buffer_rgba()).astype(int))
+        counts.append(sum(len(c.get_facecolor()) for c in axes.collections))
+    assert counts[1] < 0.7 * counts[0]
+    assert (np.abs(pictures[0] - pictures[1]).max(axis=2) > 40).mean() < 2e-3

@@ -11,12 +11,14 @@ import numpy as np
 from pydy._optional import require
 from pydy.viz.animation import Animation
 from pydy.viz.framing import Framing, Look, frame
-from pydy.viz.shapes import Line, Trace
+from pydy.viz.shapes import Circle, Line, Mesh, Plane, Trace
 
 __all__ = ["draw", "save"]
 
 _PICTURES = (".png", ".pdf", ".svg", ".jpg", ".jpeg")
 _FILMS = (".mp4", ".gif")
+_OPEN = (Circle, Mesh, Plane)  # both sides of these may be seen
+_GRAZING = 0.25  # of normals, by how much they may point away from the viewer
 
 
 def draw(animation: Animation, look: Look, t: float, axes: Any = None) -> Any:
@@ -123,6 +125,14 @@ def _mp4_writer(fps: Any) -> Any:
     return FFMpegWriter(fps=fps, extra_args=even)
 
 
+def _normals(corners: np.ndarray) -> np.ndarray:
+    """Return the unit normals of triangles, shape (k, 3)."""
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+    unit: np.ndarray = normals / np.where(lengths > 0, lengths, 1.0)
+    return unit
+
+
 class _Drawing:
     """Draws instants of an animation into one Axes3D, whose artists it makes once."""
 
@@ -136,6 +146,7 @@ class _Drawing:
         self.turn = np.stack([seen.right, -depth, seen.up])
         self.light = self.turn @ (0.9 * depth + 0.7 * seen.right + 2.2 * seen.up)
         self.light /= np.linalg.norm(self.light)
+        self.view = self.turn @ seen.direction
         self.artists: dict[tuple[int, str], Any] = {}
         self.grid: list[Any] = []
         self.target: np.ndarray | None = None  # what the camera looks at
@@ -166,7 +177,13 @@ class _Drawing:
                 continue
             vertices, faces = triangles
             corners = (vertices @ self.turn.T)[faces]
-            self._surface((k, "surface"), corners, self._shaded(corners, colour, shape.opacity))
+            normals = _normals(corners)
+            if shape.opacity == 1.0 and not isinstance(shape, _OPEN):
+                # Half of a closed surface is behind the other half; less, for the perspective.
+                seen_ones = normals @ self.view > -_GRAZING
+                corners, normals = corners[seen_ones], normals[seen_ones]
+            colours = self._shaded(normals, colour, shape.opacity)
+            self._surface((k, "surface"), corners, colours)
 
     def _line(self, key: tuple[int, str], points: np.ndarray, **style: Any) -> None:
         columns = self.turn @ points.T
@@ -189,13 +206,10 @@ class _Drawing:
         self.artists[key].set_facecolor(colours)
         self.artists[key].set_edgecolor(colours)
 
-    def _shaded(self, corners: np.ndarray, colour: str, opacity: float) -> np.ndarray:
-        normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-        normals /= np.where(lengths > 0, lengths, 1.0)
+    def _shaded(self, normals: np.ndarray, colour: str, opacity: float) -> np.ndarray:
         bright = 0.7 + 0.3 * normals @ self.light
         base = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
-        return np.column_stack([bright[:, None] * base, np.full(len(corners), opacity)])
+        return np.column_stack([bright[:, None] * base, np.full(len(normals), opacity)])
 
     def _fit(self, middle: np.ndarray, edges: np.ndarray) -> None:
         """Choose the zoom with which the box to be seen just fits into the picture."""

@@ -53,7 +53,7 @@ def _grid(point: Callable[[np.ndarray, np.ndarray], np.ndarray], rows: int, arou
     return vertices, faces
 
 
-def _turned(profile: list[tuple[float, float]], axis: str) -> Surface:
+def _turned(profile: list[tuple[float, float]], axis: str, around: int = _AROUND) -> Surface:
     """Return the surface of revolution of (radius, height) pairs, from the top down."""
     radius, height = np.array(profile).T
 
@@ -61,7 +61,7 @@ def _turned(profile: list[tuple[float, float]], axis: str) -> Surface:
         k = row.astype(int)
         return np.stack([radius[k] * np.sin(angle), height[k], radius[k] * np.cos(angle)], 1)
 
-    vertices, faces = _grid(point, len(profile) - 1, _AROUND)
+    vertices, faces = _grid(point, len(profile) - 1, around)
     return _along(vertices, "y", axis), faces
 
 
@@ -173,7 +173,8 @@ def rod(start: np.ndarray, end: np.ndarray, radius: float) -> Surface:
     """Return a cylinder from one point to another."""
     length = float(np.linalg.norm(end - start))
     r = radius
-    vertices, faces = _turned([(0, length), (r, length), (r, 0), (0, 0)], "y")
+    around = 8 if r < length / 30 else _AROUND  # a spoke needs few corners
+    vertices, faces = _turned([(0, length), (r, length), (r, 0), (0, 0)], "y", around)
     return vertices @ _onto(end - start).T + start, faces
 
 
