@@ -48,8 +48,14 @@ def derive(n):
         height = height + (n - k) * (1 - sm.cos(q[k]))
         pivot = end
 
-    kane = me.KanesMethod(N, q, u, [a.diff(t) - b for a, b in zip(q, u, strict=True)])
-    kane.kanes_equations(particles, loads)
+    kane = me.KanesMethod(
+        N,
+        q,
+        u,
+        [a.diff(t) - b for a, b in zip(q, u, strict=True)],
+        bodies=particles,
+        forcelist=loads,
+    )
     energy = me.kinetic_energy(N, *particles) + m * g * l * height
     return kane, {m: 0.1, l: 0.1, g: 9.81}, energy
 

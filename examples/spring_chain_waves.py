@@ -44,8 +44,9 @@ def derive(n):
         point.set_vel(N, v[i] * N.x)
         masses.append(me.Particle(f"mass{i + 1}", point, m))
         loads.append((point, k * (stretch[i + 1] - stretch[i]) * N.x))
-    kane = me.KanesMethod(N, x, v, [a.diff(t) - b for a, b in zip(x, v, strict=True)])
-    kane.kanes_equations(masses, loads)
+    kane = me.KanesMethod(
+        N, x, v, [a.diff(t) - b for a, b in zip(x, v, strict=True)], bodies=masses, forcelist=loads
+    )
     return kane
 
 
