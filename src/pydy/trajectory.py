@@ -304,7 +304,7 @@ class Trajectory:
         return iter(self._names)
 
     def __repr__(self) -> str:
-        shown = ", ".join(self._names[:6]) + (", …" if len(self._names) > 6 else "")
+        shown = ", ".join(self._names[:6]) + (", ..." if len(self._names) > 6 else "")
         span = f" from {self.times[0]} to {self.times[-1]}" if len(self.times) else ""
         return f"Trajectory of {shown} at {len(self.times)} times{span}"
 

@@ -252,7 +252,7 @@ def test_residuals_are_plotted(oscillator):
     axes = result.plot_residuals()
     assert [ax.get_ylabel() for ax in axes] == ["measured less model"] * 2
     plt.close("all")
-    assert str(result).startswith("Fit of k0 = 4 ±")
+    assert str(result).startswith("Fit of k0 = 4 +-")
     with pytest.raises(KeyError, match="'bogus' is none"):
         result["bogus"]
     with pytest.raises(ValueError, match="`level` must lie between 0 and 1"):

@@ -147,7 +147,7 @@ class FitResult:
 
     def __str__(self) -> str:
         rows = [
-            f"{name} = {value:.8g} ± {error:.2g}"
+            f"{name} = {value:.8g} +- {error:.2g}"
             for name, value, error in zip(
                 self.names, self.estimates, self.standard_errors, strict=True
             )

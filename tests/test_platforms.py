@@ -1,0 +1,169 @@
+"""What differs between operating systems, simulated: no fork, open files, names, consoles, ABIs."""
+
+import os
+import re
+import subprocess
+import sys
+from collections import Counter
+from pathlib import Path
+
+import pytest
+from llvmlite import binding
+
+from graphs import everything, solves
+from pydy import _cache_folder
+from pydy._backends.llvm import jit
+from pydy._backends.llvm.backend import kernel_text
+
+ROOT = Path(__file__).parents[1]
+
+
+def run(code, **environment):
+    """What a Python of its own prints, as bytes."""
+    command = [sys.executable, "-W", "error", "-c", code]
+    done = subprocess.run(
+        command, env={**os.environ, **environment}, capture_output=True, timeout=300, check=False
+    )
+    assert done.returncode == 0, done.stderr.decode(errors="replace")
+    return done.stdout
+
+
+SIMULATION = """
+import numpy as np
+from pydy.models import n_link_pendulum_on_cart
+system = n_link_pendulum_on_cart(2)
+system.ode_solver = "dop853"
+system.initial_conditions = {system.coordinates[1]: 0.5}
+system.times = np.linspace(0.0, 1.0, 5)
+x = system.integrate(rtol=1e-10, atol=1e-10)
+print(x[-1].tobytes().hex())
+"""
+
+# -- Windows has no fork, no owners of files, no priorities and no affinities ----------------------
+
+BARE = """
+import os, signal, sys
+for name in ("fork", "register_at_fork", "geteuid", "getuid", "nice", "sched_getaffinity",
+             "getloadavg", "O_NOFOLLOW", "O_NONBLOCK"):
+    if hasattr(os, name):
+        delattr(os, name)
+for name in ("pwd", "grp", "fcntl", "resource", "termios"):
+    sys.modules[name] = None
+for name in ("setitimer", "pthread_sigmask", "SIGALRM"):
+    if hasattr(signal, name):
+        delattr(signal, name)
+"""
+
+
+def test_nothing_needs_what_only_posix_has(tmp_path):
+    folder = str(tmp_path)
+    expected = run(SIMULATION, PYDY_CACHE_DIR=folder)
+    assert run(BARE + SIMULATION, PYDY_CACHE_DIR=folder) == expected
+    assert run(BARE + SIMULATION, PYDY_CACHE_DIR=str(tmp_path / "new")) == expected
+
+
+# -- Windows does not replace a file that somebody has open ---------------------------------------
+
+
+def test_an_entry_that_is_open_elsewhere_stays_and_leaves_nothing_beside(tmp_path, monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path))
+    _cache_folder.write("0" * 64, b"first")
+    before = sorted(path.name for path in _cache_folder.folder().iterdir())
+
+    def refuse(*_):
+        raise PermissionError(13, "The process cannot access the file")
+
+    monkeypatch.setattr(os, "replace", refuse)
+    _cache_folder.write("0" * 64, b"second")
+    assert _cache_folder.read("0" * 64) == b"first"
+    assert sorted(path.name for path in _cache_folder.folder().iterdir()) == before
+
+
+# -- names of users and folders -------------------------------------------------------------------
+
+
+def test_folders_may_have_spaces_and_letters_of_any_language(tmp_path):
+    folder = tmp_path / "Zoë Müller 张伟" / "App Data"
+    code = SIMULATION + "print(len(list(__import__('pathlib').Path(r'%s').rglob('*.code'))) > 0)"
+    found = run(code % folder, PYDY_CACHE_DIR=str(folder))
+    assert found.split() == [run(SIMULATION, PYDY_CACHE_DIR="off").strip(), b"True"]
+
+
+def test_no_two_files_differ_in_case_alone():
+    listed = subprocess.run(
+        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=False
+    ).stdout.split("\n")
+    names = listed if len(listed) > 1 else [str(p) for p in (ROOT / "src").rglob("*")]
+    twice = [name for name, count in Counter(n.lower() for n in names if n).items() if count > 1]
+    assert not twice
+
+
+def test_keys_of_the_cache_are_in_lower_case():
+    assert re.fullmatch(r"[0-9a-f]{64}", jit.Source("X", str, ()).key)
+
+
+# -- consoles without UTF-8 -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252"])
+def test_what_is_printed_needs_no_utf_8(encoding):
+    code = (
+        SIMULATION
+        + """
+print(repr(system), system)
+print(system.simulate(rtol=1e-8, atol=1e-8))
+print(system.model.compiled("rates").program)
+system.integrate(progress=True)
+"""
+    )
+    found = run(code, PYTHONIOENCODING=encoding, PYTHONUTF8="0", LC_ALL="C")
+    assert b"Program: 6 states" in found
+
+
+# -- the C interface by triple ---------------------------------------------------------------------
+
+TRIPLES = {
+    "x86_64-pc-windows-msvc": "x86-64-v3",
+    "x86_64-apple-darwin": "x86-64-v3",
+    "x86_64-unknown-linux-gnu": "x86-64-v3",
+    "aarch64-apple-darwin": "apple-m1",
+    "aarch64-unknown-linux-gnu": "generic",
+    "aarch64-pc-windows-msvc": "generic",
+}
+# The C library, what LLVM adds where a frame is larger than a page, and our own routines.
+ALLOWED = re.compile(
+    r"_?(pydy_\w+|kernel|prepare|strided|malloc|free|mem(cpy|set)|__chkstk|fmax|fmin"
+    r"|a?(sin|cos|tan)h?|atan2|exp|log|pow|floor|ceil|sqrt|bzero|turn\.\w+|\w+\.lanes)"
+)
+
+
+@pytest.mark.parametrize("triple", TRIPLES)
+@pytest.mark.parametrize("lanes", [1, 8])
+def test_kernels_can_be_emitted_for_every_system_and_call_nothing_unknown(triple, lanes):
+    binding.initialize_all_targets()
+    binding.initialize_all_asmprinters()
+    machine = binding.Target.from_triple(triple).create_target_machine(
+        cpu=TRIPLES[triple], opt=2, codemodel="jitdefault", jit=True
+    )
+    head = f'target datalayout = "{machine.target_data}"\ntarget triple = "{triple}"\n'
+    for program in (everything(), solves()):
+        for width in {lanes, min(lanes, 4)}:
+            text = head + kernel_text(program, lanes, width)
+            module = binding.parse_assembly(text, binding.create_context())
+            assembly = machine.emit_assembly(module)
+            called = re.findall(r"^\s+(?:callq?|bl|jmp)\s+\"?([\w.$@]+)", assembly, re.MULTILINE)
+            names = {re.sub(r"@PLT$", "", name) for name in called}
+            unknown = {n for n in names if not ALLOWED.fullmatch(n) and not re.match(r"\.?L", n)}
+            assert not unknown
+
+
+@pytest.mark.parametrize("lanes", [1, 8])
+def test_what_is_called_from_outside_takes_pointers_alone(lanes):
+    # Pointers and integers are passed alike by every compiler of a system; vectors and
+    # structures are not.
+    text = kernel_text(everything(), lanes)
+    for name in ("kernel", "prepare", *(["strided"] if lanes > 1 else [])):
+        [(result, parameters)] = re.findall(rf"define\s+(\w+) @{name}\(([^)]*)\)", text)
+        assert result in ("i32", "i64", "void")
+        kinds = {part.split()[0] for part in parameters.split(", ")}
+        assert kinds == {"ptr"}
