@@ -45,6 +45,10 @@ class Unknowns:
                 raise ValueError(f"`unknowns` has `{symbol}` more than once.")
             self.order.append((kind, place))
             self.symbols.append(definition.places[kind].symbols[place])
+        self._found: dict[str, tuple[list[int], list[int]]] = {}
+        for kind in GROUPS:
+            found = [(k, place) for k, (what, place) in enumerate(self.order) if what == kind]
+            self._found[kind] = [k for k, _ in found], [place for _, place in found]
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -52,8 +56,7 @@ class Unknowns:
 
     def of(self, kind: str) -> tuple[list[int], list[int]]:
         """Return which of the unknowns are of a kind, and their places there."""
-        found = [(k, place) for k, (what, place) in enumerate(self.order) if what == kind]
-        return [k for k, _ in found], [place for _, place in found]
+        return self._found[kind]
 
 
 def located(definition: Definition, symbol: Any, argument: str) -> tuple[str, int]:
@@ -191,7 +194,8 @@ class Balance:
 
     def residuals(self, z: np.ndarray) -> np.ndarray:
         """Return the residuals, shape (m, rows); NaN in singular states."""
-        parts = [evaluated(self.made.compiled(b), *self.inputs(z)) for b in self.blocks]
+        inputs = self.inputs(z)
+        parts = [evaluated(self.made.compiled(b), *inputs) for b in self.blocks]
         return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
 
     def slopes(self, z: np.ndarray) -> np.ndarray:

@@ -25,6 +25,8 @@ _FREE = 1e-9
 # A residual up to so many rounding errors of the terms it is made of is zero.
 _ROUNDING = 1e5
 _POLISH = 20
+# A step this small, relative to the unknowns, ends Newton's method.
+_CONVERGED = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,16 +101,64 @@ def solve_equilibrium(
         None was found.
     """
     low, high = bounds
+    z, message = np.clip(start, low, high), ""
+    with np.errstate(all="ignore"):
+        near = _quickly(residual, jacobian, z, low, high)
+    if near is not None:
+        return _accepted(residual, jacobian, near, bounds, unknowns, rows, message)
     with np.errstate(all="ignore"):
         try:
             found = least_squares(
-                residual, np.clip(start, low, high), jacobian, bounds, x_scale="jac",
+                residual, z, jacobian, bounds, x_scale="jac",
                 xtol=1e-14, ftol=1e-14, gtol=1e-14,
             )  # fmt: skip
             z, message = found.x, found.message
         except ValueError as error:  # residuals that are not finite at the start
             z, message = np.array(start), str(error)
     z = _polished(residual, jacobian, z, low, high)
+    return _accepted(residual, jacobian, z, bounds, unknowns, rows, message)
+
+
+def _quickly(
+    residual: Callable[[np.ndarray], np.ndarray],
+    jacobian: Callable[[np.ndarray], np.ndarray],
+    z: np.ndarray,
+    low: np.ndarray,
+    high: np.ndarray,
+) -> np.ndarray | None:
+    """Return what Newton's method finds if it converges from the start, at least tenfold a step.
+
+    Else the neighbourhood has to be found first: None.
+    """
+    values = residual(z)
+    for _ in range(_POLISH):
+        size = np.abs(values).max(initial=0.0)
+        slopes = jacobian(z)
+        if not (np.isfinite(size) and np.isfinite(slopes).all()):
+            return None
+        step = np.linalg.lstsq(slopes, values, rcond=_FREE)[0]
+        if np.abs(step).max(initial=0.0) <= _CONVERGED * max(1.0, np.abs(z).max(initial=0.0)):
+            return _polished(residual, jacobian, z, low, high)
+        z = z - step
+        if (z < low).any() or (z > high).any():
+            return None
+        values = residual(z)
+        if not np.abs(values).max(initial=0.0) <= 0.1 * size:
+            return None
+    return None
+
+
+def _accepted(
+    residual: Callable[[np.ndarray], np.ndarray],
+    jacobian: Callable[[np.ndarray], np.ndarray],
+    z: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    unknowns: Sequence[str],
+    rows: Sequence[str],
+    message: str,
+) -> tuple[np.ndarray, float, tuple[str, ...]]:
+    """Return what `solve_equilibrium` does, if the residuals are rounding errors."""
+    low, high = bounds
     values, slopes = residual(z), jacobian(z)
     if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
         raise EquilibriumError(
@@ -127,10 +177,11 @@ def solve_equilibrium(
             if min(value - a, b - value) <= 1e-9 * max(1.0, abs(value))
         ]
         bound = f" At a bound: {', '.join(at_bounds)}." if at_bounds else ""
+        why = f" ({' '.join(message.split())})" if message else ""
         raise EquilibriumError(
             f"No equilibrium was found. Nearest, at {_named(unknowns, z)}: {left}.{bound} "
             "Start nearer to one, name more unknowns, or name the coordinates that keep moving in "
-            f"`moving`. ({' '.join(message.split())})",
+            f"`moving`.{why}",
             z,
             values,
         )
