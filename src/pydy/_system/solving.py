@@ -211,6 +211,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
         velocity=len(equations.velocity),
         coordinates=len(equations.coordinates),
         speeds=len(equations.speeds),
+        dependent_speeds=len(equations.dependent_speeds),
         weighted=weighted,
         names=constraint_names(equations),
     )

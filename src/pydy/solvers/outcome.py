@@ -22,6 +22,7 @@ __all__ = [
     "RESET_NOT_FINITE",
     "SINGULAR",
     "SINGULAR_CONFIGURATION",
+    "SPEEDS_NOT_GIVEN",
     "START_OFF_CONSTRAINTS",
     "STEP_UNDERFLOW",
     "TERMINATED",
@@ -35,7 +36,7 @@ NOT_COMPUTED = -1
 FINISHED, TOO_MANY_STEPS, STEP_UNDERFLOW, SINGULAR, NOT_FINITE, TERMINATED = range(6)
 CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = range(6, 10)
 INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
-SINGULAR_CONFIGURATION, EVENT_GRAZES = 14, 15
+SINGULAR_CONFIGURATION, EVENT_GRAZES, SPEEDS_NOT_GIVEN = 14, 15, 16
 
 
 class Outcome(NamedTuple):
@@ -129,6 +130,12 @@ OUTCOMES = {
         "vanishes ({rows}): it {what},",
         "Several motions may continue from there, and the constraints do not tell which. Another "
         "step size or tolerance may pass it; other constraints may have no such configuration.",
+    ),
+    SPEEDS_NOT_GIVEN: Outcome(
+        "speeds_not_given",
+        "stopped where the constraints do not give the dependent speeds: it {what},",
+        "Choose other dependent coordinates and speeds, or hand System a "
+        "`pydy.mechanics.Definition` without `dependent_speeds`, which needs no choice.",
     ),
     EVENT_GRAZES: Outcome(
         "event_grazes",

@@ -39,6 +39,8 @@ class CompiledConstraints:
         (h, q), N of q' = N u (q, u), ∂v/∂u (v, u), the unreduced mass matrix (u, u) where
         `weighted`, and bounds on the rounding errors of the holonomic residuals (h).
     holonomic, velocity, coordinates, speeds : int
+    dependent_speeds : int
+        How many speeds, the last ones, the equations of motion take from the velocity constraints.
     weighted : bool
         Whether corrections are measured by the mass matrix; by their square sum otherwise.
     names : tuple of str
@@ -50,6 +52,7 @@ class CompiledConstraints:
     velocity: int
     coordinates: int
     speeds: int
+    dependent_speeds: int
     weighted: bool
     names: tuple[str, ...]
 
@@ -104,6 +107,28 @@ class CompiledConstraints:
         return float(sizes[rank - 1]), [
             name for name, size in zip(names, parts, strict=True) if size > 0.1 * parts.max()
         ]
+
+    def determinacy(self, values: np.ndarray) -> float:
+        """Return how near the velocity constraints are to not giving the dependent speeds.
+
+        Parameters
+        ----------
+        values : ndarray
+            What the kernel gives at some state.
+
+        Returns
+        -------
+        float
+            The least singular value of their rows' part that belongs to the dependent speeds, in
+            units of the rows' lengths; 1 where there are no such speeds.
+        """
+        part = {b.name: values[b.start : b.stop] for b in self.kernel.program.blocks}
+        rows = part["velocity_gradient"].reshape(self.velocity, self.speeds)
+        lengths = np.linalg.norm(rows, axis=1)
+        if not self.dependent_speeds or not np.isfinite(rows).all() or not lengths.all():
+            return 1.0
+        given = (rows / lengths[:, None])[:, -self.dependent_speeds :]
+        return float(np.linalg.svd(given, compute_uv=False)[-1])
 
 
 def _dependent(rows: np.ndarray) -> list[bool]:

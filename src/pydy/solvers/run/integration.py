@@ -33,6 +33,7 @@ from pydy.solvers.outcome import (
     OUTCOMES,
     RESET_NOT_FINITE,
     SINGULAR_CONFIGURATION,
+    SPEEDS_NOT_GIVEN,
     START_OFF_CONSTRAINTS,
     STEP_UNDERFLOW,
     TERMINATED,
@@ -236,14 +237,17 @@ class Integration:
                 "not raise the rank. Leave them out if that is so in every state."
             )
 
-    def _combined(self, x: np.ndarray, t: float) -> tuple[float, str]:
-        """Return how near the constraints are to losing rank in a state, and which of them do."""
+    def _combined(self, x: np.ndarray, t: float) -> tuple[float, str, float]:
+        """Return how near the constraints are to losing rank in a state, and which of them do.
+
+        The last number says how near they are to not giving the dependent speeds.
+        """
         wanted, call, seen = self.options.constraints, self.call, self.arrays.seen
         if wanted is None or call is None or not seen[at.RANK] or not np.isfinite(x).all():
-            return 1.0, ""
+            return 1.0, "", 1.0
         values, longest = call.evaluate(wanted.kernel, x, t), seen[at.WHERE + self.n :]
         nearness, names = wanted.combination(values, longest, int(seen[at.RANK]))
-        return nearness, "; ".join(names)
+        return nearness, "; ".join(names), wanted.determinacy(values)
 
     def _project_start(self) -> None:
         """Move the initial state onto the constraints, unless it is far from them."""
@@ -450,10 +454,12 @@ class Integration:
             "size": f" with a step size of {step:.3g}" if np.isfinite(step) and step else "",
         }
         t = float(self.progress.state[at.TIME])
-        nearness, rows = self._combined(self.memory.x[: self.n].copy(), t)
+        nearness, rows, determinacy = self._combined(self.memory.x[: self.n].copy(), t)
+        what = OUTCOMES[code].text.format(**details)
         if nearness < NEARLY_SINGULAR:
-            what = OUTCOMES[code].text.format(**details)
             self._stop(SINGULAR_CONFIGURATION, rows=rows, what=what)
+        if determinacy < NEARLY_SINGULAR:
+            self._stop(SPEEDS_NOT_GIVEN, what=what)
         self._stop(code, **details)
 
     @property
