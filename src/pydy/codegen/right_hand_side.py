@@ -7,7 +7,6 @@ when they are not float64 vectors of the right length; only then are they conver
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
 from inspect import Parameter, signature
 from typing import Any
 
@@ -16,6 +15,7 @@ import numpy as np
 from pydy._assembly.model import CompiledModel
 from pydy._backends.registry import refusal, resolve
 from pydy._checks import number, vector
+from pydy._forks import cached_property
 from pydy._kernel import Kernel, KernelCall
 from pydy._names import nearest
 from pydy.codegen.arguments import (
@@ -65,7 +65,7 @@ class RightHandSide:
         forced = getattr(model.backend, "force_c_contiguous", True)
         self.refuse_strided = not (any_layout if forced is None else forced)
 
-    @property
+    @cached_property
     def kernel(self) -> Kernel:
         """The Kernel of what the function returns."""
         return self.model.compiled(*self.model.function_blocks)
