@@ -12,6 +12,7 @@ from fmpy.validation import validate_fmu
 
 from exported import TIMES, ball, hostile, pendulum
 from pydy.errors import GeneratorError
+from pydy.export.fmu import compiler
 
 VERSIONS = ("3.0", "2.0")
 KINDS = ("CoSimulation", "ModelExchange")
@@ -149,7 +150,7 @@ def test_its_sources_compile_without_a_warning(units, tmp_path, fmi):
         archive.extractall(tmp_path)
     strict = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-pedantic", "-fPIC", "-shared"]
     folder = tmp_path / "sources"
-    command = ["gcc", *strict, "-o", "unit.so", "all.c", "-lm"]
+    command = [*compiler(), *strict, "-o", "unit.so", "all.c", "-lm"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
 
@@ -168,7 +169,7 @@ def test_without_a_binary_only_the_sources_are_there(tmp_path):
 
 
 def test_a_compiler_that_fails_shows_its_words(tmp_path, monkeypatch):
-    monkeypatch.setenv("CC", "gcc -no-such-option")
+    monkeypatch.setenv("CC", " ".join([*compiler(), "-no-such-option"]))
     with pytest.raises(GeneratorError, match="no-such-option"):
         pendulum().export(tmp_path / "p.fmu")
 
