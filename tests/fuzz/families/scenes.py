@@ -54,6 +54,11 @@ def _(v):
     return viz.Sphere(1.0, name=v).name
 
 
+@target("viz.Tube.points", nothing("symbols"))
+def _(v):
+    return viz.Tube(0.1, v)
+
+
 @target("viz.Cylinder.axis", choice("x", "y", "z"))
 def _(v):
     return viz.Cylinder(1.0, 1.0, axis=v).axis
@@ -64,9 +69,10 @@ def _(v):
     return viz.Arrow(v)
 
 
-@target("viz.Arrow.scale", number)
+@target("viz.Arrow.scale", number.or_none())
 def _(v):
-    return float(viz.Arrow(world().o.N.x, scale=v).scale)
+    scale = viz.Arrow(world().o.N.x, scale=v).scale
+    return None if scale is None else float(scale)
 
 
 @target("viz.Line.points", nothing("symbols", "arrays"))
