@@ -55,6 +55,23 @@ def test_van_der_pols_limit_cycle_has_its_period():
     np.testing.assert_allclose(orbit.trajectory.states[0], orbit.trajectory.states[-1], atol=1e-9)
 
 
+def test_multipliers_are_exact_where_the_orbit_is_an_equilibrium():
+    """The search ends at a state of 1e-317, which is no size of a parameter."""
+    stiffness = 2.0 * (1.0 + 0.5 * sm.cos(2.1 * t))  # Mathieu's equation, damped
+    system = on_a_line(lambda x, v, mu: -stiffness * x - 0.1 * v)
+    system.initial_conditions = {"x": 1e-3}
+    period = 2.0 * np.pi / 2.1
+    orbit = system.find_periodic_orbit(period)
+
+    def rates(time, z):
+        push = 2.0 * (1.0 + 0.5 * np.cos(2.1 * time))
+        return np.concatenate([z[2:], -push * z[:2] - 0.1 * z[2:]])
+
+    flown = solve_ivp(rates, [0.0, period], np.eye(2).ravel(), "DOP853", rtol=1e-12, atol=1e-13)
+    expected = flown.y[:, -1].reshape(2, 2)
+    np.testing.assert_allclose(orbit.monodromy, expected, rtol=1e-8, atol=1e-8)
+
+
 def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():
     system = n_link_pendulum_on_cart(1)
     system.constants = {"m0": 1e13, "g": 9.81, "l0": 0.7}

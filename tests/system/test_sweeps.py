@@ -13,6 +13,7 @@ from hoop import bead_on_a_hoop
 from pydy import System
 from pydy.errors import EquilibriumError
 from pydy.examples import whipple_bicycle
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 MOVING = ["x", "theta_R", "theta_F"]
@@ -199,3 +200,29 @@ def test_a_prescribed_stiffness_drives_an_oscillator_over_the_edge():
     (crossing,) = System(kane).eigenvalues({k: [1.0, -2.0, -4.0]}).crossings()[:1]
     assert crossing.value == pytest.approx(0.0, abs=1e-9)
     assert not crossing.oscillatory
+
+
+def test_eigenvalues_of_a_constrained_bead_at_the_bottom_of_a_turning_hoop():
+    """The hoop's force leaves a few rounding errors in rows that vanish there."""
+    q, u = me.dynamicsymbols("x z"), me.dynamicsymbols("v w")
+    m, l, g, c, turn = sm.symbols("m l g c Omega")
+    N, H, O = me.ReferenceFrame("N"), me.ReferenceFrame("H"), me.Point("O")
+    H.orient_axis(N, N.z, turn * zoo.T)
+    O.set_vel(N, 0)
+    P = O.locatenew("P", q[0] * H.x + q[1] * H.z)
+    bead = Definition(
+        N,
+        q,
+        u,
+        bodies=[me.Particle("bead", P, m)],
+        loads=[(P, -m * g * N.z - c * (u[0] * H.x + u[1] * H.z))],
+        holonomic_constraints=[q[0] ** 2 + q[1] ** 2 - l**2],
+    )
+    values = {m: 0.3, l: 0.7, g: 9.81, c: 0.05}
+    system = System(bead, values, initial_conditions={q[0]: 0.02, q[1]: -0.7})
+    system.set_dependent_initial_conditions([q[1], u[1]])
+    turns = np.linspace(0.5, 3.5, num=13)
+    sweep = system.eigenvalues({turn: turns})
+    for rate, values in zip(turns, sweep.eigenvalues, strict=True):
+        expected = np.roots([1.0, 0.05 / 0.3, 9.81 / 0.7 - rate**2])
+        np.testing.assert_allclose(np.sort_complex(values), np.sort_complex(expected), rtol=1e-9)

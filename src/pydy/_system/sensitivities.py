@@ -457,14 +457,21 @@ class Wanted:
         error.state = error.state[:n]
 
     def _scales(self, parameters: Sequence[Parameter], x0: np.ndarray, p: np.ndarray) -> np.ndarray:
+        """Return the parameters' sizes.
+
+        An initial condition passes through zero, so that what it is at the start says little: its
+        size is at least 1. Else a derivative by a speed of 1e-17 would have no error to speak of.
+        """
         sizes = []
         for parameter in parameters:
             if parameter.samples is not None:
                 own = np.abs(parameter.samples.values).max()
             elif parameter.kind == "specifieds":
                 own = abs(self.sensitive.plan.values[parameter.place])
+            elif parameter.kind == "constants":
+                own = abs(p[parameter.place])
             else:
-                own = abs((p if parameter.kind == "constants" else x0)[parameter.place])
+                own = max(abs(x0[parameter.place]), 1.0)
             sizes += [own if own > 0.0 else 1.0] * parameter.count
         return np.array(sizes + [1.0] * (self.sensitive.columns.count - len(sizes)))
 

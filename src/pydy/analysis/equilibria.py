@@ -24,6 +24,8 @@ _EPS = float(np.finfo(float).eps)
 _FREE = 1e-9
 # A residual up to so many rounding errors of the terms it is made of is zero.
 _ROUNDING = 1e5
+# Of the largest term of all rows, so many: what a linear solve leaves in a row that vanishes.
+_SOLVED = 100.0
 _POLISH = 20
 # A step this small, relative to the unknowns, ends Newton's method.
 _CONVERGED = 1e-9
@@ -237,10 +239,11 @@ def _scale(J: np.ndarray, z: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Return the size of the terms that residuals are made of.
 
     Accelerations come from one linear solve, so that none is more exact than a rounding error of
-    the largest: a bicycle's wheels at rest are moved by what is left of its weight.
+    the largest, a few times over: a bicycle's wheels at rest are moved by what is left of its
+    weight, and a bead at the bottom of a hoop by what the hoop's force leaves.
     """
     terms = (np.abs(J) @ np.maximum(np.abs(z), 1.0)[..., None])[..., 0]
-    least = terms.max(axis=-1, initial=0.0, keepdims=True) / _ROUNDING
+    least = terms.max(axis=-1, initial=0.0, keepdims=True) * (_SOLVED / _ROUNDING)
     own = terms + np.abs(values).max(axis=-1, initial=0.0, keepdims=True) * _EPS
     result: np.ndarray = np.maximum(own, least)
     return result
