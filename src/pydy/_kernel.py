@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._forks import cached_property
 from pydy._graph.program import Program
 
 __all__ = ["Inputs", "Kernel", "KernelCall"]
@@ -155,7 +156,11 @@ class KernelCall:
         """Return r at a state and time."""
         if self.inputs is not None:
             return self.inputs(x, t)
-        return Inputs(self.r, self.sampled)(x, t)
+        return self._plain(x, t)
+
+    @cached_property
+    def _plain(self) -> Inputs:
+        return Inputs(self.r, self.sampled)
 
     def slopes_at(self, t: float) -> np.ndarray:
         """Return the derivatives of the specifieds by time: of samples, and zero of numbers."""

@@ -264,3 +264,15 @@ def test_an_unknown_symbol_in_an_override_is_named():
     system = system_of(zoo.timed())
     with pytest.raises(ValueError, match="nope"):
         system.evaluate_ode([0.0, 0.0], 0.0, p={**system.constants, sm.Symbol("nope"): 1.0})
+
+
+def test_names_for_messages_are_not_printed_before_there_is_one(monkeypatch):
+    """SymPy takes longer to print them than the values take."""
+
+    def never(*_):
+        raise AssertionError
+
+    monkeypatch.setattr("pydy._system.values.row_names", never)
+    model = zoo.timed()
+    x, t = model.sample()
+    close(system_of(model).evaluate_ode(x, t), oracle(model).xdot(x, t))

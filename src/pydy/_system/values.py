@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -29,7 +30,7 @@ def evaluate_block(
         return model.compiled_jacobian(block, wrt) if wrt else model.compiled(block)
 
     perturbed = wrt == "r" or (isinstance(wrt, tuple) and any(g == "r" for g, _ in wrt))
-    names = row_names(now.definition, block)
+    names = partial(row_names, now.definition, block)
     return _sweep(now, kernel, names, x, t, r, p, perturbed=perturbed)
 
 
@@ -39,14 +40,22 @@ def evaluate_product(
     """Evaluate a product with derivatives; see `prepare_product`."""
     made = prepare_product(now.definition, kind, of, wrt, v, x)
     out = _sweep(
-        now, made.kernel, made.names, x, t, r, p, perturbed=made.perturbed, vectors=made.vectors
+        now,
+        made.kernel,
+        lambda: made.names,
+        x,
+        t,
+        r,
+        p,
+        perturbed=made.perturbed,
+        vectors=made.vectors,
     )
     return out[..., 0] if made.squeeze else out
 
 
 def evaluate_energy(now: Snapshot, x: Any, t: Any, r: Any, p: Any) -> Energy:
     """Evaluate the kinetic, the potential and the total energy."""
-    names = row_names(now.definition, "energy")
+    names = partial(row_names, now.definition, "energy")
     values = _sweep(now, now.energies.kernel, names, x, t, r, p)
     return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
@@ -54,7 +63,7 @@ def evaluate_energy(now: Snapshot, x: Any, t: Any, r: Any, p: Any) -> Energy:
 def _sweep(
     now: Snapshot,
     kernel: Callable[[CompiledModel], Kernel],
-    names: Sequence[str],
+    names: Callable[[], Sequence[str]],
     x: Any,
     t: Any,
     r: Any,
@@ -65,7 +74,7 @@ def _sweep(
 ) -> np.ndarray:
     """Evaluate a Kernel at one state or several, with the defaults of the evaluations.
 
-    `names` are those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r.
+    `names` returns those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r.
     """
     model, layout = now.model, now.model.layout
     states, instants, single = samples(
@@ -97,6 +106,6 @@ def _sweep(
             instant = float(instants[k])
             return cause_of(now.definition, model, instant, states[k], row, constants)
 
-        warn_not_finite(out, (instants, states, rows, constants), layout, names, cause)
+        warn_not_finite(out, (instants, states, rows, constants), layout, names(), cause)
     result: np.ndarray = out[0] if single else out
     return result

@@ -14,6 +14,7 @@ import sympy as sm
 from sympy.logic.boolalg import Boolean
 
 from pydy._checks import Places, choice, describe, listed, number, real_array, shown, vector
+from pydy._forks import cached_property
 from pydy._kernel import Inputs
 from pydy._mechanics.symbols import find_symbols
 from pydy.inputs import SampledInput
@@ -374,7 +375,7 @@ class SpecifiedsPlan:
                     f"{np.min(t)} to {np.max(t)}. Ask for times within the data, or add samples."
                 )
 
-    @property
+    @cached_property
     def _inputs(self) -> Inputs:
         return Inputs(self.values, self.sampled, self._functions)
 
