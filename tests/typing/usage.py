@@ -7,6 +7,7 @@ from typing import assert_type
 import numpy as np
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 
+from pydy.analysis import SpecialPoint
 from pydy.inputs import SampledInput
 from pydy.solvers import Event, StepOptions, dop853, rk4
 from pydy.system import System
@@ -57,6 +58,10 @@ def evaluations(system: System) -> None:
     assert_type(system.evaluate_ode([0, 1, 2, 3], 1), np.ndarray)
     assert_type(system.evaluate_ode(np.zeros((3, 4)), np.zeros(3), r=[1.0], p={}), np.ndarray)
     assert_type(system.evaluate_jacobian(wrt="constants", of="ode"), np.ndarray)
+    assert_type(system.evaluate_jacobian_vector(np.ones(4)), np.ndarray)
+    assert_type(system.evaluate_vector_jacobian(np.ones(4)), np.ndarray)
+    assert_type(system.eigenvalues({"m0": [1.0, 2.0]}).eigenvalues, np.ndarray)
+    assert_type(system.follow_equilibria({"m0": [1.0, 2.0]}).special, tuple[SpecialPoint, ...])
     assert system.evaluate_energy().total <= 100.0
 
 
