@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from functools import partial
 from statistics import median
 from typing import Any
 
@@ -55,7 +56,7 @@ def jacobians() -> list[list[str]]:
         kernels = [LLVMBackend().compile(p) for p in (function, jacobian)]
         for kernel in kernels:
             assert kernel.addresses is not None  # the best code, before it is timed
-        runs = [timed(lambda k=k: k.evaluate(*sample), 50) for k in kernels]
+        runs = [timed(partial(k.evaluate, *sample), 50) for k in kernels]
         rows.append(
             [
                 name, str(counts[0]), f"{counts[1] / counts[0]:.1f}",
@@ -77,7 +78,8 @@ def answers() -> list[list[str]]:
         ("1,000 linear models of the bicycle", lambda: bicycle.linearize(states, np.zeros(1000))),
         ("their eigenvalues, equilibria found and branches followed",
          lambda: bicycle.eigenvalues({"u_x": speeds}, moving=moving)),
-        ("a trim of the bicycle", lambda: bicycle.find_equilibrium(given={"u_x": 5.0}, moving=moving)),
+        ("a trim of the bicycle",
+         lambda: bicycle.find_equilibrium(given={"u_x": 5.0}, moving=moving)),
     ]  # fmt: skip
     pendulum = n_link_pendulum_on_cart(2, cart_force=False)
     pendulum.ode_solver, pendulum.times = "dop853", np.linspace(0.0, 3.0, num=500)
