@@ -10,6 +10,7 @@ import zoo
 from cases import system_of
 from pydy.analysis import Trial
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
@@ -189,6 +190,37 @@ def test_constrained_systems_are_fitted_on_their_constraints():
     }  # fmt: skip
     result = system.fit([name], Trial(times, {s: ride[s] for s in q}))
     assert result[name] == pytest.approx(before, rel=1e-5)
+
+
+def test_a_fit_holds_the_initial_conditions_that_are_not_solved_for():
+    """Beside a string's length its bob's x may be a parameter, where y was solved for."""
+    (x, y), (v, w) = me.dynamicsymbols("x y"), me.dynamicsymbols("v w")
+    l, m, g = sm.symbols("l m g")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", x * N.x + y * N.y)
+    bob = Definition(
+        N,
+        [x, y],
+        [v, w],
+        bodies=[me.Particle("bob", P, m)],
+        loads=[(P, -m * g * N.y)],
+        holonomic_constraints=[x**2 + y**2 - l**2],
+    )
+    system = System(bob, {l: 0.7, g: 9.81}, initial_conditions={x: 0.4, y: -0.5})
+    system.set_dependent_initial_conditions([y, w])
+    times = np.linspace(0.0, 1.0, num=21)
+    swing = solve_ivp(
+        lambda _, z: [z[1], -9.81 / 0.7 * np.sin(z[0])],
+        [0.0, 1.0],
+        [np.arcsin(0.4 / 0.7), 0.0],
+        t_eval=times,
+        rtol=1e-10,
+        atol=1e-10,
+    )
+    system.constants = {l: 0.75, g: 9.81}
+    result = system.fit([l, x], Trial(times, {sm.atan2(x, -y): swing.y[0]}))
+    np.testing.assert_allclose([result["l"], result["x"]], [0.7, 0.4], rtol=1e-6)
 
 
 def bouncing_ball():

@@ -12,6 +12,7 @@ from scipy.special import ellipk
 
 from pydy import System
 from pydy.errors import PeriodicOrbitError
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 
@@ -70,6 +71,29 @@ def test_multipliers_are_exact_where_the_orbit_is_an_equilibrium():
     flown = solve_ivp(rates, [0.0, period], np.eye(2).ravel(), "DOP853", rtol=1e-12, atol=1e-13)
     expected = flown.y[:, -1].reshape(2, 2)
     np.testing.assert_allclose(orbit.monodromy, expected, rtol=1e-8, atol=1e-8)
+
+
+def test_an_orbit_of_a_constrained_system_is_found_in_the_states_that_are_not_solved_for():
+    """A driven bob on a string, which passes the lowest point, where x does not follow from y."""
+    (x, y), (v, w) = me.dynamicsymbols("x y"), me.dynamicsymbols("v w")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", x * N.x + y * N.y)
+    push = sm.cos(2 * t) - v / 2
+    bob = Definition(
+        N,
+        [x, y],
+        [v, w],
+        bodies=[me.Particle("bob", P, sm.Integer(1))],
+        loads=[(P, push * N.x + (-10 - w / 2) * N.y)],
+        holonomic_constraints=[x**2 + y**2 - 1],
+    )
+    system = System(bob, initial_conditions={x: 0.05, y: -1.0})
+    system.set_dependent_initial_conditions([y, w])
+    orbit = system.find_periodic_orbit(np.pi)
+    assert orbit.states == ("x", "v")
+    # Liouville: the angle's damping is 1/2.
+    assert np.prod(orbit.multipliers) == pytest.approx(np.exp(-np.pi / 2), rel=1e-8)
 
 
 def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():

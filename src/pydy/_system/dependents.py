@@ -15,7 +15,14 @@ from pydy._system.snapshot import Snapshot
 from pydy.codegen.arguments import describe
 from pydy.solvers.run.constraints import satisfied
 
-__all__ = ["check_dependents", "solve_dependents"]
+__all__ = ["check_dependents", "latest_dependents", "solve_dependents"]
+
+
+def latest_dependents(system: Any) -> tuple[Any, ...]:
+    """Return what `set_dependent_initial_conditions` solved for last; else the dependent states."""
+    equations = system._now().definition.equations
+    own = (*equations.dependent_coordinates, *equations.dependent_speeds)
+    return own if system._dependent is None else tuple(system._dependent)
 
 
 def check_dependents(definition: Definition, dep_vars: Any) -> tuple[list[int], list[int]]:

@@ -15,6 +15,7 @@ from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._names import unique_names
 from pydy._optional import require
 from pydy._system.balance import located
+from pydy._system.dependents import latest_dependents
 from pydy._system.trials import Data, checked_trial
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
 from pydy.solvers.solver import Solver
@@ -70,8 +71,7 @@ class _Fit:
             added = {name: expression for expression, name in self.expressions.items()}
             self.runner.outputs = {**system.outputs, **added}
         equations = definition.equations
-        tied = {*equations.dependent_coordinates, *equations.dependent_speeds}
-        self.tied = bool(tied)
+        self.tied = tied = latest_dependents(system)
         if tied:
             self.options.setdefault("constraints", "project")
         self.order = definition.states
@@ -187,7 +187,7 @@ class _Fit:
             times = np.append(times, times[-1] + 1e-9)
         self.runner.times = times
         if self.tied:
-            self.runner.set_dependent_initial_conditions()
+            self.runner.set_dependent_initial_conditions(self.tied)
         ride = self.runner.simulate(sensitivities=symbols, **self.options)
         if len(ride.times) < len(times):
             raise ValueError(

@@ -12,6 +12,7 @@ import numpy as np
 from pydy._checks import listed, number
 from pydy._errors import PeriodicOrbitError
 from pydy._names import unique_names
+from pydy._system.dependents import latest_dependents
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
 from pydy.solvers.events import Event
@@ -43,10 +44,8 @@ def find_orbit(
     definition = now.definition
     equations, states = definition.equations, definition.places["states"]
     steady = {states.find(s, "moving") for s in listed("moving", moving)}
-    tied = {
-        definition.states.index(s)
-        for s in (*equations.dependent_coordinates, *equations.dependent_speeds)
-    }
+    dependent = latest_dependents(system)
+    tied = {definition.states.index(s) for s in dependent}
     count = len(equations.coordinates) + len(equations.speeds)
     free = [k for k in range(count) if k not in tied | steady]
     kept = [definition.states[k] for k in range(count) if k not in tied]
@@ -68,7 +67,7 @@ def find_orbit(
         x[free] = z
         runner.initial_conditions = dict(zip(definition.states, x.tolist(), strict=True))
         if tied:
-            runner.set_dependent_initial_conditions()
+            runner.set_dependent_initial_conditions(dependent)
 
     def run(times: list[float], **more: Any) -> Any:
         runner.times = times
