@@ -215,7 +215,7 @@ def _demo(options: argparse.Namespace) -> int:
         for title, name, write in (
             ("Animation (open it in a browser)", ANIMATION, bicycle_ride.animate),
             (
-                "Live page (drag the speed below 4.29 m/s: the bicycle sways; below 3 m/s it falls)",
+                "Live page (drag the speed: below 4.29 m/s the bicycle sways, at 3 it falls)",
                 LIVE,
                 bicycle_ride.simulate,
             ),

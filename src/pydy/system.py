@@ -217,7 +217,7 @@ class System:
 
     def _set_outputs(self, outputs: Any, forces: Any) -> None:
         names = named_forces(self._equations, forces) or []
-        own = self._define.users(outputs or {}, self._forces)
+        own = self._define.users(outputs, self._forces)
         self._define(own, names, self._specifieds)
         self._outputs, self._forces = self._define.merged(own, names), names
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from exported import TIMES, ball, pendulum
+from exported_models import TIMES, ball, pendulum
 from pydy.examples import whipple_bicycle
 from pydy.system import System
 

@@ -7,7 +7,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame
 
 import zoo
 from cases import system_of
-from exported import ball, hostile, pendulum
+from exported_models import ball, hostile, pendulum
 from pydy.examples import bicycle_ride
 from pydy.models import n_link_pendulum_on_cart
 from pydy.viz import Live, Slider, Sphere, Visual

@@ -7,7 +7,7 @@ import subprocess
 import numpy as np
 import pytest
 
-from exported import ball, hostile, pendulum
+from exported_models import ball, hostile, pendulum
 from pydy.export.c import c_string
 
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]

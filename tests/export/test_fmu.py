@@ -10,7 +10,7 @@ import pytest
 from fmpy import instantiate_fmu, read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
-from exported import TIMES, ball, hostile, pendulum
+from exported_models import TIMES, ball, hostile, pendulum
 from pydy.errors import GeneratorError
 from pydy.export.fmu import compiler
 

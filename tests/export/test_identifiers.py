@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from exported import ball, hostile, pendulum
+from exported_models import ball, hostile, pendulum
 from pydy.export.model import identifiers
 from pydy.inputs import SampledInput
 

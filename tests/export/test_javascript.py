@@ -2,7 +2,7 @@
 
 import re
 
-from exported import ball, hostile, pendulum
+from exported_models import ball, hostile, pendulum
 from pydy._graph.operations import OPERATIONS
 from pydy.export.javascript import literal
 from pydy.export.straight import LONGEST, PRELUDE, javascript_of

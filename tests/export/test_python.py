@@ -7,7 +7,7 @@ import sys
 import numpy as np
 import pytest
 
-from exported import ball, hostile, pendulum
+from exported_models import ball, hostile, pendulum
 
 ALONE = """
 import json, sys

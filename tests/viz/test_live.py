@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy as sm
 
-from exported import TIMES, ball, hostile, pendulum
+from exported_models import TIMES, ball, hostile, pendulum
 from pydy.inputs import SampledInput
 from pydy.viz import Box, Live, Scene, Slider, Sphere, Visual
 

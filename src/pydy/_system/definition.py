@@ -122,7 +122,7 @@ class Definer:
         self._warn()
         return self.latest
 
-    def users(self, outputs: Mapping[Any, Any], forces: Sequence[Any]) -> dict[Any, Any]:
+    def users(self, outputs: Mapping[Any, Any] | None, forces: Sequence[Any]) -> dict[Any, Any]:
         """Return the user's own outputs among all."""
         named = named_outputs(check_mapping("outputs", outputs))
         mine = {*self.residuals, *([tuple(forces)] if forces else [])}
