@@ -62,6 +62,8 @@ def test_quantities_are_found_by_symbol_and_by_name():
     assert "nothing" not in trajectory
     with pytest.raises(KeyError, match="`nothing` is none of the trajectory's quantities: q, u, E"):
         trajectory["nothing"]
+    with pytest.raises(KeyError, match=r"q, u, E. Did you mean `q`"):
+        trajectory["Q"]
 
 
 def test_names_that_would_be_alike_are_written_out():

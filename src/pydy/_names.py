@@ -60,8 +60,12 @@ def told_apart(
 
 
 def nearest(name: str, names: Sequence[str], *, or_all: bool = True) -> str:
-    """Return a sentence that tells the name that was meant, or else all there are, or nothing."""
-    close = get_close_matches(name, names, n=1)
+    """Return a sentence that tells the name that was meant, or else all there are, or nothing.
+
+    A name that differs in upper and lower case alone is nearer than any other.
+    """
+    alike = [other for other in names if other.lower() == name.lower()]
+    close = alike or get_close_matches(name, names, n=1)
     if not close and not or_all:
         return ""
     return f"Did you mean `{close[0]}`?" if close else f"There are {', '.join(sorted(names))}."

@@ -387,10 +387,10 @@ class System:
         ----------
         bodies : RigidBody, Particle, str, or list of them, or Joint
             All bodies on one side of the cut; those beyond a joint, for its reaction on them. A
-            joint of a `sympy.physics.mechanics.System` stands for its child and all beyond. A
-            load is counted if the point or the frame it acts on moves with one of them, and with no
-            body outside. Massless points and frames whose loads are to be counted, and hinges, may
-            be in the list too.
+            joint of a `sympy.physics.mechanics.System`, or its name, stands for its child and all
+            beyond. A load is counted if the point or the frame it acts on moves with one of them,
+            and with no body outside. Massless points and frames whose loads are to be counted, and
+            hinges, may be in the list too.
         point : Point
             Where the force acts, and about which the torque is taken; by default a joint's own.
         frame : ReferenceFrame, optional

@@ -20,7 +20,7 @@ from pydy._dataset import (
     write_netcdf,
 )
 from pydy._html import table_of_columns
-from pydy._names import latex_of, latex_of_rate, name_of, unique_names, written_out
+from pydy._names import latex_of, latex_of_rate, name_of, nearest, unique_names, written_out
 from pydy._optional import require
 from pydy._sensitivity import Sensitivity, SensitivityModel
 
@@ -275,7 +275,8 @@ class Trajectory:
                 )
         if k is None:
             raise KeyError(
-                f"`{key}` is none of the trajectory's quantities: {', '.join(self._names)}."
+                f"`{key}` is none of the trajectory's quantities: {', '.join(self._names)}. "
+                f"{nearest(str(key), self._names, or_all=False)}".rstrip()
             )
         return k
 

@@ -257,7 +257,7 @@ def test_a_joint_stands_for_all_beyond_it():
     system = System(multibody)
     upper, lower = multibody.bodies[1:] if len(multibody.bodies) == 3 else multibody.bodies
     system.outputs = {
-        **system.reaction(shoulder).outputs("a"),
+        **system.reaction("shoulder").outputs("a"),
         **system.reaction([upper, lower], shoulder.child_point).outputs("b"),
         **system.reaction(elbow, frame=lower.frame).outputs("c"),
         **system.reaction(lower, elbow.child_point, frame=lower.frame).outputs("d"),

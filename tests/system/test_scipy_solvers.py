@@ -94,6 +94,10 @@ def test_an_unknown_option_names_the_nearest(system, solver, option, meant):
 def test_an_unknown_solver_names_the_nearest(system):
     with pytest.raises(ValueError, match=r"one of 'odeint'.* got 'RK54'. Did you mean `RK45`"):
         system.ode_solver = "RK54"
+    with pytest.raises(ValueError, match=r"got 'RK4'. Did you mean `rk4`"):
+        system.ode_solver = "RK4"
+    with pytest.raises(ValueError, match=r"or a function, got 'ode45'.$"):
+        system.ode_solver = "ode45"
     with pytest.raises(ValueError, match=r"`ode_solver` must be a function .*, got 5"):
         system.ode_solver = 5
 

@@ -51,6 +51,21 @@ def test_torques_are_arrows_at_their_bodies():
     assert torque.shape.vector == 3 * N.z
 
 
+def test_gravity_on_the_ground_itself_needs_no_mass_and_no_arrow():
+    from pydy.system import System
+
+    g = sm.Symbol("g")
+    wall, arm = me.RigidBody("wall"), me.RigidBody("arm")
+    mechanism = me.System.from_newtonian(wall)
+    mechanism.add_joints(me.PinJoint("pin", wall, arm, child_point=arm.y, joint_axis=wall.z))
+    mechanism.apply_uniform_gravity(-g * wall.y)
+    assert len(mechanism.loads) == 2
+    system = System(mechanism, {g: 9.81}, times=TIMES)
+    items = system.animate(loads=True)._animation.items
+    (force,) = [item for item in items if item.visual.name == "forces"]
+    assert force.vectors[0][1] < 0.0  # of some length that can be seen
+
+
 def test_outputs_may_stand_in_arrows(system):
     spring = multi_mass_spring_damper()
     x0, v0 = spring.states

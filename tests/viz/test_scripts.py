@@ -220,3 +220,12 @@ def test_a_camera_needs_a_place_and_a_scene_knows_its_arguments():
         PerspectiveCamera("camera", N)
     with pytest.raises(TypeError, match=r"Scene has no argument `tittle`. Did you mean `title`"):
         Scene(N, O, tittle="Pendulum")
+
+
+def test_the_old_modules_hand_out_the_same_classes():
+    from pydy.viz import camera, light, visualization_frame
+
+    assert camera.PerspectiveCamera is PerspectiveCamera
+    assert camera.OrthoGraphicCamera is OrthoGraphicCamera
+    assert light.PointLight is PointLight
+    assert visualization_frame.VisualizationFrame is VisualizationFrame

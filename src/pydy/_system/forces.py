@@ -77,6 +77,10 @@ def find_reaction(
 ) -> Reaction:
     """Return the reaction on some bodies; see `System.reaction`."""
     forces = _forces(equations, bodies=True)
+    if isinstance(bodies, str) and not any(name_of(body) == bodies for body in forces.body.bodies):
+        joints = equations.mechanism.joints if equations.mechanism is not None else ()
+        named = [joint for joint in joints if joint.name == bodies]
+        bodies = named[0] if len(named) == 1 else bodies
     if isinstance(bodies, Joint):
         point = bodies.child_point if point is None else point
         bodies = _beyond(equations, forces, bodies)
@@ -152,7 +156,7 @@ def _member(forces: ConstraintForces, item: Any) -> Any:
         return named[0]
     raise ValueError(
         f"`bodies` has {shown(item)}, which is none of the system's bodies: "
-        f"{describe(list(bodies))}. Give the RigidBody or Particle, or its name."
+        f"{describe(list(bodies))}. Give the RigidBody or Particle, or its name; or a joint alone."
     )
 
 

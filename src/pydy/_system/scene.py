@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from sympy.physics.mechanics import Point, Vector, dynamicsymbols
+
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._checks import flag
 from pydy._graph.from_sympy import NodeExpression
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.reader import given_velocity
 from pydy.viz.defaults import arms, find_origin, guess_up, load_arrows, skeleton
 from pydy.viz.motion import Model
 from pydy.viz.scene import Scene
@@ -89,8 +92,26 @@ def make_scene(
         lines = [Visual(Line(pair, colour=_LINES), name="lines") for pair in pairs]
         visuals = [*bodies, *lines]
     if loads and mechanism is not None:
-        visuals = [*visuals, *load_arrows(mechanism.bodies, mechanism.loads)]
+        # Gravity on the ground's own body moves nothing: the equations do not hold its mass.
+        shown = [
+            (where, vector)
+            for where, vector in mechanism.loads
+            if not (_rests(where, mechanism.frame) and _constants_of(vector) - constants.keys())
+        ]
+        visuals = [*visuals, *load_arrows(mechanism.bodies, shown)]
     return Scene(reference_frame, origin, *visuals, model=model, **options)
+
+
+def _rests(where: Any, frame: Any) -> bool:
+    """Return whether a load's point or frame was said to rest in the inertial frame."""
+    if isinstance(where, Point):
+        return bool(given_velocity(where, frame) == Vector(0))
+    return where is frame
+
+
+def _constants_of(vector: Any) -> set[Any]:
+    """Return the symbols of a vector that are no functions and not the time."""
+    return {s for m, _ in vector.args for s in m.free_symbols} - {dynamicsymbols._t}
 
 
 class _Definitions(dict[Any, Any]):

@@ -1,0 +1,5 @@
+"""The cameras, where scripts for PyDy's viz import them from."""
+
+from pydy.viz.views import OrthoGraphicCamera, PerspectiveCamera
+
+__all__ = ["OrthoGraphicCamera", "PerspectiveCamera"]

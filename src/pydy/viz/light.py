@@ -1,0 +1,5 @@
+"""The light, where scripts for PyDy's viz import it from."""
+
+from pydy.viz.views import PointLight
+
+__all__ = ["PointLight"]

@@ -1,0 +1,5 @@
+"""`VisualizationFrame`, where scripts for PyDy's viz import it from."""
+
+from pydy.viz.views import VisualizationFrame
+
+__all__ = ["VisualizationFrame"]
