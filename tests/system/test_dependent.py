@@ -8,6 +8,8 @@ import sympy.physics.mechanics as me
 import zoo
 from cases import close, system_of
 from pydy._errors import PyDyUserWarning
+from pydy.mechanics import Definition
+from pydy.system import System
 
 SOLVABLE = ["disc", "disc_contact", "sleigh", "skate", "fourbar", "track", "track_reversed", "gyro"]
 SOLVABLE += ["lifted"]
@@ -196,3 +198,20 @@ def test_the_function_generated_before_still_serves():
     system.generate_ode_function(generator="lambdify")
     system.set_dependent_initial_conditions()
     close(system.integrate()[0], model.x0, 1e-8)
+
+
+def test_velocity_constraints_of_any_size_are_solved():
+    """With the second row as a pivot, the first speed would be a rounding error of the others."""
+    q, u = me.dynamicsymbols("q1:5"), me.dynamicsymbols("u1:5")
+    small, N, O = sm.Symbol("small"), me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    bodies = [
+        me.Particle(f"P{k}", O.locatenew(f"P{k}", place * N.x), sm.Integer(1))
+        for k, place in enumerate(q)
+    ]
+    rows = [small * u[0] - u[2], 3 * u[0] + u[1] - u[3]]
+    four = Definition(N, q, u, bodies=bodies, nonholonomic_constraints=rows, dependent_speeds=u[:2])
+    system = System(four, {small: 1e-10}, initial_conditions={u[2]: 1e-30, u[3]: 0.7})
+    system.set_dependent_initial_conditions()
+    assert system.initial_conditions[u[0]] == pytest.approx(1e-20, rel=1e-12, abs=0.0)
+    assert system.initial_conditions[u[1]] == pytest.approx(0.7, rel=1e-12)

@@ -123,8 +123,11 @@ def solve_dependents(
         start = x.copy()
         start[speeds] = 0.0
         right = -value(residual, start)
+        # Pivots are compared between rows of the same size: constraints may be of any.
+        largest = np.abs(matrix).max(axis=1)
+        rows = np.where(largest > 0.0, largest, 1.0)
         try:
-            x[speeds] = np.linalg.solve(matrix, right)
+            x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
         except np.linalg.LinAlgError:
             names = [definition.states[k] for k in speeds]
             raise SingularMatrixError(
