@@ -63,6 +63,15 @@ def test_a_load_on_something_else_than_a_point_or_a_frame_is_refused():
         read_loads([(sm.Symbol("P"), frame.x)])
 
 
+def test_a_force_without_a_direction_is_refused():
+    point, k = me.Point("P"), sm.Symbol("k")
+    with pytest.raises(
+        TypeError, match=r"load \(P, -k\) must end with a Vector, such as .* got a Mul"
+    ):
+        read_loads([(point, -k)])
+    assert read_loads([(point, 0)]) == ()
+
+
 def test_loads_come_out_of_actuators():
     frame, first, second = me.ReferenceFrame("N"), me.Point("P"), me.Point("Q")
     second.set_pos(first, me.dynamicsymbols("q") * frame.x)

@@ -278,3 +278,11 @@ def test_a_specified_function_that_writes_into_its_state_changes_nothing_else(so
     given = x.copy()
     system.evaluate_ode(given)
     np.testing.assert_array_equal(given, x)
+
+
+def test_an_array_over_time_is_refused_with_the_way_to_give_it():
+    from pydy.models import n_link_pendulum_on_cart
+
+    system = n_link_pendulum_on_cart(1)
+    with pytest.raises(ValueError, match=r"F.t. must be a real number, .*\(11,\).*SampledInput"):
+        system.specifieds = {"F": np.zeros(11)}

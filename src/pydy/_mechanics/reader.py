@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, Vector
 
 from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
@@ -98,7 +98,7 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
     Raises
     ------
     TypeError
-        A load is neither a pair nor has a method `to_loads`.
+        A load is neither a pair nor has a method `to_loads`, or its force is no vector.
     ValueError
         A pair does not begin with a point or a frame.
     """
@@ -118,6 +118,11 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
             raise ValueError(
                 f"The load ({where}, {vector}) must begin with the Point that the force acts at, "
                 f"or the ReferenceFrame that the torque acts on, got a {type(where).__name__}."
+            )
+        if vector != 0 and not isinstance(vector, Vector):
+            raise TypeError(
+                f"The load ({where}, {vector}) must end with a Vector, such as {vector}*N.x with "
+                f"the axis of a frame N, got a {type(vector).__name__}."
             )
         if vector != 0:
             found.append((where, vector))

@@ -311,6 +311,11 @@ class SpecifiedsPlan:
         _refuse_mixtures(value, label)
         entries = symbolic_entries(value)
         if entries is None:
+            if isinstance(value, np.ndarray) and value.size > 1 and not several:
+                raise ValueError(
+                    f"{label} must be a real number, got an array of the shape {value.shape}. For "
+                    "values over time pass pydy.inputs.SampledInput(times, values)."
+                )
             # One number for several symbols holds for each.
             given = real_array(value, label) if several else number(value, label)
             one = not several or np.ndim(given) == 0
