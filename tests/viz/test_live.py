@@ -38,6 +38,17 @@ def test_the_page_stays_below_a_megabyte_beside_three():
     assert len(page(pendulum(), {"l0": (0.1, 2)})) - len(_resource("three.min.js")) < 1_000_000
 
 
+def test_arrows_whose_scale_is_chosen_have_it_on_the_page():
+    system = pendulum()
+    animated = system.scene(loads=True).animate(system.simulate())
+    chosen = [item for item in animated._animation.items if item.vectors is not None]
+    arrows = data_of(animated.html(live={"l0": (0.1, 2)}))["live"]["arrows"]
+    given = [pair[1] for pair in arrows if pair is not None]
+    assert given == [item.shape.scale for item in chosen]
+    assert len(given) >= 1
+    assert min(given) > 0.0
+
+
 def test_nothing_makes_code_of_text():
     from pydy.viz.page import _resource
 

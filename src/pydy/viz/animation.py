@@ -226,7 +226,8 @@ def _assemble(visuals: Sequence[Visual], placed: Placement, motion: Motion) -> A
             shape = replace(shape, colour=colour)
         vector = line = None
         if isinstance(shape, Arrow):
-            vector = placed.vectors[:, arrows] * scales[visual.name, shape.scale]
+            shape = replace(shape, scale=scales[visual.name, shape.scale])
+            vector = placed.vectors[:, arrows] * shape.scale
             arrows += 1
             if shape.radius is None:
                 shape = replace(shape, radius=0.01 * size)
