@@ -1,4 +1,4 @@
-; sources 9fb8ab04b3090eceb93ef9e3ac69e9781796c68d7e55d722c7da767573712d58
+; sources 86909b7a9fa5b5da6d6198444df6b2fe771e07e4e3b83e17a4861761d4c2188c
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

@@ -1,4 +1,4 @@
-; sources f2bd3d84d8433295cfd0317f3cd859c95c669c22d4cda42e276350087f603c61
+; sources ecf7e0f0373a550d0d48e405478d8c83286b54395072f86183a83b986f148885
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

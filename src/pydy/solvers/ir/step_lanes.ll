@@ -1,4 +1,4 @@
-; sources d48ccd8e35de2f26a1ed69bdf246a23bc1e119a67025bfa34643682d445bf4e3
+; sources 0ca2560245368118ddb73dd76acef05d3615b9114422ac3ba67b2c117dd2ce10
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0
