@@ -29,7 +29,13 @@ from pydy._system.ensemble_inputs import make_ensemble
 from pydy._system.fits import fit
 from pydy._system.forces import Multipliers, Reaction, find_multipliers, find_reaction
 from pydy._system.generation import Generated, checked_options, generate
-from pydy._system.inputs import SymbolSet, base_symbols, check_times, named_forces
+from pydy._system.inputs import (
+    SymbolSet,
+    base_symbols,
+    check_forces,
+    check_times,
+    named_forces,
+)
 from pydy._system.numbers import read_constants, read_states
 from pydy._system.orbits import find_orbit
 from pydy._system.products import BLOCKS
@@ -216,7 +222,7 @@ class System:
         return Snapshot(made.definition, made.model, user, self._times, self._energies, self._told)
 
     def _set_outputs(self, outputs: Any, forces: Any) -> None:
-        names = named_forces(self._equations, forces) or []
+        names = check_forces(self._equations, named_forces(self._equations, forces))
         own = self._define.users(outputs, self._forces)
         self._define(own, names, self._specifieds)
         self._outputs, self._forces = self._define.merged(own, names), names

@@ -283,7 +283,10 @@ class Trajectory:
     def __getitem__(self, key: Any) -> np.ndarray:
         """Return the values of one quantity, shape (m,), or of a list of k of them, (m, k)."""
         if isinstance(key, list):
-            return np.array([self[one] for one in key]).reshape(len(key), len(self.times)).T
+            return np.array([self._one(k) for k in key]).reshape(len(key), len(self.times)).T
+        return self._one(key)
+
+    def _one(self, key: Any) -> np.ndarray:
         k = self._find(key)
         for table in (self.states, self.outputs, self.specifieds):
             if k < table.shape[1]:

@@ -273,6 +273,9 @@ def check_forces(equations: Equations, names: list[Any] | None) -> list[Any]:
             f"`noncontributing_forces` must have {wanted} names, one for each auxiliary speed, got "
             f"{len(names)}: {describe(names)}."
         )
+    for name in names:
+        if not isinstance(name, sm.Basic):
+            raise TypeError(f"`noncontributing_forces` must be symbols, got {shown(name)}.")
     if len(set(names)) != len(names):
         raise ValueError(f"`noncontributing_forces` repeat a name: {describe(names)}.")
     present = find_symbols(equations.auxiliary_equations)
