@@ -15,7 +15,7 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser test-fuzz test-lowest test-newest test-pyright test-arm64 docs bench bench-analysis bench-peers bench-solvers solvers-ir three clean
+.PHONY: help demo test test-browser test-fuzz test-lowest test-newest test-pyright test-arm64 docs bench bench-analysis bench-pages bench-peers bench-solvers solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
@@ -29,6 +29,7 @@ help:
 	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts; trees"
+	@echo "make bench-pages  pages that simulate: times real time, and how long a drag takes"
 	@echo "make bench-analysis  Jacobians over their functions; linear models, trims and fits"
 	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
 	@echo "make solvers-ir  write the compiled loops of the solvers as LLVM IR, after a change of them"
@@ -81,6 +82,9 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 
 bench-solvers: $(VENV)/.installed-test $(PEERS)/.installed $(REFERENCE)/.installed
 	$(PY) benchmarks/solvers.py --peer-python $(PEERS_PY) --reference $(REFERENCE_PY)
+
+bench-pages: $(VENV)/.installed-test $(VENV)/.installed-browser
+	$(PY) benchmarks/live_pages.py
 
 bench-analysis: $(VENV)/.installed-test
 	$(PY) benchmarks/analysis.py

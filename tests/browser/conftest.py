@@ -3,22 +3,14 @@
 from __future__ import annotations
 
 import os
-import shutil
 from pathlib import Path
 
 import pytest
 
+import chromium
 from waiting import until
 
 BUILD = Path(__file__).parents[2] / "build"
-NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
-# Drawing by the processor: no graphics card is needed. There is nothing here to be sandboxed from.
-ARGUMENTS = [
-    "--no-sandbox",
-    "--use-gl=angle",
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-]
 
 
 def missing(what: str) -> None:
@@ -34,14 +26,14 @@ def browser():
         from playwright.sync_api import sync_playwright
     except ImportError:
         missing("Playwright is not installed: python -m pip install 'pydy[browser]'")
-    program = os.environ.get("PYDY_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
+    program = chromium.program()
     if program is None:
         missing(
             "no Chromium was found: install it (Debian: apt install chromium), or name the program "
             "in PYDY_CHROMIUM"
         )
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=program, args=ARGUMENTS)
+        browser = playwright.chromium.launch(executable_path=program, args=chromium.ARGUMENTS)
         yield browser
         browser.close()
 
