@@ -89,13 +89,28 @@ def test_folders_may_have_spaces_and_letters_of_any_language(tmp_path):
     assert found.split() == [run(SIMULATION, PYDY_CACHE_DIR="off").strip(), b"True"]
 
 
-def test_no_two_files_differ_in_case_alone():
+def names_of_files():
+    """Paths of the files that git keeps, or of those that an archive has."""
     listed = subprocess.run(
-        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=False
-    ).stdout.split("\n")
-    names = listed if len(listed) > 1 else [str(p) for p in (ROOT / "src").rglob("*")]
-    twice = [name for name, count in Counter(n.lower() for n in names if n).items() if count > 1]
-    assert not twice
+        ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=False
+    ).stdout.split(b"\0")
+    if len(listed) > 1:
+        return [name.decode() for name in listed if name]
+    return [p.relative_to(ROOT).as_posix() for p in (ROOT / "src").rglob("*")]
+
+
+def test_names_of_files_suit_every_system():
+    # Windows refuses some characters, drops dots and blanks at the end, and has names of devices.
+    wrong = [name for name in names_of_files() if not re.fullmatch(r"[\w./+-]+", name, re.ASCII)]
+    assert not wrong
+    parts = {part for name in names_of_files() for part in name.split("/")}
+    device = re.compile(r"(aux|con|nul|prn|com\d|lpt\d)(\..*)?", re.IGNORECASE)
+    assert not [part for part in parts if part.endswith(".") or device.fullmatch(part)]
+
+
+def test_no_two_files_differ_in_case_alone():
+    twice = Counter(name.lower() for name in names_of_files())
+    assert not [name for name, count in twice.items() if count > 1]
 
 
 def test_keys_of_the_cache_are_in_lower_case():

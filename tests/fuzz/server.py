@@ -1,5 +1,6 @@
 """Tries values on arguments, each in a forked process of its own; run by `test_arguments`.
 
+What is tried may write files: it is started in a folder of its own.
 Reads lines ``family part parts`` from standard input, and answers each with a line of JSON: for
 every input its target, its value, what became of it, details, and seconds.
 
@@ -47,7 +48,6 @@ HERE = str(Path(__file__).parent) + os.sep
 def main() -> None:
     for family in FAMILIES:
         import_module(f"fuzz.families.{family}")
-    os.chdir(tempfile.mkdtemp(prefix="pydy-fuzz-"))
     world()
     gc.collect()
     gc.freeze()  # a child that collects would copy every page

@@ -22,18 +22,24 @@ PARTS = int(os.environ.get("PYDY_FUZZ_PARTS", "4"))
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="inputs are tried in forks")
 
 
+def _absolute_paths():
+    return map(os.path.abspath, filter(None, os.environ.get("PYTHONPATH", "").split(os.pathsep)))
+
+
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
     """Return the process that forks: systems and functions are made there once."""
-    folders = [str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
-    with (tmp_path_factory.mktemp("fuzz") / "stderr").open("w+") as said:
+    folders = [str(Path(__file__).parents[1]), *_absolute_paths()]
+    folder = tmp_path_factory.mktemp("fuzz")
+    with (tmp_path_factory.mktemp("said") / "stderr").open("w+") as said:
         process = subprocess.Popen(
-            [sys.executable, "-m", "fuzz.server"],
+            [sys.executable, "-P", "-m", "fuzz.server"],
+            cwd=folder,  # where files go that are named by a bad value
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=said,
             text=True,
-            env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, folders))},
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(folders)},
         )
         with process:
             yield process, said
