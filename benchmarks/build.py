@@ -8,18 +8,17 @@ processor, medians of several builds in one process.
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import sys
 import time
 from itertools import pairwise
-from pathlib import Path
 from statistics import median
 from typing import Any
 
 os.environ["PYDY_CACHE_DIR"] = "off"
 
 import numpy as np
+from harness.report import save
 from trees import HUMANOID, definition, tree
 
 from pydy._backends.registry import compile_program
@@ -30,7 +29,6 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 
 STAGES = ("set up", "form", "simplify", "lower", "compile")
-RESULTS = Path(__file__).parents[1] / "build" / "build-times.json"
 
 
 def models() -> dict[str, Any]:
@@ -99,8 +97,7 @@ def main() -> None:
         found[name] = {**times, "operations": runs[0][1]}
         cells = [*times.values(), sum(times.values())]
         print(f"{name:26}" + "".join(f"{c:9.2f}s" for c in cells) + f"{runs[0][1]:10}", flush=True)
-    RESULTS.parent.mkdir(exist_ok=True)
-    RESULTS.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
+    save("build", found)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Ensembles of pendulums: in lanes against a loop, heyoka's batches, and a million in 2 GiB."""
+"""Ensembles of pendulums: trajectories a second at equal errors, and a million in 2 GiB."""
 
 from __future__ import annotations
 
@@ -7,18 +7,23 @@ import os
 import sys
 import tempfile
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 import numpy as np
 from harness.driver import ROOT, Worker, in_turn
+from harness.precision import Point, bracket, interpolate
 from harness.report import pairwise, save, table
 
-REFERENCE = 1e-13
-OURS = [("dop853", tol) for tol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10)]
-OURS += [("vern9", k * tol) for tol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10) for k in (1, 0.5, 0.25)]
-OURS += [("vern9", 1e-11)]
+REFERENCE = ("vern9", 1e-13)
+TARGETS = (4e-6, 4e-8, 4e-9)
+# Links, and how many times heyoka's trajectories a second are asked for.
+GOALS = {1: 2.0, 5: 3.0}
+METHODS = ("dop853", "vern9", "tsit5")
+TOLERANCES = tuple(10.0**-k for k in np.arange(3.0, 11.6, 0.5))
+THEIRS = TOLERANCES[2::2]  # each is compiled
 SCALED = ("vern9", 1e-8)  # for threads and the loop
-THEIRS = (1e-6, 1e-7, 1e-9)
+Contestant = tuple[str, str | int]
 
 
 def main() -> None:
@@ -27,103 +32,158 @@ def main() -> None:
     parser.add_argument("--peer-python", type=Path, default=ROOT / ".venv-peers/bin/python")
     parser.add_argument("--python", type=Path, default=Path(sys.executable), help="ours")
     parser.add_argument("--count", type=int, default=10_000, help="trajectories, a multiple of 8")
-    parser.add_argument("--links", type=int, nargs="+", default=[1, 5])
-    parser.add_argument("--checked", type=int, default=200, help="trajectories for errors")
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--links", type=int, nargs="+", default=list(GOALS))
+    parser.add_argument("--methods", nargs="+", default=METHODS)
+    parser.add_argument("--checked", type=int, default=400, help="trajectories for errors")
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--scaling", type=int, default=3, help="its rounds; 0 leaves it out")
     parser.add_argument("--million", type=int, default=1_000_000, help="0 leaves this part out")
     options = parser.parse_args()
     results: dict[str, Any] = {}
     for links in options.links:
         results[f"n={links}"] = _compare(links, options)
+        if options.scaling:
+            results[f"n={links}, scaling"] = _scaling(links, options)
     if options.million:
         results["million"] = _million(options.million, options.python)
     save("ensembles", results)
 
 
+# -- at equal error -----------------------------------------------------------------------------
+
+
 def _compare(links: int, options: Any) -> dict[str, Any]:
+    """Scan tolerances with few trajectories, then time what encloses each target, in turn."""
     core = max(os.sched_getaffinity(0))
-    count, checked = options.count, options.checked
     ours = Worker("ours", options.python, "ensembles_ours.py", core=core)
-    free = Worker("ours-threads", options.python, "ensembles_ours.py")
     peer = Worker("heyoka-batch", options.peer_python, "ensembles_heyoka.py", core=core)
-    with ours, free, peer, tempfile.TemporaryDirectory() as folder:
-        for worker in (ours, free, peer):
-            worker.ask("load", links=links, count=count)
+    with ours, peer, tempfile.TemporaryDirectory() as folder:
+        ours.ask("load", links=links, count=options.count)
+        sizes = peer.ask("load", links=links, count=options.count)["sizes"]
+        path = str(Path(folder, "states.npy"))
 
         def states(worker: Worker) -> np.ndarray:
-            path = str(Path(folder, "states.npy"))
-            worker.ask("save", path=path, count=checked)
+            worker.ask("save", path=path, count=options.checked)
             return np.load(path)
 
-        ours.ask("loop", method="vern9", tol=REFERENCE, count=checked)
+        def run(who: Contestant, tolerance: float, count: int) -> float:
+            name, choice = who
+            if name == "ours":
+                request = {"method": choice, "tol": tolerance, "threads": 1, "count": count}
+                return ours.ask("lanes", **request)["seconds"]
+            return peer.ask("lanes", size=choice, tol=tolerance, count=count)["seconds"]
+
+        method, tolerance = REFERENCE
+        ours.ask("loop", method=method, tol=tolerance, count=options.checked)
         reference = states(ours)
-
-        def error(worker: Worker) -> float:
-            return float(np.median(np.abs(states(worker) - reference).max(axis=(1, 2))))
-
-        measures = {
-            f"lanes {method} {tol:g}": (
-                ours,
-                {"do": "lanes", "method": method, "tol": tol, "threads": 1},
-            )
-            for method, tol in OURS
+        scans: dict[Contestant, list[Point]] = {}
+        for who in [*(("ours", m) for m in options.methods), *(("heyoka", s) for s in sizes)]:
+            worker, tolerances = (ours, TOLERANCES) if who[0] == "ours" else (peer, THEIRS)
+            points = scans[who] = []
+            for tolerance in tolerances:
+                taken = run(who, tolerance, options.checked)
+                error = np.abs(states(worker) - reference).max(axis=(1, 2))
+                points.append(Point(tolerance, float(np.median(error)), taken))
+                if points[-1].error < 0.3 * min(TARGETS):
+                    break
+        brackets = {
+            (who, target): bracket(points, target)
+            for who, points in scans.items()
+            for target in TARGETS
         }
-        method, tol = SCALED
-        measures |= {
-            f"lanes {method} {tol:g}, {threads} threads": (
-                free,
-                {"do": "lanes", "method": method, "tol": tol, "threads": threads},
-            )
-            for threads in (1, 2)
-        }
-        request = {"do": "loop", "method": method, "tol": tol, "count": min(count, 1000)}
-        measures[f"loop {method} {tol:g}"] = (ours, request)
-        measures |= {
-            f"heyoka {tol:g}{' 512 bits' if wide else ''}": (
-                peer,
-                {"do": "lanes", "tol": tol, "wide": wide},
-            )
-            for tol in THEIRS
-            for wide in (False, True)
-        }
-        errors: dict[str, float] = {}
-
-        def measure(name: str) -> float:
-            worker, request = measures[name]
-            taken = worker.ask(**request)["seconds"]
-            errors.setdefault(name, error(worker))
-            return taken
-
+        wanted = {(who, p.tolerance) for (who, _), points in brackets.items() for p in points}
         rounds = in_turn(
-            {name: lambda name=name: measure(name) for name in measures},
+            {key: lambda key=key: run(*key, options.count) for key in sorted(wanted, key=str)},
             least=options.rounds,
             most=options.rounds,
         )
+    lines = [
+        _line(links, target, {w: b for (w, t), b in brackets.items() if t == target and b}, rounds)
+        for target in TARGETS
+    ]
+    _report(links, options.count, lines)
+    return {
+        "targets": lines,
+        "scans": {f"{w[0]} {w[1]}": [vars(p) for p in points] for w, points in scans.items()},
+    }
+
+
+def _line(
+    links: int, target: float, brackets: dict[Contestant, list[Point]], rounds: list[Any]
+) -> dict[str, Any]:
+    """Return everyone's times at one error, and by how much our fastest leads theirs."""
+    times = {
+        who: [interpolate(points, [r[who, p.tolerance] for p in points], target) for r in rounds]
+        for who, points in brackets.items()
+    }
+    best = {
+        name: min((w for w in times if w[0] == name), key=lambda w: median(times[w]))
+        for name in ("ours", "heyoka")
+    }
+    return {
+        "target": target,
+        "seconds": {f"{who[0]} {who[1]}": taken for who, taken in times.items()},
+        "tolerances": {f"{w[0]} {w[1]}": [p.tolerance for p in b] for w, b in brackets.items()},
+        "best": {name: who[1] for name, who in best.items()},
+        "ratio": pairwise(times[best["heyoka"]], times[best["ours"]]),
+        "asked": GOALS.get(links),
+    }
+
+
+def _report(links: int, count: int, lines: list[dict[str, Any]]) -> None:
+    names = sorted({name for line in lines for name in line["seconds"]}, reverse=True)
+    rows = [
+        [
+            f"{line['target']:g}",
+            *(
+                f"{count / median(line['seconds'][name]):,.0f}" if name in line["seconds"] else "–"
+                for name in names
+            ),
+            f"{line['ratio']:.2f}",
+            line["asked"] or "–",
+        ]
+        for line in lines
+    ]
+    shown = [f"{name} lanes" if name.startswith("heyoka") else name for name in names]
+    title = f"n = {links}: trajectories a second, {count:,} of them, one thread, at a median error"
+    table(title, ("error", *shown, "ours / heyoka's", "asked"), rows)
+
+
+# -- threads, and a loop ------------------------------------------------------------------------
+
+
+def _scaling(links: int, options: Any) -> dict[str, Any]:
+    """Compare one thread with two, and lanes with a loop over the solver for one."""
+    method, tol = SCALED
+    core = max(os.sched_getaffinity(0))
+    ours = Worker("ours", options.python, "ensembles_ours.py", core=core)
+    free = Worker("ours-threads", options.python, "ensembles_ours.py")
+    with ours, free:
+        for worker in (ours, free):
+            worker.ask("load", links=links, count=options.count)
+        request = {"method": method, "tol": tol, "count": options.count}
+        few = min(options.count, 1000)
+        measures = {
+            "lanes": lambda: ours.ask("lanes", **request, threads=1)["seconds"],
+            "loop": lambda: (
+                ours.ask("loop", method=method, tol=tol, count=few)["seconds"]
+                * (options.count / few)
+            ),
+            **{
+                f"{k} threads": lambda k=k: free.ask("lanes", **request, threads=k)["seconds"]
+                for k in (1, 2)
+            },
+        }
+        rounds = in_turn(measures, least=options.scaling, most=options.scaling)
         bare = [free.ask("kernel", threads=threads) for threads in (1, 2)]
     seconds = {name: [r[name] for r in rounds] for name in measures}
-    rows = []
-    for name, taken in seconds.items():
-        ratio = ""
-        if name.startswith("heyoka"):  # against the fastest of ours that is no less accurate
-            good = [
-                n
-                for n in seconds
-                if n.startswith("lanes") and "," not in n and errors[n] <= errors[name]
-            ]
-            if good:
-                best = min(good, key=lambda n: min(seconds[n]))
-                ratio = f"{pairwise(taken, seconds[best]):.2f} ({best})"
-        elif name.startswith("loop"):
-            ratio = f"{pairwise(taken, seconds[name.replace('loop', 'lanes')]):.2f}"
-        rows.append([name, f"{count / np.median(taken):,.0f}", f"{errors[name]:.1e}", ratio])
-    table(
-        f"n = {links}: {count:,} trajectories",
-        ("", "a second", "median error", "lanes are faster by"),
-        rows,
+    print(
+        f"  {method} at {tol:g}: lanes are faster than a loop by "
+        f"{pairwise(seconds['loop'], seconds['lanes']):.2f}; two threads than one by "
+        f"{pairwise(seconds['1 threads'], seconds['2 threads']):.2f}, "
+        f"of the bare kernel {bare[0] / bare[1]:.2f}"
     )
-    one, two = (seconds[f"lanes {SCALED[0]} {SCALED[1]:g}, {k} threads"] for k in (1, 2))
-    print(f"  two threads: {pairwise(one, two):.2f}; the bare kernel {bare[0] / bare[1]:.2f}")
-    return {"seconds": seconds, "errors": errors, "kernel": bare}
+    return {"seconds": seconds, "kernel": bare}
 
 
 def _million(count: int, python: Path) -> dict[str, Any]:

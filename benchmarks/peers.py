@@ -11,7 +11,7 @@ from statistics import median
 from typing import Any
 
 from harness.driver import ROOT, Worker, WorkerError, in_turn
-from harness.report import name_of, pairwise, save, seconds, table
+from harness.report import pairwise, save, seconds, table
 
 MODELS = (
     *("pendulum-1", "pendulum-5", "pendulum-10", "pendulum-20", "rods-3", "bicycle"),
@@ -69,7 +69,7 @@ def main() -> None:
                 if name in ONLY.get(model, options.peers)
             ]
             lines += _measure(model, workers, rounds)
-        save(name_of("peers"), lines)  # after each model, so that a run can be broken off
+        save("peers", lines)  # after each model, so that a run can be broken off
     for kind in KINDS:
         chosen = [line for line in lines if line["kind"] == kind]
         _report(kind, chosen, [*(f"ours-{w}" for w in options.widths), *options.peers])

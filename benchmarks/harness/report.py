@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+import re
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -44,9 +45,12 @@ def table(title: str, header: Sequence[str], rows: Sequence[Sequence[Any]]) -> N
 
 
 def save(name: str, results: Any) -> Path:
-    """Write results, with where and when they were taken."""
+    """Write results, with where and when they were taken.
+
+    Those for another target than this machine's lie beside, as ``NAME-TARGET.json``; those that
+    another machine took are kept as ``NAME-WHEN.json``.
+    """
     BUILD.mkdir(parents=True, exist_ok=True)
-    path = BUILD / f"{name}.json"
     about = {
         "taken": datetime.now(UTC).isoformat(timespec="seconds"),
         "machine": platform.machine(),
@@ -56,15 +60,34 @@ def save(name: str, results: Any) -> Path:
         "load_average": os.getloadavg() if hasattr(os, "getloadavg") else None,
         "python": platform.python_version(),
     }
+    target = "" if about["target"] == "native" else f"-{about['target']}"
+    path = BUILD / f"{name}{target}.json"
+    if path.exists():
+        before = json.loads(path.read_text())["about"]
+        if before["processor"] != about["processor"]:
+            when = re.sub(r"\W", "", before["taken"])
+            path.rename(path.with_stem(f"{path.stem}-{when}"))
     path.write_text(json.dumps({"about": about, "results": results}, indent=1) + "\n")
     print(f"written to {path}", file=sys.stderr)
     return path
 
 
-def name_of(benchmark: str) -> str:
-    """Return the name that results are saved by: those for another target lie beside."""
-    cpu = os.environ.get("PYDY_CPU", "native")
-    return benchmark if cpu == "native" else f"{benchmark}-{cpu}"
+def read_beside(name: str, folder: Path) -> list[tuple[dict[str, Any], Any]]:
+    """Return all results of a benchmark in a folder, each with where it was taken."""
+    files = sorted(folder.glob(f"{name}.json")) + sorted(folder.glob(f"{name}-*.json"))
+    found = [json.loads(file.read_text()) for file in files]
+    return [(each["about"], each["results"]) for each in found]
+
+
+def label(about: dict[str, Any]) -> str:
+    """Return a processor's name, and the vectors that code was written for."""
+    name, features = about["processor"]["name"], about["processor"]["features"]
+    if about["target"] == "generic":
+        return f"{name}, generic"
+    widest = {"avx512vl": "AVX-512", "avx2": "AVX2", "sve": "SVE", "asimd": "NEON"}
+    if about["target"] == "x86-64-v3":
+        widest.pop("avx512vl")
+    return f"{name}, {next((w for f, w in widest.items() if f in features), 'no vectors')}"
 
 
 def processor() -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from typing import Any
 
@@ -17,31 +18,40 @@ Heyoka = module_at(__file__.replace("ensembles_heyoka", "heyoka_")).Heyoka
 
 
 class Batch:
-    def load(self, links: int, count: int) -> None:
+    def load(self, links: int, count: int) -> dict[str, Any]:
+        """Return the sizes of batches worth trying: one register's, two's and four's."""
         self.model = read(f"pendulum-{links}")
         self.x, self.p = samples(links, count)
+        self.made: dict[tuple[float, int], Any] = {}
+        narrow = 4 if os.environ.get("PYDY_CPU") == "x86-64-v3" else hy.recommended_simd_size()
+        return {"sizes": [narrow, 2 * narrow]}
 
-    def lanes(self, tol: float, wide: bool) -> dict[str, Any]:
-        """Time all samples, batch after batch, without 512-bit vectors or with them."""
-        n, k = self.x.shape[1], self.p.shape[1]
-        states = hy.make_vars(*(f"x{j}" for j in range(n)))
-        still = [hy.expression(0.0)] * len(self.model.specifieds)
-        matrix, forcing, rates = translate(
-            self.model, Heyoka(), states, still, [hy.par[j] for j in range(k)]
-        )
-        equations = list(zip(states, [*rates, *solve_definite(matrix, forcing)], strict=True))
-        size = 8 if wide else 4
-        integrator = hy.taylor_adaptive_batch(
-            equations,
-            np.zeros((n, size)),
-            tol=tol,
-            pars=np.zeros((k, size)),
-            force_avx512=wide,
-        )
+    def _integrator(self, tol: float, size: int) -> Any:
+        """Return the integrator of a tolerance, compiled once."""
+        if (tol, size) not in self.made:
+            n, k = self.x.shape[1], self.p.shape[1]
+            states = hy.make_vars(*(f"x{j}" for j in range(n)))
+            still = [hy.expression(0.0)] * len(self.model.specifieds)
+            matrix, forcing, rates = translate(
+                self.model, Heyoka(), states, still, [hy.par[j] for j in range(k)]
+            )
+            equations = list(zip(states, [*rates, *solve_definite(matrix, forcing)], strict=True))
+            self.made[tol, size] = hy.taylor_adaptive_batch(
+                equations,
+                np.zeros((n, size)),
+                tol=tol,
+                pars=np.zeros((k, size)),
+                force_avx512=size == 8 and os.environ.get("PYDY_CPU") != "x86-64-v3",
+            )
+        return self.made[tol, size]
+
+    def lanes(self, tol: float, size: int, count: int) -> dict[str, Any]:
+        """Time the first samples, batch after batch."""
+        integrator = self._integrator(tol, size)
         grid = np.repeat(TIMES[:, None], size, axis=1)
-        self.states = np.empty((len(self.x), len(TIMES), n))
+        self.states = np.empty((count, len(TIMES), self.x.shape[1]))
         start = time.perf_counter()
-        for i in range(0, len(self.x), size):
+        for i in range(0, count, size):
             integrator.set_time(0.0)
             integrator.state[:] = self.x[i : i + size].T
             integrator.pars[:] = self.p[i : i + size].T

@@ -44,9 +44,9 @@ class Ours:
             Work(model, work.reductions, {}), Samples(dims, x, r, p), (2048,), {}, threads
         )
 
-    def lanes(self, method: str, tol: float, threads: int) -> dict[str, Any]:
-        """Time the ensemble; the states come from the Dataset."""
-        ensemble = self._ensemble(method, {"rtol": tol, "atol": tol}, threads, None, len(self.x))
+    def lanes(self, method: str, tol: float, threads: int, count: int) -> dict[str, Any]:
+        """Time the ensemble of the first samples; the states come from the Dataset."""
+        ensemble = self._ensemble(method, {"rtol": tol, "atol": tol}, threads, None, count)
         ensemble.run()
         start = time.perf_counter()
         dataset = ensemble.run()
@@ -70,7 +70,7 @@ class Ours:
             states[k] = solver(f, self.x[k], TIMES, args=(self.r[0], self.p[k]), rtol=tol, atol=tol)
         taken = time.perf_counter() - start
         self.states = states
-        return {"seconds": taken * len(self.x) / count}
+        return {"seconds": taken}
 
     def save(self, path: str, count: int) -> None:
         """Write the first trajectories, for errors."""
