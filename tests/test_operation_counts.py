@@ -25,10 +25,10 @@ from pydy.system import System
 # is what sympy.cse leaves of M and F.
 LIMITS = {
     "pendulum-1": (9, 20, 16),
-    "pendulum-5": (141, 300, 416),
-    "pendulum-10": (398, 663, 2161),
-    "pendulum-20": (1208, 1373, 12457),
-    "rods-3": (1028, 707, 2291),
+    "pendulum-5": (143, 302, 416),
+    "pendulum-10": (398, 670, 2161),
+    "pendulum-20": (1208, 1390, 12457),
+    "rods-3": (1030, 707, 2291),
     "bicycle": (930, 1374, 1498),
     "rider-bicycle": (7100, 8413, 12216),
     "springs-100-absolute": (797, 897, 1299),

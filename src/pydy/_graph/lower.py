@@ -16,7 +16,6 @@ from pydy._graph.passes.share import is_pair, share_pairs
 from pydy._graph.program import Program, Tape
 from pydy._graph.solve.choose import factorised
 from pydy._graph.solve.matrix import Factor, Matrix, Part
-from pydy._graph.solve.semiseparable import SemiseparableLDL
 from pydy._graph.switches import Passes
 
 __all__ = ["lower"]
@@ -48,12 +47,7 @@ def lower(
     """
     passes = Passes() if passes is None else passes
     lowering = _Lowering(graph, sizes, passes, own or sizes)
-    program = Program.from_tape(*lowering.run(blocks))
-    # Generators multiply the same factors in their own order, which shared pairs do not foresee.
-    if lowering.by_generators and "share products" in passes:
-        other = lower(graph, sizes, blocks, passes=passes.but("share products"), own=own)
-        return min(program, other, key=lambda p: p.operation_count["run"].total())
-    return program
+    return Program.from_tape(*lowering.run(blocks))
 
 
 class _Lowering:
@@ -68,7 +62,6 @@ class _Lowering:
         self.sizes = sizes
         self.own = own
         self.tape = Tape()
-        self.by_generators = False
         self.passes = passes
         self.new: dict[int, int] = {}
         self.factors: dict[int, Factor] = {}
@@ -137,9 +130,7 @@ class _Lowering:
         matrix = Matrix(
             self.tape, kind, n, cells, self.graph, entries, self.own, self._sum_of_parts
         )
-        found = factorised(matrix, self.passes)
-        self.by_generators |= isinstance(found, SemiseparableLDL)
-        return found
+        return factorised(matrix, self.passes)
 
     def _sum_of_parts(self, parts: dict[Part, float]) -> int:
         """Return a sum of products of nodes."""

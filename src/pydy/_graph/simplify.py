@@ -6,9 +6,10 @@ from collections.abc import Sequence
 
 from pydy._graph.counting import operations
 from pydy._graph.node import Graph
-from pydy._graph.passes import SIMPLIFICATIONS
+from pydy._graph.passes import ONCE, ROUND, Pass
 from pydy._graph.rewrite import substitute
 from pydy._graph.switches import Passes
+from pydy._graph.tuning import ANOTHER_ROUND
 
 __all__ = ["simplify"]
 
@@ -27,14 +28,36 @@ def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -
     guards = [n for n in graph.reachable(roots) if graph.ops[n] == "guard"]
     if guards:
         return _around_guards(graph, roots, guards, passes)
-    nodes, cost = list(roots), operations(graph, roots)
-    for name, function in SIMPLIFICATIONS:
-        if name not in passes:
-            continue
-        tried = function(graph, nodes)
-        if tried != nodes and (less := operations(graph, tried)) < cost:
-            nodes, cost = tried, less
-    return nodes
+    run = _Run(graph, roots, passes)
+    run.all(ONCE)
+    before = None
+    while before is None or before - run.cost > ANOTHER_ROUND * before:
+        before = run.cost
+        run.all(ROUND)
+    return run.nodes
+
+
+class _Run:
+    """The nodes as the passes so far left them."""
+
+    def __init__(self, graph: Graph, roots: Sequence[int], passes: Passes) -> None:
+        self.graph = graph
+        self.passes = passes
+        self.nodes = list(roots)
+        self.cost = operations(graph, roots)
+        self._left: dict[str, list[int]] = {}  # by each pass, which would leave it so again
+
+    def all(self, passes: Sequence[tuple[str, Pass]]) -> None:
+        """Run passes one after another; take what costs less."""
+        for name, function in passes:
+            if name not in self.passes or self._left.get(name) == self.nodes:
+                continue
+            tried = function(self.graph, self.nodes)
+            if tried != self.nodes:
+                cost = operations(self.graph, tried)
+                if cost < self.cost:
+                    self.nodes, self.cost = tried, cost
+            self._left[name] = self.nodes
 
 
 def _around_guards(

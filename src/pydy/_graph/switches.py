@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pydy._graph.passes import SHARING, SIMPLIFICATIONS
+from pydy._graph.passes import ONCE, ROUND, SHARING
 from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 
 __all__ = ["Passes"]
@@ -30,7 +30,7 @@ class Passes:
     def names() -> list[str]:
         """Return all names, in the order in which they run."""
         first = [name for name, _ in UNKNOWNS]
-        rewriting = [name for name, _ in SIMPLIFICATIONS]
+        rewriting = [name for name, _ in [*ONCE, *ROUND]]
         factorising = [name for name, _ in FACTORISATIONS]
         return list(dict.fromkeys([*first, *rewriting, *SHARING, *factorising]))
 
@@ -50,10 +50,6 @@ class Passes:
                     f"{', '.join(cls.names())}."
                 )
         return cls(frozenset(names))
-
-    def but(self, name: str) -> Passes:
-        """Return the same with one more off."""
-        return Passes(self.off | {name})
 
     @classmethod
     def none(cls) -> Passes:

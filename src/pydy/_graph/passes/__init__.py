@@ -14,32 +14,29 @@ from pydy._graph.passes.expand import expand_sums
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.passes.merge import merge_equal
 
-__all__ = ["SHARING", "SIMPLIFICATIONS", "Pass", "register"]
+__all__ = ["ONCE", "ROUND", "SHARING", "Pass", "register"]
 
 Pass = Callable[[Graph, Sequence[int]], list[int]]
 
-_ROUND: list[tuple[str, Pass]] = [
+ONCE: list[tuple[str, Pass]] = [("factor", factor_sums), ("merge", merge_equal)]
+"""Names and passes that run first, in this order.
+
+Common factors first: among the nodes as they come there are more that are equal, and many more to
+look at.
+"""
+
+ROUND: list[tuple[str, Pass]] = [
     ("factor", factor_sums),
     ("expand", expand_sums),
     ("merge", merge_equal),
 ]
-
-# Common factors first: among the nodes as they come there are more that are equal, and many more to
-# look at. A second round finds what the first one made equal: 707 for 727 operations of three rods.
-SIMPLIFICATIONS: list[tuple[str, Pass]] = [
-    ("factor", factor_sums),
-    ("merge", merge_equal),
-    *_ROUND,
-    *_ROUND,
-]
-"""Names, which are the switches in `Passes`, and passes, in the order in which they run."""
+"""Names and passes that run next, in this order, and again while it pays."""
 
 SHARING = ("share products", "share sums")
 """In which order factors are multiplied and terms added: decided as they are lowered (`share`)."""
 
 
 def register(name: str, function: Pass, after: str = "merge") -> None:
-    """Add a pass; it runs after the last one named `after`."""
-    names = [known for known, _ in SIMPLIFICATIONS]
-    place = len(names) - names[::-1].index(after)
-    SIMPLIFICATIONS.insert(place, (name, function))
+    """Add a pass; it runs in each round, after the one named `after`."""
+    names = [known for known, _ in ROUND]
+    ROUND.insert(names.index(after) + 1, (name, function))
