@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 from scipy.integrate import ODEintWarning, odeint
 
 import zoo
-from pydy._errors import IntegrationError, PyDyUserWarning
+from pydy._errors import IntegrationError, PyDyUserWarning, SingularMatrixError
 from pydy.models import n_link_pendulum_on_cart
 from pydy.system import System
 
@@ -234,3 +234,11 @@ def test_an_error_of_the_users_own_solver_comes_out_as_it_is():
 
     with pytest.raises(IntegrationError, match=r"^my own$"):
         on_a_circle(ode_solver=solver).integrate()
+
+
+def test_a_length_of_zero_that_leaves_a_pendulum_without_inertia_is_named():
+    system = n_link_pendulum_on_cart(1, cart_force=False, joint_torques=False)
+    system.constants = {"l0": 0.0}
+    system.times = np.linspace(0.0, 1.0, 3)
+    with pytest.raises(SingularMatrixError, match=r"where the constant `l0` is other than zero"):
+        system.integrate()

@@ -99,8 +99,22 @@ def cause_of(
             )
     if not len(rows):
         beside = np.random.default_rng(0).uniform(0.3, 1.3, x.shape)
-        other = model.interpreted(_parts, (np.array([t]), beside[None], r[None], p))
-        return _without_inertia(equations.speeds, values["matrix"], other["matrix"][0])
+
+        def matrix(constants: np.ndarray) -> np.ndarray:
+            part = (np.array([t]), beside[None], r[None], constants)
+            found: np.ndarray = model.interpreted(_parts, part)["matrix"][0]
+            return found
+
+        generic = matrix(p)
+        cause = _without_inertia(equations.speeds, values["matrix"], generic)
+        if cause and _weightless(generic).size:
+            for k in np.flatnonzero(p == 0.0):
+                other = p.copy()
+                other[k] = 1.0
+                if not _weightless(matrix(other)).size:
+                    name = definition.constants[k]
+                    return f"{cause} It is not where the constant `{name}` is other than zero."
+        return cause
     return None
 
 
