@@ -66,6 +66,8 @@ sphinx_gallery_conf = {
     "show_signature": False,
     "image_scrapers": ("matplotlib", "generated.scrape_animation"),
     "min_reported_time": 10_000,
+    # What examples print is shown; a scene's page comes from `scrape_animation`.
+    "capture_repr": (),
 }
 
 

@@ -27,7 +27,7 @@ def make(app: Any) -> None:
     write_table(counts, STATIC / "operations.md")
     draw_counts(counts, STATIC / "operations.svg")
     write_landing(STATIC / "landing.html")
-    watch_systems()
+    watch_scenes()
 
 
 def write_table(counts: dict[str, tuple[int, int]], path: Path) -> None:
@@ -66,62 +66,48 @@ def write_landing(path: Path) -> None:
     ride().scene.to_html(path)
 
 
-# -- the gallery: what an example simulated last is animated below it ------------------------------
+# -- the gallery: what a cell of an example animates is shown below it -----------------------------
 
-_LAST: dict[str, Any] = {}
+_ANIMATED: dict[str, Any] = {}
+_PAGES: dict[str, list[int]] = {}  # for each example the lines at which its animating cells begin
 
 
-def watch_systems() -> None:
-    """Remember the System that simulated last, and its motion."""
-    from pydy.system import System
+def watch_scenes() -> None:
+    """Remember the Scene that was animated last, and the sliders of its page."""
     from pydy.viz.scene import Scene
 
-    simulate, integrate, animate = System.simulate, System.integrate, Scene.animate
-    to_html = Scene.to_html
-
-    def simulated(self: Any, **options: Any) -> Any:
-        trajectory = simulate(self, **options)
-        _LAST["scene"] = lambda: self.scene().animate(trajectory)
-        return trajectory
-
-    def integrated(self: Any, **options: Any) -> Any:
-        result = integrate(self, **options)
-        states = result[0] if isinstance(result, tuple) else result
-        times = self.times.copy()
-        _LAST["scene"] = lambda: self.scene().animate(times, states)
-        return result
+    animate, to_html = Scene.animate, Scene.to_html
 
     def animated(self: Any, *arguments: Any, **options: Any) -> Any:
         animate(self, *arguments, **options)
-        _LAST["own"] = self  # an example that animates says itself what is to be seen
+        _ANIMATED.update(scene=self, live=None)
         return self
 
     def written(self: Any, *arguments: Any, **options: Any) -> Any:
-        _LAST["live"] = options.get("live")  # sliders of an example are those of its page here
+        _ANIMATED.update(scene=self, live=options.get("live"))
         return to_html(self, *arguments, **options)
 
-    System.simulate, System.integrate, Scene.animate = simulated, integrated, animated
-    Scene.to_html = written
+    Scene.animate, Scene.to_html = animated, written
 
 
 def scrape_animation(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
-    """Return reStructuredText that shows the motion simulated in a block of an example."""
-    found, own = _LAST.pop("scene", None), _LAST.pop("own", None)
-    live = _LAST.pop("live", None)
-    if found is None and own is None:
+    """Return reStructuredText that shows what a cell of an example animated last, if anything."""
+    scene, live = _ANIMATED.pop("scene", None), _ANIMATED.pop("live", None)
+    if scene is None:
         return ""
     name = Path(block_vars["src_file"]).stem
-    try:
-        scene = own if own is not None else found()
-    except ValueError:  # no bodies, or no point at rest: there is nothing to be seen
-        return ""
+    title = escape(name.replace("_", " "))
+    pages = _PAGES.setdefault(name, [])
+    if block[2] not in pages:
+        pages.append(block[2])
+    number = pages.index(block[2])
+    page = f"{name}-{number + 1}.html" if number else f"{name}.html"
     folder = STATIC / "animations"
     folder.mkdir(exist_ok=True)
-    scene.to_html(folder / f"{name}.html", live=live)
-    _LAST.clear()
-    title = escape(name.replace("_", " "))
+    scene.to_html(folder / page, live=live)
+    _ANIMATED.clear()
     return (
         "\n.. raw:: html\n\n"
         f'    <iframe class="animation" loading="lazy" title="Animation: {title}" '
-        f'src="../_static/animations/{name}.html"></iframe>\n\n'
+        f'src="../_static/animations/{page}"></iframe>\n\n'
     )

@@ -2,13 +2,14 @@
 Andrews' squeezing mechanism
 ============================
 
-Seven bodies in a plane, three loops, one degree of freedom: a motor of constant torque turns the
-crank K1, and the rest, pulled by a stiff spring, is shaken through a few revolutions in 30
-milliseconds.  Solvers of differential-algebraic equations have long been measured with it
-([1]_, [2]_), so that the positions at the end are known to 15 digits.  We compare with them.
+Andrews' mechanism is a standard test problem for solvers of differential-algebraic equations
+([1]_, [2]_): seven bodies in a plane, three closed loops, one degree of freedom.  A motor of
+constant torque turns the crank K1, and a stiff spring holds the rest.  In 30 milliseconds the crank
+makes two and a half revolutions.  The positions at the end are published to 15 digits, and we
+compare with them.
 
-All seven angles of the original are kept.  The crank angle β is the independent coordinate, and six
-holonomic constraints close the loops: KanesMethod solves their rates for the other six speeds.
+We keep all seven angles of the original.  The crank angle β is the independent coordinate.  Six
+holonomic constraints close the loops, and KanesMethod solves their rates for the other six speeds.
 
 .. [1] W. Schiehlen (ed.), "Multibody Systems Handbook", Springer 1990, where the mechanism is the
    first planar problem; it is due to G. C. Andrews.
@@ -26,7 +27,10 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy.system import System
+from pydy import System
+from pydy.viz import Line, Sphere, Visual
+
+small = "--small" in sys.argv  # a coarser run, for the tests
 
 # %%
 # The published numbers
@@ -69,13 +73,14 @@ FINAL = [
 # %%
 # Equations
 # ---------
-# Each body gets a frame, turned by the sum of angles that the test set gives for it, and each mass
-# centre its place in the chain of bodies, from the origin O or from the fixed points A and B.
+# Each body gets a frame, rotated by the sum of angles that the test set gives for it.  Each mass
+# centre is located along the chain of bodies, from the origin O or from the fixed points A and B.
 
 
 class Mechanism(NamedTuple):
-    """The derived equations, the numbers for them, and what the drawing and the checks need."""
+    """The equations, the numbers for them, and what the drawing and the checks need."""
 
+    frame: Any
     kane: Any
     constants: dict
     initial_conditions: dict
@@ -171,96 +176,123 @@ def derive(constrained=True):
     kane.kanes_equations(bodies, loads)
 
     return Mechanism(
+        frame=N,
         kane=kane,
         constants={c[name]: value for name, value in CONSTANTS.items()},
         initial_conditions=dict(zip(q, INITIAL, strict=True)),
-        points={p.name: p.pos_from(O).to_matrix(N)[:2] for p in (O, A, B, C, D, E, F, J, P)},
+        points={p.name: p for p in (O, A, B, C, D, E, F, J, P)},
         energy=me.kinetic_energy(N, *bodies) + c["c0"] * (length - c["l0"]) ** 2 / 2,
     )
 
 
 # %%
+# The constraints have six rows and depend on seven coordinates: one degree of freedom is left.  The
+# published initial accelerations are a first check, before anything is integrated.
+
+mechanism = derive()
+points = mechanism.points
+N, O = mechanism.frame, points["O"]
+places = {
+    tuple(sm.symbols(f"{name}_x {name}_y")): list(point.pos_from(O).to_matrix(N)[:2])
+    for name, point in points.items()
+}
+system = System(
+    mechanism.kane,
+    constants=mechanism.constants,
+    initial_conditions=mechanism.initial_conditions,
+    times=np.linspace(0.0, END, num=61 if small else 601),
+    outputs={"energy": mechanism.energy, **places},
+)
+print(f"{system.num_coordinates} coordinates, {system.num_constraints} constraints")
+accelerations = system.evaluate_ode()[system.num_coordinates :]
+error = np.abs(accelerations - INITIAL_ACCELERATIONS).max() / INITIAL_ACCELERATIONS[0]
+print(f"initial accelerations, relative error: {error:.0e}")
+assert error < 1e-12
+
+# %%
 # Simulation
 # ----------
-# The places of the joints are outputs, evaluated together with the energy along the trajectory.
-# What the motor has put in, torque times angle, must be in the moving bodies and in the spring.
+# The positions of the joints and the energy are outputs, so that the trajectory holds them.
+
+motion = system.simulate(rtol=1e-12, atol=1e-12)
+angles = motion.states[:, :7]
+
+figure, axes = plt.subplots(figsize=(9, 4), layout="constrained")
+names = ("β", "Θ", "γ", "Φ", "δ", "Ω", "ε")
+for k, name in enumerate(names):
+    if name not in "βΘ":
+        axes.plot(1000 * motion.times, angles[:, k], label=name)
+        axes.plot(1000 * END, FINAL[k], "k+", markersize=9)
+axes.plot([], [], "k+", markersize=9, label="published")
+axes.set(xlabel="time [ms]", ylabel="angle [rad]", xlim=(0, 1000 * END + 0.3))
+axes.grid(alpha=0.3)
+axes.legend(ncols=6, loc="upper center", bbox_to_anchor=(0.5, 1.12), frameon=False)
+
+# %%
+# Three checks.  The angles at the end are the published ones.  The motor's work, torque times
+# angle, equals the energy of the moving bodies and the spring.  The loops stay closed.
+
+error = np.abs(angles[-1] - FINAL).max()
+print(f"angles after {1000 * END:g} ms, largest error: {error:.0e} rad")
+assert error < 1e-7
+
+work = CONSTANTS["mom"] * (motion["beta"] - motion["beta"][0])
+leak = np.abs(motion["energy"] - motion["energy"][0] - work).max() / work.max()
+print(f"energy balance: off by {leak:.0e} of the motor's work")
+assert leak < 1e-7
+
+open_loops = np.abs(system.evaluate_holonomic_constraints(x=motion.states)).max()
+print(f"loops open by {open_loops:.0e} m at most")
+assert open_loops < 1e-9
+
+# %%
+# The mechanism in motion
+# -----------------------
+# The links are lines through the joints; K3 is the triangle of B, D and J.  The animation runs a
+# few hundred times slower than the mechanism.
+
+bars = {
+    "crank": "OP",
+    "K2": "PJ",
+    "K3": "BJDB",
+    "K5": "AE",
+    "K4": "EJ",
+    "K7": "AF",
+    "K6": "FJ",
+}
+visuals = [
+    Visual(Line([points[p] for p in path], radius=0.0012), name=name) for name, path in bars.items()
+]
+visuals.append(
+    Visual(Line([points["C"], points["D"]], radius=0.0004, color="seagreen"), name="spring")
+)
+visuals.append(Visual(Sphere(0.0025, color="crimson"), points["J"], name="joint", trail=True))
+scene = system.scene(*visuals, origin=O, up="y", title="Andrews' mechanism")
+scene.animate(motion)
+
+# %%
+# Four instants, with the path of the joint in which four bodies meet:
 
 
-def main(small=False):
-    """Simulate 30 ms, compare with the published positions, draw."""
-    mechanism = derive()
-    places = {
-        tuple(sm.symbols(f"{name}_x {name}_y")): list(place)
-        for name, place in mechanism.points.items()
-    }
-    system = System(
-        mechanism.kane,
-        constants=mechanism.constants,
-        initial_conditions=mechanism.initial_conditions,
-        times=np.linspace(0.0, END, num=61 if small else 601),
-        outputs={sm.Symbol("energy"): mechanism.energy, **places},
-    )
-    accelerations = system.evaluate_ode()[system.num_coordinates :]
-    error = np.abs(accelerations - INITIAL_ACCELERATIONS).max() / INITIAL_ACCELERATIONS[0]
-    print(f"initial accelerations, relative error: {error:.0e}")
-    assert error < 1e-12
-
-    x = system.integrate(rtol=1e-12, atol=1e-12)
-    error = np.abs(x[-1, :7] - FINAL).max()
-    print(f"angles after {1000 * END:g} ms, largest error: {error:.0e} rad")
-    assert error < 1e-7
-
-    outputs = system.evaluate_outputs(x=x)
-    work = CONSTANTS["mom"] * (x[:, 0] - x[0, 0])
-    leak = np.abs(outputs[:, 0] - outputs[0, 0] - work).max() / work.max()
-    print(f"energy that the motor did not bring: {leak:.0e} of its work")
-    assert leak < 1e-7
-
-    open_loops = np.abs(system.evaluate_holonomic_constraints(x=x)).max()
-    print(f"loops open by {open_loops:.0e} m at most")
-    assert open_loops < 1e-9
-
-    names = [str(symbol) for symbol in system.outputs_symbols]
-    trace = {
-        name: 1000 * outputs[:, [names.index(f"{name}_x"), names.index(f"{name}_y")]]
-        for name in mechanism.points
-    }
-    draw(system.times, x, trace)
+def trace(name):
+    """Return the path of a point, in mm."""
+    return 1000 * np.column_stack([motion[f"{name}_x"], motion[f"{name}_y"]])
 
 
-def draw(times, x, trace):
-    """The mechanism at four instants with the joint's path, and the angles over time."""
-    figure = plt.figure(figsize=(9, 6.5), layout="constrained")
-    grid = figure.add_gridspec(2, 4, height_ratios=[1, 1.3])
-    links = [("O", "P"), ("P", "J"), ("B", "J"), ("B", "D"), ("A", "E"), ("E", "J")]
-    links += [("A", "F"), ("F", "J")]
-    for column, moment in enumerate((0.0, 0.28, 0.37, 0.46)):
-        k = round(moment * (len(times) - 1))
-        axes = figure.add_subplot(grid[0, column], aspect="equal")
-        axes.plot(*trace["J"].T, color="0.8", linewidth=1)
-        axes.plot(*np.array([trace["C"][k], trace["D"][k]]).T, ":", color="tab:green")
-        for a, b in links:
-            axes.plot(*np.array([trace[a][k], trace[b][k]]).T, color="tab:blue", linewidth=2)
-        for name in "DEFJP":
-            axes.plot(*trace[name][k], "o", color="tab:blue", markersize=3)
-        for name in "OABC":
-            axes.plot(*trace[name][k], "^", color="black", markersize=5)
-        axes.set(xlim=(-76, 21), ylim=(-26, 79))
-        axes.set_title(f"{1000 * times[k]:.0f} ms", fontsize=10)
-        axes.axis("off")
+paths = {name: trace(name) for name in points}
+figure, panels = plt.subplots(1, 4, figsize=(9, 2.6), layout="constrained")
+for axes, moment in zip(panels, (0.0, 0.28, 0.37, 0.46), strict=True):
+    k = round(moment * (len(motion.times) - 1))
+    axes.plot(*paths["J"].T, color="0.8", linewidth=1)
+    axes.plot(*np.array([paths["C"][k], paths["D"][k]]).T, ":", color="tab:green")
+    for path in bars.values():
+        axes.plot(*np.array([paths[p][k] for p in path]).T, color="tab:blue", linewidth=2)
+    for name in "DEFJP":
+        axes.plot(*paths[name][k], "o", color="tab:blue", markersize=3)
+    for name in "OABC":
+        axes.plot(*paths[name][k], "^", color="black", markersize=5)
+    axes.set(aspect="equal", xlim=(-76, 21), ylim=(-26, 79))
+    axes.set_title(f"{1000 * motion.times[k]:.0f} ms", fontsize=10)
+    axes.axis("off")
 
-    axes = figure.add_subplot(grid[1, :])
-    names = ("β", "Θ", "γ", "Φ", "δ", "Ω", "ε")
-    for k, name in enumerate(names):
-        if name not in "βΘ":
-            axes.plot(1000 * times, x[:, k], label=name)
-            axes.plot(1000 * END, FINAL[k], "k+", markersize=9)
-    axes.plot([], [], "k+", markersize=9, label="published")
-    axes.set(xlabel="time [ms]", ylabel="angle [rad]", xlim=(0, 1000 * END + 0.3))
-    axes.grid(alpha=0.3)
-    axes.legend(ncols=6, loc="upper center", bbox_to_anchor=(0.5, 1.12), frameon=False)
-
-
-if __name__ == "__main__":
-    main(small="--small" in sys.argv)
-    plt.show()
+plt.show()

@@ -2,12 +2,13 @@
 Bouncing ball
 =============
 
-A ball is thrown and bounces on.  Each bounce turns its vertical velocity round and leaves a share e
-of it, so that bounces follow each other faster and faster and accumulate at a finite time.
+A ball is thrown and bounces.  Each bounce reverses its vertical velocity and keeps a fraction e of
+it, so that bounces follow each other faster and faster and accumulate at a finite time: Zeno
+behaviour.
 
-A bounce is an event: the solver finds when the height crosses zero, resets the velocity, and goes
-on from there.  Between bounces the ball flies a parabola, so that the time of every bounce is
-known: t₁ (1 + 2 e + 2 e² + …) with the time t₁ of the first one.
+A bounce is an event.  The solver finds the time at which the height crosses zero, resets the
+velocity, and continues from there.  Between bounces the ball flies a parabola, so the times of all
+bounces are known: t₁ (1 + 2 e + 2 e² + …) with the time t₁ of the first one.
 """
 
 import sys
@@ -17,79 +18,88 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy import System
 from pydy.solvers import Event
-from pydy.system import System
+from pydy.viz import Sphere, Visual
 
+small = "--small" in sys.argv  # a shorter run, for the tests
 HEIGHT, FORWARD, GRAVITY, RESTITUTION = 1.0, 0.5, 9.81, 0.8  # m, m/s, m/s²
 
 # %%
 # Equations
 # ---------
+# A particle in a plane, with gravity as its only load.
 
+m, g = sm.symbols("m g")
+x, y, v_x, v_y = me.dynamicsymbols("x y v_x v_y")
+t = me.dynamicsymbols._t
+N, origin = me.ReferenceFrame("N"), me.Point("O")
+origin.set_vel(N, 0)
+place = origin.locatenew("B", x * N.x + y * N.y)
+place.set_vel(N, v_x * N.x + v_y * N.y)
+ball = me.Particle("ball", place, m)
+kane = me.KanesMethod(N, [x, y], [v_x, v_y], [x.diff(t) - v_x, y.diff(t) - v_y])
+kane.kanes_equations([ball], [(place, -m * g * N.y)])
 
-def derive():
-    """Return the KanesMethod and values of its constants."""
-    m, g = sm.symbols("m g")
-    x, y, v_x, v_y = me.dynamicsymbols("x y v_x v_y")
-    t = me.dynamicsymbols._t
-    N = me.ReferenceFrame("N")
-    origin = me.Point("O")
-    origin.set_vel(N, 0)
-    ball = origin.locatenew("B", x * N.x + y * N.y)
-    ball.set_vel(N, v_x * N.x + v_y * N.y)
-    kane = me.KanesMethod(N, [x, y], [v_x, v_y], [x.diff(t) - v_x, y.diff(t) - v_y])
-    kane.kanes_equations([me.Particle("ball", ball, m)], [(ball, -m * g * N.y)])
-    return kane, {m: 0.05, g: GRAVITY}
+# %%
+# The event
+# ---------
+# It occurs when y crosses zero on the way down.  Its reset is an expression of the states before
+# the bounce.
 
+bounce = Event(y, direction=-1, reset={v_y: -RESTITUTION * v_y}, name="bounce")
 
 # %%
 # Simulation
 # ----------
-# The event looks at y, and only at its way down; its reset is written in states before the bounce.
+# The run ends a little before the bounces accumulate.
 
+first = np.sqrt(2 * HEIGHT / GRAVITY)
+end = first * (1 + RESTITUTION) / (1 - RESTITUTION)
+system = System(
+    kane,
+    constants={m: 0.05, g: GRAVITY},
+    ode_solver="dop853",
+    initial_conditions={y: HEIGHT, v_x: FORWARD},
+    times=np.linspace(0.0, 0.5 * end if small else 0.97 * end, num=101 if small else 1001),
+)
+motion = system.simulate(rtol=1e-10, atol=1e-10, events=[bounce])
+print(motion.events[0])
+print(f"{len(motion.events)} bounces in {motion.times[-1]:.2f} s")
 
-def main(small=False):
-    """Let the ball bounce, compare the times of the bounces with the closed form, draw."""
-    kane, constants = derive()
-    _, y = kane.q
-    v_x, v_y = kane.u
-    first = np.sqrt(2 * HEIGHT / GRAVITY)
-    end = first * (1 + RESTITUTION) / (1 - RESTITUTION)  # where the bounces accumulate
-    system = System(
-        kane,
-        constants=constants,
-        ode_solver="dop853",
-        initial_conditions={y: HEIGHT, v_x: FORWARD},
-        times=np.linspace(0.0, 0.5 * end if small else 0.97 * end, num=101 if small else 1001),
-    )
-    bounce = Event(y, direction=-1, reset={v_y: -RESTITUTION * v_y}, name="bounce")
-    trajectory = system.simulate(rtol=1e-10, atol=1e-10, events=[bounce])
+# %%
+# Bounces are marked on the time axis of the animation; click a mark to go there.
 
-    found = np.array([event.time for event in trajectory.events])
-    exact = first * (1 + 2 * np.cumsum(RESTITUTION ** np.arange(len(found))) - 2)
-    error = np.abs(found - exact).max()
-    print(f"{len(found)} bounces, their times against the closed form: {error:.0e} s")
-    assert len(found) == np.sum(exact < system.times[-1])
-    assert error < 1e-9
+scene = system.scene(
+    Visual(Sphere(0.05, color="orangered"), ball, name="ball", trail=True), up="y", series=[y, v_y]
+)
+scene.animate(motion)
 
-    speeds = np.array([[event.before[3], event.after[3]] for event in trajectory.events])
-    error = np.abs(speeds[:, 1] + RESTITUTION * speeds[:, 0]).max()
-    print(f"speeds after the bounces: {error:.0e} m/s off")
-    assert error < 1e-12
-    draw(trajectory)
+# %%
 
+figure, axes = plt.subplots(figsize=(9, 3), layout="constrained")
+axes.plot(motion[x], motion[y], color="tab:orange")
+places = [event.before[0] for event in motion.events]
+axes.plot(places, np.zeros(len(places)), "k.", markersize=4, label="bounce")
+axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", ylim=(-0.05, 1.05 * HEIGHT))
+axes.grid(alpha=0.3)
+axes.legend()
 
-def draw(trajectory):
-    """The ball's path, and where it bounces."""
-    _, axes = plt.subplots(figsize=(9, 3), layout="constrained")
-    axes.plot(trajectory["x"], trajectory["y"], color="tab:orange")
-    places = [event.before[0] for event in trajectory.events]
-    axes.plot(places, np.zeros(len(places)), "k.", markersize=4, label="bounce")
-    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", ylim=(-0.05, 1.05 * HEIGHT))
-    axes.grid(alpha=0.3)
-    axes.legend()
+# %%
+# Checks
+# ------
+# Every bounce occurs when the closed form says, and none is missing.
 
+found = np.array([event.time for event in motion.events])
+exact = first * (1 + 2 * np.cumsum(RESTITUTION ** np.arange(len(found))) - 2)
+error = np.abs(found - exact).max()
+print(f"times of the bounces against the closed form: {error:.0e} s")
+assert len(found) == np.sum(exact < motion.times[-1])
+assert error < 1e-9
 
-if __name__ == "__main__":
-    main(small="--small" in sys.argv)
-    plt.show()
+speeds = np.array([[event.before[3], event.after[3]] for event in motion.events])
+error = np.abs(speeds[:, 1] + RESTITUTION * speeds[:, 0]).max()
+print(f"speeds after the bounces: {error:.0e} m/s off")
+assert error < 1e-12
+
+plt.show()

@@ -10,7 +10,6 @@ import pytest
 
 from pydy import __version__
 from pydy.models import n_link_pendulum_on_cart
-from pydy.system import System
 from pydy.viz import Scene
 
 ROOT = Path(__file__).parents[1]
@@ -24,8 +23,8 @@ def generated(monkeypatch, tmp_path):
     import generated
 
     monkeypatch.setattr(generated, "STATIC", tmp_path)
-    for owner, name in ((System, "simulate"), (System, "integrate"), (Scene, "animate")):
-        monkeypatch.setattr(owner, name, getattr(owner, name))
+    for name in ("animate", "to_html"):
+        monkeypatch.setattr(Scene, name, getattr(Scene, name))
     yield generated
     sys.modules.pop("generated", None)
 
@@ -44,21 +43,28 @@ def test_the_table_and_the_figure_show_the_benchmarks_counts(generated, tmp_path
     assert "<svg" in (tmp_path / "figure.svg").read_text(encoding="utf-8")
 
 
-def test_what_an_example_simulated_last_is_animated_below_it(generated, tmp_path):
-    generated.watch_systems()
+def test_what_a_cell_animates_is_shown_below_it(generated, tmp_path):
+    generated.watch_scenes()
     names = {"src_file": "examples/carts.py"}
-    assert generated.scrape_animation(None, names, {}) == ""
     system = n_link_pendulum_on_cart(1)
     system.times = np.linspace(0.0, 1.0, num=31)
-    system.integrate()
-    text = generated.scrape_animation(None, names, {})
+    assert generated.scrape_animation(("code", "", 10), names, {}) == ""
+    system.scene(title="First").animate(system.simulate())
+    text = generated.scrape_animation(("code", "", 20), names, {})
     assert 'src="../_static/animations/carts.html"' in text
-    page = tmp_path / "animations/carts.html"
-    assert page.stat().st_size > 500_000
-    assert generated.scrape_animation(None, names, {}) == ""
-    system.scene(title="Own").animate(system.simulate())
-    generated.scrape_animation(None, names, {})
-    assert "<title>Own</title>" in page.read_text(encoding="utf-8")
+    assert generated.scrape_animation(("code", "", 30), names, {}) == ""
+    scene = system.scene(title="Second").animate(system.simulate())
+    scene.to_html(tmp_path / "live.html", live={"g": (1.0, 20.0)})
+    text = generated.scrape_animation(("code", "", 40), names, {})
+    assert 'src="../_static/animations/carts-2.html"' in text
+    pages = [tmp_path / "animations" / name for name in ("carts.html", "carts-2.html")]
+    first, second = (page.read_text(encoding="utf-8") for page in pages)
+    assert "<title>First</title>" in first
+    assert "<title>Second</title>" in second
+    assert len(second) > len(first) + 10_000  # it simulates
+    # Building anew writes the same pages.
+    system.scene(title="Again").animate(system.simulate())
+    assert "carts.html" in generated.scrape_animation(("code", "", 20), names, {})
 
 
 def test_the_citation_has_the_version():

@@ -1,10 +1,12 @@
 """The squeezing mechanism of `examples/andrews.py` against its published numbers."""
 
-import andrews
 import numpy as np
 import pytest
 
+from gallery import definitions
 from pydy.system import System
+
+andrews = definitions("andrews", before="mechanism = derive()")
 
 
 @pytest.fixture(scope="module")

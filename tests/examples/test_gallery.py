@@ -1,14 +1,15 @@
-"""Every script in `examples/` runs, at small size, and holds its own checks."""
+"""Every script in `examples/` runs, at small size, holds its own checks, and shows what it does."""
 
+import ast
 import runpy
 import sys
-from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 
-EXAMPLES = sorted(Path(__file__).parents[2].glob("examples/*.py"))
+from gallery import EXAMPLES, cells
+from pydy.viz import Scene
 
 
 @pytest.fixture
@@ -21,17 +22,50 @@ def no_window(monkeypatch):
     plt.close("all")
 
 
-def test_there_are_at_least_ten_examples():
-    assert len(EXAMPLES) >= 10
+@pytest.fixture
+def animated(monkeypatch):
+    """The scenes that are set in motion."""
+    scenes, animate = [], Scene.animate
+
+    def remembered(self, *arguments, **options):
+        scenes.append(animate(self, *arguments, **options))
+        return self
+
+    monkeypatch.setattr(Scene, "animate", remembered)
+    return scenes
+
+
+def test_there_are_at_least_24_examples():
+    assert len(EXAMPLES) >= 24
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_an_example_checks_itself_and_draws(path, monkeypatch, no_window, capsys, tmp_path):
+def test_an_example_goes_in_steps_of_prose_code_and_picture(path):
+    first, *rest = cells(path)
+    assert len(ast.get_docstring(ast.parse(first)).splitlines()) > 5
+    assert len(rest) >= 5
+    explained = [cell for cell in rest if cell.startswith("# ")]
+    assert len(explained) >= 4
+    assert max(len(cell.splitlines()) for cell in rest) <= 130
+    pictures = [cell for cell in rest if "plt.subplots(" in cell or "plt.figure(" in cell]
+    assert pictures
+    assert any(".animate(" in cell for cell in rest)
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_an_example_checks_itself_draws_and_moves(
+    path, monkeypatch, no_window, animated, capsys, tmp_path
+):
     monkeypatch.setattr(sys, "argv", [str(path), "--small"])
     runpy.run_path(str(path), run_name="__main__")  # it asserts what it prints
     assert capsys.readouterr().out
-    (number,) = plt.get_fignums()
-    picture = tmp_path / "figure.png"
-    plt.figure(number).savefig(picture)
-    pixels = plt.imread(picture)
-    assert np.ptp(pixels[..., :3]) > 0.5
+    assert plt.get_fignums()
+    for number in plt.get_fignums():
+        picture = tmp_path / "figure.png"
+        plt.figure(number).savefig(picture)
+        pixels = plt.imread(picture)
+        assert np.ptp(pixels[..., :3]) > 0.5
+    assert animated
+    for scene in animated:
+        assert np.isfinite(scene.poses).all()
+        assert np.ptp(scene.poses, axis=0).max() > 1e-3  # something moves

@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 import zoo
 from cases import close, system_of
 from pydy._errors import PyDyUserWarning
+from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.system import System
 
@@ -215,3 +216,13 @@ def test_velocity_constraints_of_any_size_are_solved():
     system.set_dependent_initial_conditions()
     assert system.initial_conditions[u[0]] == pytest.approx(1e-20, rel=1e-12, abs=0.0)
     assert system.initial_conditions[u[1]] == pytest.approx(0.7, rel=1e-12)
+
+
+def test_the_rounding_of_terms_that_cancel_is_no_failure():
+    # Rolling straight ahead, the terms of the wheels' sideways slip cancel to 3e-17.
+    bicycle = whipple_bicycle.derive()
+    system = System(bicycle.kane, constants=whipple_bicycle.benchmark_parameters(bicycle))
+    start = whipple_bicycle.equilibrium(bicycle, 4.0)
+    system.initial_conditions = {**start, bicycle["u_phi"]: 0.02}
+    system.set_dependent_initial_conditions()  # warnings are errors here
+    assert np.abs(system.evaluate_velocity_constraints()).max() < 1e-15

@@ -3,7 +3,6 @@
 import warnings
 from functools import cache
 
-import andrews
 import numpy as np
 import pytest
 import sympy as sm
@@ -12,12 +11,14 @@ from scipy.integrate import odeint
 
 import zoo
 from cases import close, system_of, wide
+from gallery import definitions
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy.examples import whipple_bicycle
 from pydy.inputs import SampledInput
 from pydy.solvers import Event
 from pydy.system import System
 
+andrews = definitions("andrews", before="mechanism = derive()")
 ALL = ["dop853", "tsit5", "vern9", "rk4", "radau"]
 ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
 CONSTRAINED = ["disc", "disc_contact", "sleigh", "fourbar", "track", "track_reversed", "gyro"]
