@@ -118,8 +118,7 @@ def solve_dependents(
             )
     if speeds:
         kernel = model.compiled_jacobian("velocity", "x")
-        jacobian = value(kernel, x).reshape(len(speeds), len(x))
-        matrix = jacobian[:, speeds]
+        matrix = value(kernel, x).reshape(len(speeds), len(x))[:, speeds]
         residual = model.compiled("velocity")
         start = x.copy()
         start[speeds] = 0.0
@@ -138,11 +137,12 @@ def solve_dependents(
                 x,
             ) from None
         left = np.abs(value(residual, x))
-        # Terms of independent speeds may cancel in `right`, and leave their rounding.
+        # Coefficients that cancel leave their rounding, in proportion to the row and the speeds.
         first = len(definition.equations.coordinates)
         moving = slice(first, first + len(definition.equations.speeds))
-        size = np.abs(jacobian[:, moving]) @ np.abs(x[moving]) + np.abs(right)
-        if (left > 1e-8 * size).any():
+        size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
+        rounding = 1e-14 * rows * np.abs(x[moving]).max()
+        if (left > 1e-8 * size + rounding).any():
             names = [definition.states[k] for k in speeds]
             warnings.warn(
                 f"The velocity constraints do not hold for {describe(names)}: the largest residual "
