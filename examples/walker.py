@@ -17,6 +17,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
+from scipy.optimize import brentq
 
 from pydy import System
 from pydy.solvers import Event
@@ -24,6 +25,8 @@ from pydy.viz import Line, Scene, Sphere, Visual
 
 small = "--small" in sys.argv  # a shorter walk, for the tests
 PUBLISHED = (0.200310900544287, -0.199832473004977)  # stance angle and its rate after a strike
+# The paper's analysis of gentle slopes γ: the time of a step, and the stance angle over γ^(1/3).
+PUBLISHED_LIMITS = (3.812, 0.970956)
 SLOPE = 0.009
 
 # %%
@@ -89,10 +92,27 @@ assert np.allclose(found, PUBLISHED, atol=1e-8)
 assert gait.stable
 
 # %%
+# On a gentle slope
+# -----------------
+# The paper expands the gait in γ^(1/3).  The time of a step tends to τ with
+# tan(τ/2) = −3 tanh(τ/2), and the stance angle to a multiple of γ^(1/3).
+
+gentle = SLOPE / 512.0
+system.constants[gamma] = gentle
+system.initial_conditions = {theta: 0.025, phi: 0.05, omega: -0.025, nu: -4e-5}
+slow = system.find_periodic_orbit(3.8, until=strike)
+half = brentq(lambda h: np.tan(h) + 3.0 * np.tanh(h), 0.51 * np.pi, np.pi)
+limits = (slow.period, slow.initial_conditions[theta] / gentle ** (1.0 / 3.0))
+print(f"on a slope of {gentle:.1e} rad: {limits[0]:.4f} √(l/g), {limits[1]:.4f} γ^(1/3)")
+assert np.isclose(2.0 * half, PUBLISHED_LIMITS[0], atol=5e-4)
+assert np.allclose(limits, PUBLISHED_LIMITS, rtol=5e-4)
+
+# %%
 # After a stumble
 # ---------------
 # The walker starts a little slower than its gait, and returns to it.
 
+system.constants[gamma] = SLOPE
 system.initial_conditions = {**gait.initial_conditions, omega: found[1] * 1.002}
 system.ode_solver = "dop853"
 steps = 5 if small else 12
