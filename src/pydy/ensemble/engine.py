@@ -217,7 +217,7 @@ class Ensemble:
         resume : bool or str
             Whether the store may exist; a text also names the user's functions.
         """
-        xarray = require("xarray", "ensemble", "System.integrate_ensemble")
+        require("xarray", "ensemble", "System.integrate_ensemble")
         require("zarr", "ensemble", "`store`")
         path = str(path_of(path, "`store`"))
         token, times = self._token(resume), self.work.model.times
@@ -245,7 +245,7 @@ class Ensemble:
                 dask.compute([write(work, self.samples.of(b), path, b, run) for b in left])
             finally:
                 _ENDED.add(run)
-        return xarray.open_zarr(path, consolidated=False, chunks={} if scheduler else None)
+        return stores.opened(path, {} if scheduler else None)
 
     def _token(self, resume: bool | str) -> str:
         """Return what the store is known by; nothing where it cannot be resumed."""

@@ -15,16 +15,18 @@ import numpy as np
 
 from pydy._optional import require
 from pydy._version import __version__
+from pydy.ensemble.file_names import file_names
 from pydy.ensemble.identity import fingerprint
 from pydy.ensemble.labels import Form, Variable, check_forms
 from pydy.ensemble.samples import Block, Samples
 from pydy.ensemble.work import Work
 from pydy.solvers.outcome import NOT_COMPUTED
 
-__all__ = ["check", "create", "missing", "token_of", "write", "write_coordinates"]
+__all__ = ["check", "create", "missing", "opened", "token_of", "write", "write_coordinates"]
 
 _TOKEN, _READY = "pydy_ensemble", "pydy_ready"
 _VARIABLES, _COORDINATES = "pydy_variables", "pydy_coordinates"
+_FILES = "pydy_names"  # in the store, of those variables and dimensions that have another one there
 _SETTING = Lock()  # zarr's configuration belongs to all threads
 
 
@@ -107,7 +109,7 @@ def check(path: str, token: str, resume: bool) -> bool:
         return False
     for name in (*attrs[_VARIABLES], *attrs[_COORDINATES]):
         try:
-            group[name]
+            _stored(group, name)
         except Exception as error:
             raise ValueError(
                 f"`store` '{path}' has lost its array `{name}`, or it cannot be read. Restore it, "
@@ -125,31 +127,47 @@ def create(path: str, token: str, example: Any, samples: Samples, sizes: Sequenc
         Of one sample, with all attributes and coordinates; its own sizes do not count.
     """
     zarr = require("zarr", "ensemble", "`store`")
+    files = file_names(map(str, (*example.variables, *example.dims)))
     about = {
         _TOKEN: token,
         _VARIABLES: list(map(str, example.data_vars)),
         _COORDINATES: list(map(str, example.coords)),
+        _FILES: {name: file for name, file in files.items() if name != file},
     }
     group = zarr.open_group(path, mode="w", attributes=about)
     dims = tuple(samples.dims)
     for name, variable in example.variables.items():
+        file, along = files[str(name)], [files[str(d)] for d in variable.dims]
         attrs = {**variable.attrs}
         if name in example.coords:
             shape = tuple(samples.dims.get(d, variable.sizes[d]) for d in variable.dims)
-            _array(group, name, shape, shape, variable.dtype, variable.dims, attrs)
+            _array(group, file, shape, shape, variable.dtype, along, attrs)
             continue
         rest = tuple(variable.sizes[d] for d in variable.dims if d not in dims)
         shape, chunks = (*samples.shape, *rest), (*sizes, *rest)
         fill = NOT_COMPUTED if name == "status" else None
-        _array(group, name, shape, chunks, variable.dtype, variable.dims, attrs, fill)
-    group.attrs.update({**example.attrs, "coordinates": " ".join(map(str, samples.coordinates))})
+        _array(group, file, shape, chunks, variable.dtype, along, attrs, fill)
+    coordinates = " ".join(files[name] for name in samples.coordinates)
+    group.attrs.update({**example.attrs, "coordinates": coordinates})
     write_coordinates(path, samples, example.coords.get("time"))
     group.attrs[_READY] = True
 
 
+def opened(path: str, chunks: Any) -> Any:
+    """Return a store as a Dataset, under the names that its variables have outside."""
+    xarray = require("xarray", "ensemble", "System.integrate_ensemble")
+    dataset = xarray.open_zarr(path, consolidated=False, chunks=chunks)
+    return dataset.rename({file: name for name, file in dataset.attrs.get(_FILES, {}).items()})
+
+
+def _stored(group: Any, name: str) -> Any:
+    """Return the array of a variable."""
+    return group[group.attrs.get(_FILES, {}).get(name, name)]
+
+
 def _array(
     group: Any,
-    name: Any,
+    name: str,
     shape: tuple[int, ...],
     chunks: tuple[int, ...],
     dtype: Any,
@@ -160,11 +178,11 @@ def _array(
     if fill is None:
         fill = np.nan if np.dtype(dtype).kind == "f" else 0
     return group.create_array(
-        str(name),
+        name,
         shape=shape,
         chunks=tuple(max(1, c) for c in chunks) if shape else "auto",
         dtype=dtype,
-        dimension_names=tuple(map(str, dims)),
+        dimension_names=tuple(dims),
         attributes=dict(attrs),
         fill_value=fill,
     )
@@ -178,11 +196,11 @@ def write_coordinates(path: str, samples: Samples, times: Any) -> None:
             samples.coordinates[name].values if name in samples.coordinates else times
         )
         try:
-            there = np.array_equal(np.asarray(group[name][...]), values)
+            there = np.array_equal(np.asarray(_stored(group, name)[...]), values)
         except Exception:  # noqa: BLE001 - a chunk that does not decode
             there = False
         if not there:
-            group[name][...] = values
+            _stored(group, name)[...] = values
 
 
 def missing(path: str, blocks: Sequence[Block]) -> list[Block]:
@@ -190,7 +208,7 @@ def missing(path: str, blocks: Sequence[Block]) -> list[Block]:
     zarr = require("zarr", "ensemble", "`store`")
     group = zarr.open_group(path, mode="r")
     status = group["status"]
-    arrays = [group[name] for name in group.attrs[_VARIABLES]]
+    arrays = [_stored(group, name) for name in group.attrs[_VARIABLES]]
     return [
         block
         for block in blocks
@@ -221,11 +239,14 @@ def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
     # Otherwise a chunk of nothing but fill values would not be there, like one that was lost.
     with _SETTING, zarr.config.set({"array.write_empty_chunks": True}):
         group = zarr.open_group(path, mode="r+")
-        arrays = {name: group[name] for name in group.attrs[_VARIABLES]}
-    forms = {
-        name: Form.of(a.metadata.dimension_names, a.shape, a.dtype, len(block))
-        for name, a in arrays.items()
-    }
+        arrays = {name: _stored(group, name) for name in group.attrs[_VARIABLES]}
+    names = {file: name for name, file in group.attrs.get(_FILES, {}).items()}
+
+    def form(a: Any) -> Form:
+        dims = [names.get(d, d) for d in a.metadata.dimension_names]
+        return Form.of(dims, a.shape, a.dtype, len(block))
+
+    forms = {name: form(a) for name, a in arrays.items()}
     check_forms(found, forms, block)
     for name, variable in found.items():
         if name != "status":

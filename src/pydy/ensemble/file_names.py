@@ -1,0 +1,57 @@
+r"""Names of variables as names of folders, which arrays of a store are.
+
+Zarr reads ``\`` as ``/`` and makes folders of what lies between. Windows knows neither some
+characters nor files called ``aux``; there and on macOS, ``q`` and ``Q`` are the same file. So that
+a store can be written anywhere and carried anywhere, the names of its arrays avoid all of that on
+every system.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+__all__ = ["file_names"]
+
+# Not in names of files on some system; blanks separate the names in the attribute `coordinates`.
+_REFUSED = re.compile(r'[\x00-\x1f<>:"/\\|?*\s]')
+_DEVICE = re.compile(r"(aux|con|nul|prn|com\d|lpt\d)(\..*)?")
+_OF_ZARR = "zarr.json"
+
+
+def file_names(names: Iterable[str]) -> dict[str, str]:
+    r"""Return a name for each name, the same where that serves everywhere.
+
+    Examples
+    --------
+    >>> from pydy.ensemble.file_names import file_names
+    >>> file_names(["q", "Q", "\\theta", "aux"])
+    {'q': 'q', 'Q': 'Q_2', '\\theta': '_theta', 'aux': '_aux'}
+    """
+    given = list(dict.fromkeys(names))
+    plain = {name for name in given if _serves(name)}
+    found: dict[str, str] = {}
+    taken: set[str] = set()
+    for name in sorted(given, key=lambda name: name not in plain):  # these keep theirs if they can
+        stem = name if name in plain else _REFUSED.sub("_", name).strip(".")
+        if not _serves(stem):
+            stem = "_" + stem.lstrip("_")
+        chosen, number = stem, 2
+        while chosen.casefold() in taken:
+            chosen = f"{stem}_{number}"
+            number += 1
+        taken.add(chosen.casefold())
+        found[name] = chosen
+    return {name: found[name] for name in given}
+
+
+def _serves(name: str) -> bool:
+    folded = name.casefold()
+    return not (
+        _REFUSED.search(name)
+        or name.endswith(".")
+        or name.startswith((".", "__"))
+        or folded == _OF_ZARR
+        or _DEVICE.fullmatch(folded)
+        or not name
+    )
