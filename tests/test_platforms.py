@@ -1,5 +1,6 @@
 """What differs between operating systems, simulated: no fork, open files, names, consoles, ABIs."""
 
+import io
 import os
 import re
 import subprocess
@@ -11,11 +12,16 @@ import pytest
 from llvmlite import binding
 
 from graphs import everything, solves
-from pydy import _cache_folder
-from pydy._backends.llvm import jit
+from pydy import _cache_folder, cli
+from pydy._backends.llvm import jit, native
 from pydy._backends.llvm.backend import kernel_text
+from pydy._backends.llvm.sweep import sweep_module
+from pydy._names import printable
+from pydy.examples import bicycle_ride
+from pydy.solvers.run import shipped as stepper_gate
 
 ROOT = Path(__file__).parents[1]
+IR = ROOT / "src/pydy/solvers/ir"
 
 
 def run(code, **environment):
@@ -135,6 +141,58 @@ system.integrate(progress=True)
     assert b"Program: 6 states" in found
 
 
+def test_letters_that_a_console_lacks_are_escaped():
+    console = io.TextIOWrapper(io.BytesIO(), encoding="cp1252")
+    assert printable("Zoë – 张", console) == "Zoë – \\u5f20"
+    assert printable("Zoë", object()) == "Zoë"
+
+
+def test_the_demo_tells_of_folders_that_a_console_cannot_spell(tmp_path, monkeypatch):
+    for name in ("_print_model", "_print_ride", "_print_eigenvalues", "_print_seconds"):
+        monkeypatch.setattr(cli, name, lambda ride: None)
+    monkeypatch.setattr(cli, "_verdict", lambda ride: 0)
+    monkeypatch.setattr(bicycle_ride, "ride", lambda: None)
+    for name in ("draw", "animate", "simulate"):
+        monkeypatch.setattr(bicycle_ride, name, lambda ride, path: path.touch())
+    console = io.TextIOWrapper(io.BytesIO(), encoding="cp1252")
+    monkeypatch.setattr(sys, "stdout", console)
+    assert cli.main(["demo", "--output", str(tmp_path / "张伟")]) == 0
+    console.flush()
+    assert rb"\u5f20\u4f1f" in console.buffer.getvalue()
+
+
+COMPILING = """
+import sympy as sm
+from pydy.codegen.ode_function_generators import generate_ode_function
+from pydy.errors import GeneratorError
+x, v, k = sm.symbols("x, v, k")
+try:
+    rhs = generate_ode_function(
+        sm.Matrix([v, -k * x]), [x], [v], [k], generator="cython", verbose=True, tmp_dir=FOLDER
+    )
+    print(rhs([1.0, 2.0], 0.0, [3.0]))
+except GeneratorError:
+    print("refused")
+"""
+
+
+def test_code_is_built_in_folders_that_the_console_cannot_spell(tmp_path):
+    folder = tmp_path / "Zoë Müller 张伟"
+    code = COMPILING.replace("FOLDER", ascii(str(folder)))
+    assert b"[ 2. -3.]" in run(code, PYTHONIOENCODING="ascii")
+
+
+def test_what_a_compiler_says_need_not_be_printable(tmp_path):
+    script = tmp_path / "cc"
+    script.write_bytes("#!/bin/sh\necho 'Datei fehlt: „ä“' >&2\nexit 1\n".encode())
+    script.chmod(0o755)
+    named = dict.fromkeys(("CC", "CXX", "LDSHARED"), str(script))
+    code = COMPILING.replace("FOLDER", ascii(str(tmp_path / "build")))
+    said = run(code, PYTHONIOENCODING="ascii", **named)
+    assert rb"Datei fehlt: \u201e\xe4\u201c" in said
+    assert said.endswith(b"refused\n")
+
+
 # -- the C interface by triple ---------------------------------------------------------------------
 
 TRIPLES = {
@@ -170,6 +228,38 @@ def test_kernels_can_be_emitted_for_every_system_and_call_nothing_unknown(triple
             names = {re.sub(r"@PLT$", "", name) for name in called}
             unknown = {n for n in names if not ALLOWED.fullmatch(n) and not re.match(r"\.?L", n)}
             assert not unknown
+
+
+# Of Python and the C library, what gates, sweeps and the solvers' loops call.
+PYTHON = {"PyEval_SaveThread", "PyEval_RestoreThread", "PyLong_FromLongLong"}
+LIBRARY = {"memcmp", "memcpy", "memset", "hypot", "sqrt", "__chkstk", "_chkstk"}
+
+
+@pytest.mark.parametrize("triple", TRIPLES)
+def test_loops_sweeps_and_gates_can_be_emitted_for_every_system(triple):
+    binding.initialize_all_targets()
+    binding.initialize_all_asmprinters()
+    machine = binding.Target.from_triple(triple).create_target_machine(
+        cpu=TRIPLES[triple], opt=2, codemodel="jitdefault", jit=True
+    )
+    head = f'target datalayout = "{machine.target_data}"\ntarget triple = "{triple}"\n'
+    shipped = [file.read_text(encoding="utf-8") for file in sorted(IR.glob("*.ll"))]
+    assert len(shipped) > 5
+    for text in (*shipped, native._text(False), sweep_module(8), stepper_gate._GATE):
+        module = binding.parse_assembly(head + text, binding.create_context())
+        code = machine.emit_object(module)
+        assert code
+        assembly = machine.emit_assembly(module)
+        named = set(re.findall(r"\b_?([A-Za-z_]\w+)\b", assembly))
+        own = {f.name for f in module.functions if not f.is_declaration}
+        outside = {f.name for f in module.functions if f.is_declaration} & named
+        assert outside - own <= PYTHON | LIBRARY
+
+
+def test_integers_that_python_takes_have_the_same_size_everywhere():
+    # A long has 32 bits on Windows, 64 elsewhere.
+    for text in (native._text(False), sweep_module(8), stepper_gate._GATE):
+        assert not re.search(r"Py\w*(From|As)(Unsigned)?Long\b", text)
 
 
 @pytest.mark.parametrize("lanes", [1, 8])

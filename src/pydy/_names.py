@@ -12,6 +12,7 @@ __all__ = [
     "latex_of_rate",
     "name_of",
     "nearest",
+    "printable",
     "told_apart",
     "unique_names",
     "written_out",
@@ -116,3 +117,9 @@ def latex_of_rate(symbol: Any) -> str:
     if getattr(symbol, "args", ()):  # a function of time, which says by itself where the dot goes
         return latex_of(symbol.diff(symbol.args[0]))
     return rf"\dot{{{latex_of(symbol)}}}"
+
+
+def printable(text: str, stream: Any) -> str:
+    """Return a text as a stream can print it: letters that its encoding lacks become escapes."""
+    encoding = getattr(stream, "encoding", None) or "utf-8"
+    return text.encode(encoding, "backslashreplace").decode(encoding)

@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pydy._names import printable
 from pydy._version import __version__
 
 if TYPE_CHECKING:
@@ -211,7 +212,7 @@ def _demo(options: argparse.Namespace) -> int:
             print(f"python -m pydy demo: cannot save the plot: {error}", file=sys.stderr)
             return 1
         else:
-            print(f"  {path}")
+            print(f"  {printable(str(path), sys.stdout)}")
         for title, name, write in (
             ("Animation (open it in a browser)", ANIMATION, bicycle_ride.animate),
             (
@@ -227,7 +228,7 @@ def _demo(options: argparse.Namespace) -> int:
             except OSError as error:
                 print(f"python -m pydy demo: cannot save the page: {error}", file=sys.stderr)
                 return 1
-            print(f"  {path}")
+            print(f"  {printable(str(path), sys.stdout)}")
     return _verdict(ride)
 
 

@@ -1,8 +1,11 @@
 """FMUs by the rules of FMPy: valid, and moving as the System does."""
 
 import re
+import shutil
 import subprocess
+import sys
 import zipfile
+from pathlib import Path
 
 import fmpy
 import numpy as np
@@ -179,3 +182,61 @@ def test_without_a_compiler_the_error_tells_the_remedy(tmp_path, monkeypatch):
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(GeneratorError, match=re.escape("pass binary=False for an FMU of")):
         pendulum().export(tmp_path / "p.fmu")
+
+
+@pytest.mark.parametrize(
+    ("platform", "named", "words"),
+    [
+        ("linux", "ccache gcc", ["ccache", "gcc"]),
+        (
+            "win32",
+            r'"C:\Program Files\LLVM\clang.exe" -v',
+            [r"C:\Program Files\LLVM\clang.exe", "-v"],
+        ),
+        ("win32", r"D:\tools\cl.exe", [r"D:\tools\cl.exe"]),
+    ],
+)
+def test_a_compiler_is_named_as_the_system_names_programs(platform, named, words, monkeypatch):
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setenv("CC", named)
+    assert compiler() == words
+
+
+def test_a_compiler_may_lie_in_a_folder_whose_name_has_blanks(tmp_path, monkeypatch):
+    folder = tmp_path / "Zoë's tools"
+    folder.mkdir()
+    (folder / "cc").symlink_to(shutil.which(compiler()[0]))
+    monkeypatch.setenv("CC", str(folder / "cc"))
+    assert compiler() == [str(folder / "cc")]
+    pendulum().export(tmp_path / "p.fmu")
+
+
+@pytest.mark.parametrize("fmi", ["2.0", "3.0"])
+@pytest.mark.parametrize(
+    ("platform", "name", "suffix", "fits"),
+    [
+        ("win32", "cl", ".dll", lambda words: "/LD" in words and "-shared" not in words),
+        ("win32", "clang", ".dll", lambda words: "-shared" in words and "-lm" not in words),
+        ("darwin", "clang", ".dylib", lambda words: "-fPIC" in words and "-lm" in words),
+    ],
+)
+def test_every_system_has_its_library_and_options(
+    platform, name, suffix, fits, fmi, tmp_path, monkeypatch
+):
+    asked = []
+
+    def run(command, cwd, **_):
+        asked.append(command)
+        (Path(cwd) / f"model{suffix}").write_bytes(b"code")
+        return subprocess.CompletedProcess(command, 0, "", "")
+
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setenv("CC", name)
+    monkeypatch.setattr(subprocess, "run", run)
+    path = pendulum().export(tmp_path / "p.fmu", fmi=fmi).path
+    [command] = asked
+    assert fits(command)
+    with zipfile.ZipFile(path) as archive:
+        [library] = [name for name in archive.namelist() if name.startswith("binaries")]
+        assert archive.read(library) == b"code"
+    assert library.endswith(suffix)

@@ -137,9 +137,9 @@ def compiler() -> list[str]:
     GeneratorError
         There is none.
     """
-    named = os.environ.get("CC")
+    named = os.environ.get("CC", "").strip()
     if named:
-        return shlex.split(named)
+        return _words(named)
     built = shlex.split(sysconfig.get_config_var("CC") or "")[:1]
     for name in (*built, "cc", "gcc", "clang", "cl"):
         if found := shutil.which(name):
@@ -151,17 +151,28 @@ def compiler() -> list[str]:
     )
 
 
+def _words(command: str) -> list[str]:
+    """Split a command, unless it is the path of a program, in whose folders there may be blanks."""
+    if shutil.which(command):
+        return [command]
+    if sys.platform != "win32":
+        return shlex.split(command)
+    return [word.strip('"') for word in shlex.split(command, posix=False)]  # keeps backslashes
+
+
 def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:
     command = compiler()
     with tempfile.TemporaryDirectory(prefix="pydy_fmu_") as folder:
         for name, text in sources.items():
             Path(folder, name).write_text(text, encoding="utf-8")
         result = f"model{suffix}"
-        if Path(command[0]).stem.lower() == "cl":
+        if Path(command[0]).stem.lower() in ("cl", "clang-cl"):
             command += ["/nologo", "/O2", "/LD", "all.c", f"/Fe{result}"]
         else:
-            command += ["-std=c99", "-O2", "-fPIC", "-fvisibility=hidden", "-shared"]
-            command += ["-o", result, "all.c", "-lm"]
+            # All code of Windows can be moved, and its C library has the mathematical functions.
+            unix = suffix != ".dll"
+            command += ["-std=c99", "-O2", "-fvisibility=hidden", "-shared", "-o", result, "all.c"]
+            command += ["-fPIC", "-lm"] if unix else []
         try:
             done = subprocess.run(
                 command, cwd=folder, capture_output=True, text=True, errors="replace", check=False

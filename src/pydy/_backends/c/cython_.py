@@ -29,6 +29,7 @@ from pydy._cache_folder import unsafe
 from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
+from pydy._names import printable
 
 __all__ = ["CythonBackend"]
 
@@ -227,14 +228,16 @@ def _build(name: str, directory: Path, verbose: bool) -> None:
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,  # compilers differ in where they write their errors
-            text=True,
+            encoding="utf-8",
             errors="replace",
+            # Names of folders need not have letters that the console knows.
+            env={**os.environ, "PYTHONIOENCODING": "utf-8:backslashreplace"},
         ) as process:
             assert process.stdout is not None
             for line in process.stdout:
                 lines.append(line)
                 if verbose:
-                    sys.stdout.write(line)
+                    sys.stdout.write(printable(line, sys.stdout))
     except OSError as error:
         raise GeneratorError(
             f"Python could not be started to build the C code in '{directory}': {error}. {_REMEDY}"

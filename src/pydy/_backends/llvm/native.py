@@ -276,12 +276,12 @@ def _gate_text() -> str:
         f"call i32 {kernel}(ptr {t_slot}, ptr {x_data}, ptr {r_data}, ptr {c}, ptr {out_data})"
     )
     wide = f.let(f"zext i32 {status} to i64")
-    f.do(f"ret ptr {f.let(f'call ptr @PyLong_FromLong(i64 {wide})')}")
+    f.do(f"ret ptr {f.let(f'call ptr @PyLong_FromLongLong(i64 {wide})')}")
     f.label(slow)
-    f.do(f"ret ptr {f.let('call ptr @PyLong_FromLong(i64 -1)')}")
+    f.do(f"ret ptr {f.let('call ptr @PyLong_FromLongLong(i64 -1)')}")
     declarations = [
         "@PyFloat_Type = external global i8",
-        "declare ptr @PyLong_FromLong(i64)",
+        "declare ptr @PyLong_FromLongLong(i64)",
         "declare i32 @memcmp(ptr, ptr, i64)",
         "declare ptr @memcpy(ptr, ptr, i64)",
         "",

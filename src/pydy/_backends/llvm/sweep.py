@@ -100,7 +100,7 @@ def sweep_gate_function() -> str:
     arguments = [words, *(data[name] for name in ARRAYS)]
     f.do(f"call void {sweep}({', '.join(f'ptr {a}' for a in arguments)})")
     f.do(f"call void @PyEval_RestoreThread(ptr {state})")
-    f.do(f"ret ptr {f.let('call ptr @PyLong_FromLong(i64 0)')}")
+    f.do(f"ret ptr {f.let('call ptr @PyLong_FromLongLong(i64 0)')}")
     return "declare ptr @PyEval_SaveThread()\ndeclare void @PyEval_RestoreThread(ptr)\n" + f.text()
 
 
