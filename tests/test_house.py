@@ -43,6 +43,7 @@ HANDED_OUT = {"pydy.system"}
 LOOPS = {
     *(f"pydy.solvers.loop.{path.stem}" for path in (SRC / "pydy/solvers/loop").glob("[!_]*.py")),
     *(f"pydy.solvers.lanes.{name}" for name in ("kernels", "stepper")),
+    "pydy.solvers.adjoint.stepper",
 }
 
 # room -> what it never imports, whatever the floors say.

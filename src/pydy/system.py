@@ -23,7 +23,7 @@ from pydy._names import nearest
 from pydy._system.analysis import linearize, variables
 from pydy._system.balance import find_equilibrium
 from pydy._system.definition import Definer
-from pydy._system.dependents import check_dependents, solve_dependents
+from pydy._system.dependents import check_dependents, latest_dependents, solve_dependents
 from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.ensemble_inputs import make_ensemble
 from pydy._system.fits import fit
@@ -46,6 +46,7 @@ from pydy._system.summary import as_html, as_text, facts
 from pydy._system.sweeps import eigenvalues, follow_equilibria
 from pydy._system.values import evaluate_block, evaluate_energy, evaluate_product
 from pydy.analysis import (
+    AdjointGradient,
     EigenvalueSweep,
     Equilibrium,
     EquilibriumBranch,
@@ -1268,6 +1269,66 @@ class System:
         """
         return fit(
             self, parameters, trials, bounds, priors, segments, most, progress, solver_kwargs
+        )
+
+    def adjoint_gradient(
+        self,
+        wrt: Any,
+        *,
+        final: Any = None,
+        integral: Any = None,
+        **solver_kwargs: Any,
+    ) -> AdjointGradient:
+        """Return a scalar of a simulation and its derivatives by any number of parameters.
+
+        The scalar is the value of an expression at the end of the motion, an integral along it, or
+        the sum of both. The motion is integrated once, then the adjoint of its steps goes back
+        through them: the cost hardly depends on how many parameters there are. Few parameters, or
+        many quantities, take `simulate` with `sensitivities`.
+
+        Parameters
+        ----------
+        wrt : {'constants', 'states', 'specifieds'}, symbol, name, or iterable of these
+            Constants; states, for their initial conditions; specifieds that are numbers or samples.
+        final : output or expression, optional
+            Of states, specifieds, constants and time at the last of the times, or after a terminal
+            event, whose time depends on the parameters too.
+        integral : output or expression, optional
+            Integrated from the first time to the end, as a further state under the error control.
+        **solver_kwargs
+            Options of an explicit native solver, ``'dop853'`` where `ode_solver` is none; `events`,
+            `constraints` and `gain` as in `integrate`.
+
+        Returns
+        -------
+        AdjointGradient
+
+        Raises
+        ------
+        ValueError
+            A parameter that the system does not have, a specified that is a Python function, or a
+            solver that is not explicit.
+        SingularMatrixError, IntegrationError
+            As `integrate`; also where an event that acts is only grazed.
+
+        Examples
+        --------
+        How far a mass on a spring gets in a second:
+
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.constants = {'c0': 0.0}
+        >>> system.initial_conditions = {'x0': 1.0}
+        >>> system.times = [0.0, 1.0]
+        >>> found = system.adjoint_gradient('constants', final='x0', rtol=1e-10, atol=1e-10)
+        >>> round(found.value, 8), round(found['k0'], 8), round(found['m0'], 8)
+        (0.54030231, -0.42073549, 0.42073549)
+        """
+        from pydy._system.adjoints import adjoint_gradient  # with the loops behind the solvers
+
+        dependent = latest_dependents(self)
+        return adjoint_gradient(
+            self._now(), self._ode_solver, wrt, final, integral, solver_kwargs, dependent
         )
 
     def find_periodic_orbit(

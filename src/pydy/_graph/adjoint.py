@@ -8,6 +8,7 @@ right-hand side for the factors of a symmetric matrix (Griewank & Walther, Evalu
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from pydy._graph.node import Graph
@@ -19,7 +20,12 @@ Terms = list[tuple[int, float]]
 
 
 def adjoints(
-    graph: Graph, outputs: Sequence[int], weights: Sequence[int], variables: Sequence[int]
+    graph: Graph,
+    outputs: Sequence[int],
+    weights: Sequence[int],
+    variables: Sequence[int],
+    *,
+    through_guards: bool = False,
 ) -> list[int]:
     """Return the derivatives of ``Σ weight · output`` with respect to `variables`.
 
@@ -30,6 +36,10 @@ def adjoints(
     outputs, weights : sequences of nodes
         What is differentiated, and what each is multiplied with.
     variables : sequence of input nodes
+    through_guards : bool
+        Whether a guarded solution is differentiated as it was found, in O(n) where that is so; the
+        derivatives are NaN where a guard falls back. By default they are those of the linear system
+        that it solves, which hold everywhere.
 
     Returns
     -------
@@ -40,12 +50,13 @@ def adjoints(
     -----
     Switches are treated as `pydy._graph.derivative.jacobian` treats them.
     """
-    order = graph.reachable(outputs)
+    order = graph.reachable(outputs, fallbacks=not through_guards)
     active = set(variables)
     for node in order:
-        if not active.isdisjoint(graph.operands(node)):
+        fast = through_guards and graph.ops[node] == "guard"
+        if not active.isdisjoint(graph.args[node][4] if fast else graph.operands(node)):
             active.add(node)
-    sweep = _Sweep(graph, active)
+    sweep = _Sweep(graph, active, through_guards)
     for output, weight in zip(outputs, weights, strict=True):
         sweep.add(output, weight)
     for node in reversed(order):
@@ -55,9 +66,10 @@ def adjoints(
 
 
 class _Sweep:
-    def __init__(self, graph: Graph, active: set[int]) -> None:
+    def __init__(self, graph: Graph, active: set[int], through_guards: bool) -> None:
         self.graph = graph
         self.active = active
+        self.through_guards = through_guards
         self.terms: dict[int, Terms] = {}
         self.vectors: dict[int, dict[int, int]] = {}  # adjoints of the components of a solution
 
@@ -72,6 +84,11 @@ class _Sweep:
         """Hand the adjoint of a node to its operands."""
         g = self.graph
         op, args = g.ops[node], g.args[node]
+        if op == "guard" and self.through_guards:
+            *_, sound, fast = args
+            for k, bar in self.vectors.get(node, {}).items():
+                self.add(fast[k], g.call("select", sound, bar, g.const(math.nan)))
+            return
         if op in ("solve", "guard"):
             self._solve(node)
             return

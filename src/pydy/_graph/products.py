@@ -31,6 +31,8 @@ def derivative_program(
     sizes: tuple[int, int, int],
     passes: Passes,
     vectors: int = 1,
+    *,
+    through_guards: bool = False,
 ) -> Program:
     """Return the Program of derivatives of some nodes.
 
@@ -57,6 +59,8 @@ def derivative_program(
     vectors : int
         How many vectors d or w there are. They are inputs at the end of r, as a matrix in C order
         with a column for each.
+    through_guards : bool
+        For vector-Jacobian products; see `adjoint.adjoints`.
     """
     n, s, c = sizes
     with collector_paused():
@@ -78,7 +82,10 @@ def derivative_program(
         elif kind == "vector-jacobian":
             shape, extra = (k, vectors), m * vectors
             weights = [given(m, i) for i in range(m)]
-            found = [adjoints(g, nodes, [w[d] for w in weights], by) for d in range(vectors)]
+            found = [
+                adjoints(g, nodes, [w[d] for w in weights], by, through_guards=through_guards)
+                for d in range(vectors)
+            ]
             cells = [column[i] for i in range(k) for column in found]
         elif kind == "gradient":
             shape, extra = (k + 1,), 0

@@ -31,7 +31,7 @@ from pydy.solvers.events import Event
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.solver import Solver
 
-__all__ = ["Parameter", "Sensitive", "Wanted", "read_parameters"]
+__all__ = ["Parameter", "Sensitive", "Wanted", "by_samples", "read_parameters"]
 
 _DEPENDENT = 1e-9
 
@@ -63,9 +63,9 @@ class Parameter:
 
 
 def read_parameters(
-    definition: Definition, plan: SpecifiedsPlan, wanted: Any
+    definition: Definition, plan: SpecifiedsPlan, wanted: Any, argument: str = "sensitivities"
 ) -> tuple[Parameter, ...]:
-    """Return the parameters that a user named.
+    """Return the parameters that a user named, in the argument of a name.
 
     Raises
     ------
@@ -74,45 +74,46 @@ def read_parameters(
         taken.
     """
     one = isinstance(wanted, str) or hasattr(wanted, "free_symbols")
-    symbols = [wanted] if one else listed("sensitivities", wanted)
+    symbols = [wanted] if one else listed(argument, wanted)
     if not symbols:
         raise ValueError(
-            "`sensitivities` must name at least one constant, initial condition or specified."
+            f"`{argument}` must name at least one constant, initial condition or specified."
         )
     for _, _, label in plan.functions:
         raise ValueError(
-            f"`sensitivities` need the derivatives of the specifieds, but {label} is a Python "
+            f"`{argument}` needs the derivatives of the specifieds, but {label} is a Python "
             "function, which has none. Give it as a SymPy expression of states, time and "
             "constants, or as samples, pydy.inputs.SampledInput(times, values)."
         )
-    found: list[Parameter] = []
+    found: dict[tuple[str, int], Parameter] = {}
     for symbol in symbols:
-        parameter = _parameter(definition, plan, symbol)
-        if any(p.symbol == parameter.symbol for p in found):
+        parameter = _parameter(definition, plan, symbol, argument)
+        place = (parameter.kind, parameter.place)
+        if place in found:
             raise ValueError(
-                f"`sensitivities` has `{parameter.symbol}` more than once. Keep one of them."
+                f"`{argument}` has `{parameter.symbol}` more than once. Keep one of them."
             )
-        found.append(parameter)
-    return tuple(found)
+        found[place] = parameter
+    return tuple(found.values())
 
 
-def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any) -> Parameter:
+def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any, argument: str) -> Parameter:
     kinds = ("constants", "states", "specifieds")
     for kind in kinds:
-        place = definition.places[kind].get(key, "sensitivities")
+        place = definition.places[kind].get(key, argument)
         if place is not None:
             break
     else:
         everything = [s for kind in kinds for s in definition.places[kind].symbols]
         what = "constants, states (for their initial conditions) and specifieds of the system"
-        Places(everything, what).find(key, "sensitivities")  # raises, with names that are alike
+        Places(everything, what).find(key, argument)  # raises, with names that are alike
         raise AssertionError(key)
     symbol = definition.places[kind].symbols[place]
     if kind != "specifieds":
         return Parameter(symbol, kind, place)
     if symbol in plan.expressions:
         raise ValueError(
-            f"`sensitivities` has the specified `{symbol}`, which is given as the expression "
+            f"`{argument}` has the specified `{symbol}`, which is given as the expression "
             f"`{plan.expressions[symbol]}`. Name the constants in it instead."
         )
     for columns, samples in plan.sampled:
@@ -120,7 +121,7 @@ def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any) -> Parame
             return Parameter(symbol, kind, place, samples.of([columns.tolist().index(place)]))
     if isinstance(symbol, sm.Derivative) and symbol not in plan.given:
         raise ValueError(
-            f"`sensitivities` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
+            f"`{argument}` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
             "instead, or the constants in its expression."
         )
     return Parameter(symbol, kind, place)
@@ -138,6 +139,8 @@ class Sensitive:
     plan : SpecifiedsPlan
     parameters : tuple of Parameter
     p : ndarray
+    argument : str
+        That named the parameters.
     """
 
     definition: Definition
@@ -145,6 +148,7 @@ class Sensitive:
     plan: SpecifiedsPlan
     parameters: tuple[Parameter, ...]
     p: np.ndarray
+    argument: str = "sensitivities"
     columns: Columns = field(init=False)
 
     def __post_init__(self) -> None:
@@ -234,7 +238,7 @@ class Sensitive:
         for parameter in self.parameters:
             if parameter.samples is not None:
                 places = np.arange(start, start + parameter.count)
-                result.append((places, _by_samples(parameter)))
+                result.append((places, by_samples(parameter)))
                 start += parameter.count
         return result
 
@@ -330,8 +334,8 @@ class Sensitive:
                 if parameter.place in dependent:
                     names = describe([self.definition.states[d] for d in dependent])
                     raise ValueError(
-                        f"`sensitivities` has the initial condition of `{parameter.symbol}`, which "
-                        f"follows from the others by the constraints, as do {names}. Name "
+                        f"`{self.argument}` has the initial condition of `{parameter.symbol}`, "
+                        f"which follows from the others by the constraints, as do {names}. Name "
                         "independent ones, or make it independent: call "
                         "set_dependent_initial_conditions(dep_vars=…) with other variables."
                     )
@@ -369,8 +373,8 @@ class Sensitive:
             names = describe([self.definition.states[d] for d in dependent]) if dependent else ""
             which = f"for {names}" if names else "for any: none is named as dependent"
             raise ValueError(
-                "`sensitivities` need to know how the dependent initial conditions follow from the "
-                f"others, but the constraints cannot be solved {which}. Call "
+                f"`{self.argument}` needs to know how the dependent initial conditions follow from "
+                f"the others, but the constraints cannot be solved {which}. Call "
                 "set_dependent_initial_conditions(dep_vars=…) with variables for which they can."
             )
 
@@ -476,7 +480,7 @@ class Wanted:
         return np.array(sizes + [1.0] * (self.sensitive.columns.count - len(sizes)))
 
 
-def _by_samples(parameter: Parameter) -> SampledInput:
+def by_samples(parameter: Parameter) -> SampledInput:
     """Return the derivatives of a sampled input by each of its samples."""
     samples = parameter.samples
     assert samples is not None

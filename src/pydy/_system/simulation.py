@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.integrate import odeint
 
+from pydy._assembly.model import CompiledModel
 from pydy._checks import flag, real_array
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._system.causes import explain
@@ -23,7 +24,7 @@ from pydy.solvers.options import check_option_names
 from pydy.solvers.solver import Solver
 from pydy.trajectory import Trajectory
 
-__all__ = ["integrate", "simulate"]
+__all__ = ["Start", "begin", "integrate", "simulate"]
 
 SolverFunction = Callable[..., Any]
 
@@ -93,6 +94,41 @@ def simulate(
     )
 
 
+class Start(NamedTuple):
+    """What is integrated.
+
+    Attributes
+    ----------
+    times : ndarray
+    model : CompiledModel
+        With the expressions for specifieds compiled in.
+    options : dict
+        For the solver.
+    """
+
+    times: np.ndarray
+    model: CompiledModel
+    options: dict[str, Any]
+
+
+def begin(now: Snapshot, solver: SolverFunction, options: dict[str, Any]) -> Start:
+    """Check what a simulation begins with, and get the equations and options ready."""
+    if len(now.times) < 2:
+        raise ValueError(
+            "`times` must have at least two values before integrate() can be called, got "
+            f"{len(now.times)}. Set `system.times`."
+        )
+    times = check_times(now.times)  # the array may have been edited in place
+    definition, plan = now.definition, now.plan
+    plan.check_times(times, "times")
+    equations = definition.equations
+    if (equations.velocity or equations.holonomic) and options.get("constraints") is None:
+        t = float(times[0])
+        check_start(definition, now.driven, t, now.x, plan(now.x, t), now.p)
+    model, options = prepare(solver, definition, now.model, plan, options)
+    return Start(times, model, options)
+
+
 def _solve(
     now: Snapshot,
     solver: SolverFunction,
@@ -103,20 +139,9 @@ def _solve(
     dependent: Any = None,
 ) -> Any:
     """Call the solver; `checked` tells whether odeint's giving up is an error."""
-    if len(now.times) < 2:
-        raise ValueError(
-            "`times` must have at least two values before integrate() can be called, got "
-            f"{len(now.times)}. Set `system.times`."
-        )
-    times = check_times(now.times)  # the array may have been edited in place
-    definition, plan = now.definition, now.plan
-    plan.check_times(times, "times")
-    x0, p = now.x, now.p
-    equations = definition.equations
-    if (equations.velocity or equations.holonomic) and options.get("constraints") is None:
-        t = float(times[0])
-        check_start(definition, now.driven, t, x0, plan(x0, t), p)
-    model, options = prepare(solver, definition, now.model, plan, options)
+    ready = begin(now, solver, options)
+    definition, plan, model, options = now.definition, now.plan, ready.model, ready.options
+    times, x0, p, equations = ready.times, now.x, now.p, definition.equations
     if solver is odeint:
         check_option_names("odeint", ODEINT_OPTIONS, options)
     if wanted is None:

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from pydy.analysis.adjoint import AdjointGradient
 from pydy.analysis.continuation import EquilibriumBranch, SpecialPoint
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.fit import FitResult, Trial
@@ -13,6 +14,7 @@ from pydy.analysis.orbits import PeriodicOrbit
 from pydy.analysis.sweeps import Crossing, EigenvalueSweep
 
 __all__ = [
+    "AdjointGradient",
     "Crossing",
     "EigenvalueSweep",
     "Equilibrium",

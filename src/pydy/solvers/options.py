@@ -10,6 +10,7 @@ import numpy as np
 
 from pydy._checks import number, real_array
 from pydy._names import nearest
+from pydy.solvers.adjoint.recording import Recording
 from pydy.solvers.events import CompiledEvents
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.sensitivities import CompiledSensitivities
@@ -67,6 +68,8 @@ class Options:
     sensitivities : CompiledSensitivities or None
         Of a state that has columns of sensitivities after it; `rtol` and `atol` are those of the
         state alone.
+    recording : Recording or None
+        What notes the steps.
     """
 
     rtol: Any = _DEFAULT
@@ -80,10 +83,11 @@ class Options:
     events: CompiledEvents | None = None
     constraints: CompiledConstraints | None = None
     sensitivities: CompiledSensitivities | None = None
+    recording: Recording | None = None
 
 
 _MOST = 2**62
-_NAMES = {field.name for field in fields(Options)}
+_NAMES = {field.name for field in fields(Options)} - {"recording"}
 
 
 def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Options:

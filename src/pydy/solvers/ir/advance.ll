@@ -1,4 +1,4 @@
-; sources 86909b7a9fa5b5da6d6198444df6b2fe771e07e4e3b83e17a4861761d4c2188c
+; sources ffa08bbc5d46c93cc14a24ecb9fddd6a34fa7630f9d674afa3d1c05f0890426c
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

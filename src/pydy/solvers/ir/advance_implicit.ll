@@ -1,4 +1,4 @@
-; sources 5ec60c7d948ba893a20c5badb0282083c6071d00d473528c92e2072004399dd7
+; sources 3492b45709d31986a91fba017fa448e03a3cd65d297173797556e6f6afff1ec1
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8

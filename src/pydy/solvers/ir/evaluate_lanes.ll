@@ -1,4 +1,4 @@
-; sources 36d2378db22261d627f7bb81554c634f0b9384c24b6cf84478c42ab9028b2374
+; sources 70d798a07b11625f2937a57fc2a82bd480a3fc2c91727efcbe2c059b63b275cb
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, i64 %7, ptr %8, i64 %9, i64 %10, ptr %11, i64 %12, ptr %13, i64 %14, i64 %15) unnamed_addr #0 {

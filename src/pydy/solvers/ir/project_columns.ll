@@ -1,4 +1,4 @@
-; sources ecf7e0f0373a550d0d48e405478d8c83286b54395072f86183a83b986f148885
+; sources 5b1aa47c708eaf9f1be68575a66cade00d01ce08f350f0eb5ccbab246ce14953
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

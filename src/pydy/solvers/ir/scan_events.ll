@@ -1,4 +1,4 @@
-; sources aca153fe1e04fd915aac9de68c8780a135a1248b992e4f5b140da18183df22ec
+; sources f98fbf78fa7affc9ad399fc6fe1d6c048b1b70091dc071cf0951b3449b47d522
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources 0ca2560245368118ddb73dd76acef05d3615b9114422ac3ba67b2c117dd2ce10
+; sources bc095f0dae153b65d72a0a1b23f9ba988efda6331652bb62975f0e5d481ba0f2
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0

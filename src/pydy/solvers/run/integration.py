@@ -92,7 +92,9 @@ class Integration:
     ) -> None:
         self.name, self.n, self.options = method, n, options
         beside = options.sensitivities
-        self.states = n if beside is None else beside.states  # without their sensitivities
+        self.states = n if beside is None else beside.states  # without what is beside them
+        if options.recording is not None:
+            self.states = options.recording.states
         self.interrupts = Interrupts(stopped)
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
@@ -102,7 +104,7 @@ class Integration:
         self.progress, self.watch = arrays.progress, arrays.watch
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
-        parts = (options.constraints, options.events)
+        parts = (options.constraints, options.events, options.recording)
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
         self.reusable = not attended and self.call is not None and method != IMPLICIT
@@ -159,8 +161,12 @@ class Integration:
 
     def _slice(self, budget: int) -> int:
         """Take some steps; returns the code of why it stopped."""
-        self.progress.counts[at.BUDGET] = budget
-        return self._advance(self._rows, False)
+        if self.options.recording is None:
+            self.progress.counts[at.BUDGET] = budget
+            return self._advance(self._rows, False)
+        return self.options.recording.steps(
+            budget, lambda: self._advance(self._rows, False), self.progress, self.memory
+        )
 
     def _run(self) -> None:
         state, count = self.progress.state, self.progress.counts
@@ -334,10 +340,8 @@ class Integration:
                 self._stop(RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
             record = self._record(t, k, before, after, acting=True)
             self.records.append(record)
-            if beside is None:
-                before = after
-            else:
-                before = np.concatenate([after[:n], before[n:]])
+            before = np.concatenate([after[: self.states], before[self.states :]])
+            if beside is not None:
                 beside.table(before)[:, : beside.wanted] = record.sensitivity_after
         self.memory.x[: self.n] = before
         if any(wanted.terminal[k] for k in fired):

@@ -1,0 +1,467 @@
+"""Gradients of a scalar of a simulation: the motion with its integrals, and the way back."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._checks import Places, shown
+from pydy._errors import IntegrationError, SingularMatrixError
+from pydy._forks import cached_property
+from pydy._graph.backward import event_program
+from pydy._graph.products import derivative_program
+from pydy._graph.program import Program
+from pydy._graph.simplify import simplify
+from pydy._kernel import Kernel, KernelCall
+from pydy._system.balance import GROUPS
+from pydy._system.causes import explain
+from pydy._system.projections import Projections
+from pydy._system.sensitivities import Parameter, Sensitive, by_samples, read_parameters
+from pydy._system.simulation import begin
+from pydy._system.snapshot import Snapshot
+from pydy.analysis.adjoint import AdjointGradient
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.solvers.adjoint.backward import WayBack
+from pydy.solvers.adjoint.recording import Recording
+from pydy.solvers.events import Event, EventRecord
+from pydy.solvers.options import read_options
+from pydy.solvers.outcome import EVENT_GRAZES, OUTCOMES, TERMINATED
+from pydy.solvers.run.integration import Integration
+from pydy.solvers.solver import SOLVERS, Solver
+from pydy.solvers.tableaus import tableau_of
+
+__all__ = ["adjoint_gradient"]
+
+Place = tuple[str, int]
+
+
+def adjoint_gradient(
+    now: Snapshot,
+    solver: Any,
+    wrt: Any,
+    final: Any,
+    integral: Any,
+    options: dict[str, Any],
+    dependent: Sequence[Any],
+) -> AdjointGradient:
+    """Return what `System.adjoint_gradient` describes."""
+    definition, plan = now.definition, now.plan
+    if isinstance(solver, Solver) and solver.name == "radau":
+        raise ValueError(
+            "`adjoint_gradient` goes back through the steps of an explicit method, but "
+            "`ode_solver` is 'radau'. Choose another solver of pydy.solvers, or call "
+            "system.simulate(sensitivities=…), which goes forward."
+        )
+    if not isinstance(solver, Solver):
+        solver = SOLVERS["dop853"]
+    if final is None and integral is None:
+        raise ValueError(
+            "`final` or `integral` must be given: an output or an expression of states, "
+            "specifieds, constants and time."
+        )
+    if isinstance(wrt, str) and wrt in GROUPS:
+        symbols = definition.places[wrt].symbols
+        wrt = [s for s in symbols if wrt != "states" or s not in dependent]
+    parameters = read_parameters(definition, plan, wrt, "wrt")
+    final, integral = (
+        None if term is None else _read(definition, term, name)
+        for term, name in ((final, "final"), (integral, "integral"))
+    )
+    start = begin(now, solver, options)
+    model = start.model
+    task = _Task(definition, plan, now.p, parameters, model, final, integral)
+    places = [definition.states.index(s) for s in dependent]
+    sensitive = Sensitive(definition, model, plan, parameters, now.p, "wrt")
+    beginning = sensitive.start(now.x, float(start.times[0]), places)[:, : sensitive.count]
+    try:
+        run = task.run(solver, now.x, start.times, start.options)
+    except (IntegrationError, SingularMatrixError) as error:
+        if getattr(error, "states", None) is not None:
+            error.states = error.states[:, : len(definition.states)]  # type: ignore[union-attr]
+        explain(error, definition, model, plan, now.p)
+        raise
+    values, by_state = run.gradient(sensitive, beginning)
+    n = len(definition.states)
+    reached = run.info["reached"]
+    states = run.states[:reached, :n].copy()
+
+    def motion() -> Any:
+        times = start.times[:reached].copy()
+        return now.trajectory(times, states, events=run.records, statistics=run.info)
+
+    counts = {p.symbol: p.count for p in parameters}
+    statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
+    return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)
+
+
+def _read(definition: Definition, term: Any, argument: str) -> Any:
+    """Return the place of an output, or an expression."""
+    outputs = Places(definition.outputs_symbols, "outputs of the system")
+    place = outputs.get(term, argument)
+    if place is not None:
+        return place
+    if isinstance(term, str):
+        k = definition.places["states"].get(term, argument)
+        term = term if k is None else definition.states[k]
+    if isinstance(term, (int, float)) and not isinstance(term, bool):
+        term = sm.Float(term)
+    scalar = isinstance(term, sm.Expr) and term.is_commutative and not term.is_Matrix
+    if not scalar:
+        raise ValueError(
+            f"`{argument}` must be an output of the system, by symbol or name, or an expression of "
+            f"its states, specifieds, constants and time, got {shown(term)}."
+        )
+    return term
+
+
+def _node(assembly: Assembly, term: Any, argument: str) -> int:
+    """Return an output's node or an expression's, in a graph that may grow."""
+    return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
+
+
+def _with_integral(term: Any, assembly: Assembly) -> Assembly:
+    """Return the equations with an integral as their last state."""
+    own = assembly.fork()
+    rates = [*own.rates, _node(own, term, "`integral`")]
+    n, s, c = own.sizes
+    return replace(own, sizes=(n + 1, s, c), rates=rates)
+
+
+@dataclass(frozen=True, eq=False)
+class _Task:
+    """What is integrated and differentiated.
+
+    Attributes
+    ----------
+    definition : Definition
+    plan : SpecifiedsPlan
+    p : ndarray
+    parameters : tuple of Parameter
+    model : CompiledModel
+        Of the states alone.
+    final, integral : place of an output, expression, or None
+    """
+
+    definition: Definition
+    plan: SpecifiedsPlan
+    p: np.ndarray
+    parameters: tuple[Parameter, ...]
+    model: CompiledModel
+    final: Any
+    integral: Any
+
+    @cached_property
+    def whole(self) -> CompiledModel:
+        """The equations, with the integral as their last state."""
+        if self.integral is None:
+            return self.model
+        return self.model.changed(
+            ("integral", self.integral), partial(_with_integral, self.integral)
+        )
+
+    @cached_property
+    def sampled(self) -> list[Parameter]:
+        """The parameters that are samples."""
+        return [p for p in self.parameters if p.samples is not None]
+
+    @cached_property
+    def wanted(self) -> tuple[Place, ...]:
+        """The inputs to differentiate by; those that are samples come last."""
+        groups = {"constants": "p", "specifieds": "r"}
+        plain = [p for p in self.parameters if p.kind in groups and p.samples is None]
+        return tuple((groups[p.kind], p.place) for p in (*plain, *self.sampled))
+
+    def call(self, kernel: Kernel, further: int = 0) -> KernelCall:
+        """Return the call of a Kernel with so many inputs after r."""
+        states = self.model.layout.states
+        r = np.concatenate([self.plan.values, np.zeros(further)])
+
+        def names() -> tuple[str, ...]:
+            return (*map(str, states), "the integral")
+
+        return KernelCall(kernel, self.p, r, self.plan.sampled, None, names)
+
+    def run(
+        self, solver: Solver, x0: np.ndarray, times: np.ndarray, options: dict[str, Any]
+    ) -> _Run:
+        """Integrate, and note the steps."""
+        n, model = len(x0), self.whole
+        rates = self.call(model.compiled("rates"))
+        more = rates.kernel.program.num_states - n
+        for name in options.keys() & {"rtol", "atol"}:
+            if np.size(options[name]) == n > 1 and more:  # the integral as the strictest state
+                given = np.asarray(options[name], dtype=float)
+                options = {**options, name: np.append(given, given.min())}
+        recording = Recording(n, len(tableau_of(solver.name).stages))
+        read = replace(read_options(solver.name, solver.adaptive, options), recording=recording)
+
+        def f(x: Any, t: Any, *args: Any) -> np.ndarray:
+            found: np.ndarray = rates.evaluate(rates.kernel, np.asarray(x), t)
+            return found
+
+        f.native = lambda args: rates  # type: ignore[attr-defined]
+        whole = np.append(x0, np.zeros(more))
+        integration = Integration(solver.name, f, len(whole), times, (), read)
+        states = integration.run(whole)
+        end = integration.memory.x[: len(whole)].copy()
+        info = integration.info()
+        return _Run(self, solver.name, read, recording, rates, times, states, end, info)
+
+    # -- compiled ---------------------------------------------------------------------------------
+
+    def turned(self, safe: bool) -> KernelCall:
+        """Return the derivatives of Σ weight · rate; see `WayBack`."""
+        model = self.whole
+        assembly = model.assembly
+        n = assembly.sizes[0]
+        by = [*(("x", k) for k in range(n)), *self.wanted]
+
+        def make() -> Program:
+            graph, rates = assembly.simplified("rates")
+            return derivative_program(
+                graph, rates, by, "vector-jacobian", assembly.sizes, assembly.passes,
+                through_guards=not safe,
+            )  # fmt: skip
+
+        key = ("adjoint of the rates", safe, self.wanted)
+        return self.call(model.compiled_by(key, make), n)
+
+    def objective(self) -> KernelCall:
+        """Return `final`, and its derivatives by states, time, specifieds and what is wanted."""
+        model = self.model
+        assembly = model.assembly
+        n, s, _ = assembly.sizes
+        places = [("t", 0), *(("r", k) for k in range(s)), *self.wanted]
+        by = [*(("x", k) for k in range(n)), *places]
+
+        def make() -> Program:
+            own = assembly.fork()
+            nodes = simplify(own.graph, [_node(own, self.final, "`final`")], own.passes)
+            return derivative_program(own.graph, nodes, by, "gradient", own.sizes, own.passes)
+
+        key = ("gradient at the end", self.final, self.wanted)
+        return self.call(model.compiled_by(key, make))
+
+    def event(self, event: Event) -> Kernel:
+        """Return what an event does to an adjoint; see `event_program`."""
+        model = self.model
+        states = self.definition.states
+        after = [event.reset.get(s, s) for s in states]
+
+        def make() -> Program:
+            own = model.assembly.fork()
+            crossing, *moved = own.read([event.expression, *after], f"the event `{event.name}`")
+            return event_program(
+                own.graph, crossing, moved, own.rates, self.wanted, own.sizes, own.passes
+            )
+
+        return model.compiled_by(("adjoint of", event.expression, *after, self.wanted), make)
+
+
+class _Run:
+    """A motion whose steps were noted.
+
+    Parameters
+    ----------
+    task : _Task
+    method : str
+    options : Options
+    recording : Recording
+    rates : KernelCall
+        Of the states and the integral.
+    times : ndarray, shape (m,)
+    states : ndarray, shape (m, n)
+    last : ndarray, shape (n,)
+        The state in which it ended.
+    info : dict
+
+    Attributes
+    ----------
+    end : float
+        When it ended.
+    value : float
+    """
+
+    def __init__(
+        self,
+        task: _Task,
+        method: str,
+        options: Any,
+        recording: Recording,
+        rates: KernelCall,
+        times: np.ndarray,
+        states: np.ndarray,
+        last: np.ndarray,
+        info: dict[str, Any],
+    ) -> None:
+        self.task, self.recording, self.rates = task, recording, rates
+        self.options, self.times, self.states, self.info = options, times, states, info
+        self.records: list[EventRecord] = info["events"]
+        self.n = n = recording.states
+        self.end: float = info["time"]
+        self.stopped = info["code"] == TERMINATED
+        self.last = last if self.stopped or not len(states) else states[-1]
+        further, kept = len(task.wanted), len(task.sampled)
+        self._back = WayBack(method, rates, task.turned, further, kept)
+        self._kept = kept
+        self.value = float(self.last[n:].sum())
+        self._seen: list[tuple[np.ndarray, np.ndarray]] = []  # derivatives by samples, with times
+        self._totals = np.zeros(further)
+        self._adjoint = np.append(np.zeros(n), np.ones(len(self.last) - n))
+        self._slope = 0.0  # of the objective along the motion at its end
+        if task.final is not None:
+            self._finish()
+
+    def _finish(self) -> None:
+        """Take the terms at the end."""
+        call, n, t = self.task.objective(), self.n, self.end
+        found = call.evaluate(call.kernel, self.last, t)
+        self.value += float(found[0])
+        s = len(call.r)
+        by_state, by_time = found[1 : 1 + n], float(found[1 + n])
+        by_input = found[2 + n : 2 + n + s]
+        self._adjoint[:n] = by_state
+        self._add(found[2 + n + s :], t)
+        self._slope = by_time + float(by_input @ call.slopes_at(t))
+
+    def _add(self, part: np.ndarray, t: float) -> None:
+        """Add derivatives by what is wanted that come from one instant."""
+        self._totals += part
+        if self._kept:
+            self._seen.append((np.array([t]), part[None, len(part) - self._kept :]))
+
+    def gradient(self, sensitive: Sensitive, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Go back to the beginning; return the derivatives by parameters and by the first state.
+
+        Parameters
+        ----------
+        sensitive : Sensitive
+        start : ndarray, shape (n, k)
+            The derivatives of the first state by the parameters.
+        """
+        recording, events = self.recording, self.options.events
+        if self.stopped:
+            self._slope += float(self._adjoint @ self._rates(self.last, self.end))
+        acting = []
+        if events is not None:
+            acts = [a or b for a, b in zip(events.terminal, events.resetting, strict=True)]
+            acting = [r for r in self.records if acts[r.index]]
+        last, end = len(recording.starts), self.last
+        for record in reversed(acting):
+            first = bisect_right(recording.ends, record.time)
+            if first == 0 or (first == len(recording.ends) and not self.stopped):
+                continue  # at the very beginning or end, where it is seen only
+            self._through(first, last, end)
+            last, end = first, record.before
+            terminal = events.terminal[record.index]
+            self._jump(events.sources[record.index], record, self._slope if terminal else 0.0)
+            self._slope = 0.0 if terminal else self._slope
+        self._through(0, last, end)
+        by_state = self._adjoint[: self.n].copy()
+        return self._by_parameters() + by_state @ start, by_state
+
+    def _rates(self, x: np.ndarray, t: float) -> np.ndarray:
+        whole = np.append(x[: self.n], np.zeros(len(self.last) - self.n))
+        found: np.ndarray = self.rates.evaluate(self.rates.kernel, whole, t)
+        return found
+
+    def _through(self, first: int, last: int, end: np.ndarray) -> None:
+        """Go back from the end of step `last` − 1, the state `end`, to where `first` begins."""
+        if first == last:
+            return
+        recording, n = self.recording, self.n
+        sweeps = [(first, last)]
+        projections = None
+        if self.options.constraints is not None:
+            sweeps = [(k, k + 1) for k in range(first, last)]
+            ends = np.array([x[:n] for x in (*recording.before[first + 1 : last], end)])
+            projections = Projections(
+                self.task.model, self.options.constraints, self.task.wanted,
+                self.task.call, np.array(recording.ends[first:last]), ends,
+            )  # fmt: skip
+        for k, (start, stop) in reversed(list(enumerate(sweeps))):
+            if projections is not None:
+                self._adjoint[:n] = projections.back(k, self._adjoint[:n])
+            sweep = self._back.through(recording, start, stop, self._adjoint)
+            if not np.isfinite(sweep.adjoint).all():
+                raise _not_finite(recording.starts[start], recording.ends[stop - 1])
+            self._adjoint = sweep.adjoint
+            self._totals += sweep.totals
+            self._seen.append((sweep.times, sweep.kept))
+        if projections is not None:
+            totals, kept = projections.totals()
+            self._totals += totals
+            self._seen.append((projections.times, kept[:, kept.shape[1] - self._kept :]))
+
+    def _jump(self, event: Event, record: EventRecord, slope: float) -> None:
+        """Go back through an event.
+
+        With the adjoint λ after it, its time t_e moves the objective by λ · (Ṙ − f⁺) at a fixed
+        time, and by its own slope where the motion ends there; dt_e/dθ = −(g_x S + g_θ) / ġ.
+        """
+        n, t = self.n, record.time
+        call = self.task.call(self.task.event(event))
+        program, x = call.kernel.program, record.before
+        r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t), self._adjoint[:n]])
+        out = call.kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
+        part = {block.name: out[block.start : block.stop] for block in program.blocks}
+        rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
+        self._check_crossing(record, rate, curvature, part["crossing"][:n])
+        before, after = self._rates(x, t), self._rates(record.after, t)
+        moved = float(part["after_rate"][0] - self._adjoint[:n] @ after[:n])
+        moved += float(self._adjoint[n:] @ (before - after)[n:])
+        share = -(moved + slope) / rate
+        self._adjoint[:n] = part["turned"][:n] + share * part["crossing"][:n]
+        self._add(part["turned"][n:] + share * part["crossing"][n:], t)
+
+    def _check_crossing(
+        self, record: EventRecord, rate: float, curvature: float, gradient: np.ndarray
+    ) -> None:
+        """Refuse an event that the motion only grazes: its time has no derivative."""
+        depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
+        sizes = self.options.atol + self.options.rtol * np.abs(record.before)
+        if depth > float(np.abs(gradient) @ sizes[: self.n]):
+            return
+        outcome = OUTCOMES[EVENT_GRAZES]
+        text = outcome.text.format(event=record.name, depth=depth)
+        k = int(np.searchsorted(self.times, record.time))
+        raise IntegrationError(
+            f"The motion {text} at t = {record.time!r}. {outcome.remedy}",
+            self.times[:k], self.states[:k, : self.n], record.time, record.before, self.info,
+        )  # fmt: skip
+
+    def _by_parameters(self) -> np.ndarray:
+        """Return the derivatives by all parameters, but for what goes through the first state."""
+        task = self.task
+        place = {one: k for k, one in enumerate(task.wanted)}
+        sampled = {p.symbol: k for k, p in enumerate(task.sampled)}
+        found: list[float] = []
+        for parameter in task.parameters:
+            if parameter.kind == "states":
+                found.append(0.0)
+            elif parameter.samples is None:
+                group = "p" if parameter.kind == "constants" else "r"
+                found.append(float(self._totals[place[group, parameter.place]]))
+            else:
+                weights, total = by_samples(parameter), np.zeros(parameter.count)
+                for times, kept in self._seen:
+                    total += kept[:, sampled[parameter.symbol]] @ weights.rows(times)
+                found += total.tolist()
+        return np.array(found)
+
+
+def _not_finite(start: float, end: float) -> ValueError:
+    return ValueError(
+        f"The derivatives of the equations are not finite between t = {start!r} and t = {end!r}, "
+        "though the motion is: look there for the square root of zero, or another function without "
+        "a derivative. `system.evaluate_jacobian` tells which."
+    )

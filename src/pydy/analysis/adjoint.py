@@ -1,0 +1,81 @@
+"""The gradient of a scalar of a motion by many parameters.
+
+`System.adjoint_gradient` returns an `AdjointGradient`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._forks import cached_property
+from pydy._names import name_of, unique_names
+
+__all__ = ["AdjointGradient"]
+
+
+@dataclass(frozen=True, eq=False)
+class AdjointGradient:
+    """A scalar of a motion and its derivatives.
+
+    ``gradient['m1']``, or with the symbol, is the derivative by one parameter; by samples of a
+    specified it is an array with one entry for each.
+
+    Attributes
+    ----------
+    value : float
+        The terms at the end and the integrals together.
+    values : ndarray, shape (k,)
+        Its derivatives by all parameters, samples one by one.
+    counts : dict
+        The parameters, with their numbers of columns.
+    by_state : ndarray, shape (n,)
+        Its derivatives by the states at the beginning, each on its own: the adjoint there.
+    time : float
+        Where the motion ended: the last of the times, or a terminal event.
+    statistics : dict
+        Of the integration, with the number of steps that the gradient went back through as
+        ``'steps'``.
+    """
+
+    value: float
+    values: np.ndarray
+    counts: Mapping[Any, int]
+    by_state: np.ndarray
+    time: float
+    statistics: dict[str, Any]
+    _motion: Callable[[], Any]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The parameters' names: ``F[0]``, ``F[1]``, … for samples."""
+        return tuple(
+            name if count == 1 else f"{name}[{j}]"
+            for name, count in zip(
+                unique_names(list(self.counts)), self.counts.values(), strict=True
+            )
+            for j in range(count)
+        )
+
+    @cached_property
+    def trajectory(self) -> Any:
+        """The motion at the System's times, as `System.simulate` returns it."""
+        return self._motion()
+
+    def __getitem__(self, parameter: Any) -> Any:
+        """Return the derivative by a parameter, given by symbol or name."""
+        start, named = 0, unique_names(list(self.counts))
+        for (symbol, count), name in zip(self.counts.items(), named, strict=True):
+            if parameter == symbol or name_of(parameter) == name:
+                part = self.values[start : start + count]
+                return part.copy() if count > 1 else float(part[0])
+            start += count
+        raise KeyError(f"`{parameter}` is none of the parameters: {', '.join(self.names)}.")
+
+    def __str__(self) -> str:
+        shown = [f"{n} {v:.6g}" for n, v in zip(self.names[:12], self.values, strict=False)]
+        more = f", and {len(self.values) - 12} more" if len(self.values) > 12 else ""
+        return f"Gradient of {self.value:.10g} by {', '.join(shown)}{more}"

@@ -1,0 +1,316 @@
+"""Adjoint gradients, against closed forms, forward sensitivities and integrations elsewhere."""
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.linalg import expm
+
+import zoo
+from cases import system_of
+from pydy import System
+from pydy.errors import IntegrationError
+from pydy.inputs import SampledInput
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.solvers import Event
+from pydy.solvers.adjoint import recording
+
+TIGHT = {"rtol": 1e-12, "atol": 1e-12}
+NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
+EXPLICIT = {
+    "dop853": TIGHT,
+    "vern9": TIGHT,
+    "tsit5": {"rtol": 1e-11, "atol": 1e-11},
+    "rk4": {"step": 1e-3},
+}
+
+
+def oscillator(solver="dop853", end=5.0):
+    system = multi_mass_spring_damper(1)
+    system.constants = {name: NUMBERS[name] for name in ("m0", "k0", "c0")}
+    system.initial_conditions = {name: NUMBERS[name] for name in ("x0", "v0")}
+    system.times = [0.0, end]
+    system.ode_solver = solver
+    return system
+
+
+def exact_oscillator(end):
+    """Position at the end, and ∫x² dt, with their derivatives by all five numbers."""
+    found = []
+    for k in range(5):
+        m, stiffness, c, x, v = [
+            value + 1e-30j * (j == k) for j, value in enumerate(NUMBERS.values())
+        ]
+        A = np.array([[0.0, 1.0], [-stiffness / m, -c / m]])
+        # d/dt of the products x x, x v, v v is linear in them, and so is the integral of the first.
+        (_, b), (d, e) = A
+        products = np.array(
+            [[0, 2 * b, 0, 0], [d, e, b, 0], [0, 2 * d, 2 * e, 0], [1.0, 0, 0, 0]], dtype=complex
+        )
+        position = (expm(A * end) @ [x, v])[0]
+        square = (expm(products * end) @ [x * x, x * v, v * v, 0.0])[3]
+        found.append((position, square))
+    values = np.array(found)
+    return values[0].real, values.imag.T / 1e-30
+
+
+@pytest.mark.parametrize(("solver", "options"), EXPLICIT.items())
+def test_a_linear_system_follows_the_matrix_exponential(solver, options):
+    system = oscillator(solver)
+    values, slopes = exact_oscillator(5.0)
+    names = list(NUMBERS)
+    terms = ({"final": "x0"}, {"integral": system.states[0] ** 2})
+    for value, slope, term in zip(values, slopes, terms, strict=True):
+        found = system.adjoint_gradient(names, **term, **options)
+        np.testing.assert_allclose(found.value, value, rtol=1e-9)
+        np.testing.assert_allclose(found.values, slope, rtol=0, atol=1e-9 * np.abs(slope).max())
+
+
+def test_a_pendulum_follows_elliptic_functions():
+    """A pendulum let go at rest: sin(θ/2) = k sn(K(k) − ω t, k) with k = sin(θ0/2)."""
+    system = n_link_pendulum_on_cart(1, cart_force=False)
+    q, u = me.dynamicsymbols("q, u")
+    l, g = sm.symbols("l, g")
+    N = me.ReferenceFrame("N")
+    rod = N.orientnew("rod", "Axis", (q, N.z))
+    rod.set_ang_vel(N, u * N.z)
+    pivot = me.Point("pivot")
+    pivot.set_vel(N, 0)
+    bob = pivot.locatenew("bob", -l * rod.y)
+    bob.v2pt_theory(pivot, N, rod)
+    kane = me.KanesMethod(
+        N, [q], [u], [q.diff() - u],
+        forcelist=[(bob, -g * N.y)], bodies=[me.Particle("weight", bob, 1)],
+    )  # fmt: skip
+    system = System(kane, {l: 1.3, g: 9.81}, initial_conditions={q: 1.2}, times=[0.0, 3.0])
+
+    def angle(values):
+        length, gravity, start = values
+        k = mpmath.sin(start / 2)
+        phase = mpmath.ellipk(k**2) - mpmath.sqrt(gravity / length) * 3
+        return 2 * mpmath.asin(k * mpmath.ellipfun("sn", phase, m=k**2))
+
+    found = system.adjoint_gradient([l, g, q], final=q, **TIGHT)
+    with mpmath.workdps(30):
+        point = [mpmath.mpf("1.3"), mpmath.mpf("9.81"), mpmath.mpf("1.2")]
+        value = angle(point)
+        slopes = [
+            mpmath.diff(lambda z, k=k: angle([z if j == k else p for j, p in enumerate(point)]), p)
+            for k, p in enumerate(point)
+        ]
+    assert found.value == pytest.approx(float(value), rel=1e-10)
+    np.testing.assert_allclose(found.values, np.array(slopes, dtype=float), rtol=1e-9)
+
+
+def forward(system, wrt, gradient, **options):
+    """Return φ_x S at the end from forward sensitivities."""
+    trajectory = system.simulate(sensitivities=wrt, **options)
+    return gradient @ trajectory.sensitivity.values[-1]
+
+
+def agree(found, expected, accuracy=1e-8):
+    np.testing.assert_allclose(found, expected, rtol=0, atol=accuracy * np.abs(expected).max())
+
+
+def cart(n=3):
+    system = n_link_pendulum_on_cart(n)
+    system.constants = {"g": 9.81, "m1": 0.5}
+    system.initial_conditions = {"q1": 3.3, f"u{n}": 1.0}
+    system.times = np.linspace(0.0, 1.5, 4)
+    system.ode_solver = "dop853"
+    return system
+
+
+def test_backward_is_forward_to_rounding_in_the_same_steps():
+    system = cart()
+    wrt = [*system.constants_symbols, *system.states, "F"]
+    weights = np.arange(1.0, len(system.states) + 1)
+    expression = sum(w * s for w, s in zip(weights, system.states, strict=True))
+    for solver in ("dop853", "tsit5", "vern9"):
+        system.ode_solver = solver
+        loose = {"rtol": 1e-5, "atol": 1e-5}
+        found = system.adjoint_gradient(wrt, final=expression, **loose)
+        agree(found.values, forward(system, wrt, weights, **loose), 1e-10)
+        assert found["q1"] == found.by_state[1]
+        assert found.trajectory.states.shape == (4, 8)
+
+
+def test_steps_whose_stages_are_not_kept_are_computed_again(monkeypatch):
+    system = cart()
+    kept = system.adjoint_gradient("constants", final="q3", **TIGHT)
+    monkeypatch.setattr(recording, "_ROOM", 1e4)
+    again = system.adjoint_gradient("constants", final="q3", **TIGHT)
+    agree(again.values, kept.values, 1e-12)
+
+
+def test_other_back_ends_go_back_too():
+    system = cart(1)
+    expected = system.adjoint_gradient("constants", final="q1", rtol=1e-6, atol=1e-6).values
+    system.generate_ode_function(generator="lambdify")
+    found = system.adjoint_gradient("constants", final="q1", rtol=1e-6, atol=1e-6).values
+    agree(found, expected)
+
+
+@pytest.mark.parametrize("interpolation", ["linear", "previous"])
+def test_samples_of_an_input(interpolation):
+    system = cart(1)
+    knots = np.linspace(0.0, 1.5, 7)
+    system.specifieds = {"F": SampledInput(knots, np.sin(knots), interpolation)}
+    wrt = ["F", "m0"]
+    found = system.adjoint_gradient(wrt, final="q0", max_step=0.01, **TIGHT)
+    weights = np.array([1.0, 0.0, 0.0, 0.0])
+    agree(found.values, forward(system, wrt, weights, max_step=0.01, **TIGHT))
+    assert found["F"].shape == (7,)
+    assert found.names[-2:] == ("F[6]", "m0")
+
+
+def test_constants_in_expressions_for_specifieds():
+    system = cart(1)
+    a, w = sm.symbols("a, w")
+    system.specifieds = {"F": a * sm.sin(w * me.dynamicsymbols._t)}
+    system.constants = {"g": 9.81, a: 1.5, w: 2.0}
+    found = system.adjoint_gradient([a, w], final="q0", **TIGHT)
+    agree(found.values, forward(system, [a, w], np.array([1.0, 0.0, 0.0, 0.0]), **TIGHT))
+
+
+# -- events ---------------------------------------------------------------------------------------
+
+
+def ball():
+    """A ball that falls from a height, and what bounces off with a share of its speed."""
+    y, v = me.dynamicsymbols("y, v")
+    m, g, e, drag = sm.symbols("m, g, e, drag")
+    N = me.ReferenceFrame("N")
+    ground = me.Point("ground")
+    ground.set_vel(N, 0)
+    centre = ground.locatenew("centre", y * N.y)
+    centre.set_vel(N, v * N.y)
+    kane = me.KanesMethod(
+        N, [y], [v], [y.diff() - v],
+        forcelist=[(centre, (-m * g - drag * v) * N.y)], bodies=[me.Particle("ball", centre, m)],
+    )  # fmt: skip
+    system = System(kane)
+    system.outputs = {"rebound": e * v}
+    system.constants = {m: 1.0, g: 10.0, drag: 0.0, e: 0.8}
+    system.initial_conditions = {y: 5.0}
+    system.ode_solver = "dop853"
+    return system, (y, v), (g, e, drag)
+
+
+def test_a_ball_that_bounces():
+    """Thrown up at e sqrt(2 g h) after sqrt(2 h / g), where its height at the end is by hand."""
+    system, (y, v), (g, e, drag) = ball()
+    bounce = Event(y, direction=-1, reset={v: -e * v}, name="bounce")
+    system.times = [0.0, 1.5]
+    found = system.adjoint_gradient([g, e, y, drag], final=y, events=bounce, **TIGHT)
+    G, E, h, t = sm.symbols("G, E, h, t")
+    fall = sm.sqrt(2 * h / G)
+    height = E * sm.sqrt(2 * G * h) * (t - fall) - G * (t - fall) ** 2 / 2
+    at = {G: 10.0, E: 0.8, h: 5.0, t: 1.5}
+    expected = [float(height.diff(s).subs(at)) for s in (G, E, h)]
+    np.testing.assert_allclose(found.value, float(height.subs(at)), rtol=1e-11)
+    np.testing.assert_allclose(found.values[:3], expected, rtol=1e-9)
+    both = forward(system, [g, e, y, drag], np.array([1.0, 0.0]), events=bounce, **TIGHT)
+    agree(found.values, both)
+
+
+def test_an_integral_through_events_that_a_parameter_moves():
+    system, (y, v), (g, e, _) = ball()
+    bounce = Event(y, direction=-1, reset={v: -e * v}, name="bounce")
+    system.times = [0.0, 1.5]
+    found = system.adjoint_gradient([g, e, y], integral=v**2 + y, events=bounce, **TIGHT)
+    G, E, h, t = sm.symbols("G, E, h, t", positive=True)
+    fall = sm.sqrt(2 * h / G)
+    up = E * sm.sqrt(2 * G * h)
+    first = sm.integrate((G * t) ** 2 + h - G * t**2 / 2, (t, 0, fall))
+    then = sm.integrate((up - G * t) ** 2 + up * t - G * t**2 / 2, (t, 0, 1.5 - fall))
+    at = {G: 10.0, E: 0.8, h: 5.0}
+    np.testing.assert_allclose(found.value, float((first + then).subs(at)), rtol=1e-10)
+    expected = [float((first + then).diff(s).subs(at)) for s in (G, E, h)]
+    np.testing.assert_allclose(found.values, expected, rtol=1e-9)
+
+
+def test_the_time_and_speed_at_which_a_terminal_event_ends():
+    system, (y, v), (g, e, _) = ball()
+    ground = Event(y, direction=-1, terminal=True, reset={v: -e * v}, name="ground")
+    system.times = [0.0, 5.0]
+    t = me.dynamicsymbols._t
+    G, E, h = 10.0, 0.8, 5.0
+    fall, speed = np.sqrt(2 * h / G), np.sqrt(2 * G * h)
+    for term in ({"final": t}, {"integral": 1}):
+        found = system.adjoint_gradient([g, e, y], **term, events=ground, **TIGHT)
+        np.testing.assert_allclose(found.value, fall, rtol=1e-10)
+        np.testing.assert_allclose(found.values, [-fall / G / 2, 0.0, fall / h / 2], atol=1e-9)
+        assert found.time == pytest.approx(fall)
+    found = system.adjoint_gradient([g, e, y], final=v, events=ground, **TIGHT)
+    np.testing.assert_allclose(found.value, E * speed, rtol=1e-10)
+    np.testing.assert_allclose(
+        found.values, [E * speed / G / 2, speed, E * speed / h / 2], rtol=1e-9
+    )
+
+
+def test_an_event_that_is_only_grazed_is_refused():
+    system, (y, v), (g, *_) = ball()
+    system.initial_conditions = {y: 0.0, v: 10.0}
+    top = Event(y - 5.0 + 1e-6, terminal=True, name="top")
+    system.times, loose = [0.0, 1.5], {"rtol": 1e-4, "atol": 1e-4, "max_step": 1e-3}
+    with pytest.raises(IntegrationError, match="`top`, which the motion only grazes: by 1e-06"):
+        system.adjoint_gradient([g], final=y, events=top, **loose)
+
+
+# -- constraints ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "holding", [{"constraints": "project"}, {"constraints": "baumgarte", "gain": 5.0}]
+)
+def test_a_closed_loop(holding):
+    system = system_of(zoo.fourbar())
+    system.ode_solver = "dop853"
+    system.times = np.linspace(0.0, 1.0, 3)
+    system.set_dependent_initial_conditions()
+    wrt = [*system.constants_symbols]
+    weights = np.linspace(1.0, 2.0, len(system.states))
+    expression = sum(w * s for w, s in zip(weights, system.states, strict=True))
+    found = system.adjoint_gradient(wrt, final=expression, **holding, **TIGHT)
+    agree(found.values, forward(system, wrt, weights, **holding, **TIGHT))
+
+
+# -- what goes wrong ------------------------------------------------------------------------------
+
+
+def test_what_cannot_be_done_is_said():
+    system = oscillator()
+    with pytest.raises(ValueError, match="`final` or `integral` must be given"):
+        system.adjoint_gradient(["m0"])
+    with pytest.raises(ValueError, match="`wrt` has the key `M`"):
+        system.adjoint_gradient(["M"], final="x0")
+    with pytest.raises(ValueError, match="`final` must be an output of the system"):
+        system.adjoint_gradient(["m0"], final="nothing")
+    with pytest.raises(ValueError, match="`z` occurs in `integral`"):
+        system.adjoint_gradient(["m0"], integral=sm.Symbol("z"))
+    system.ode_solver = "radau"
+    with pytest.raises(ValueError, match="simulate\\(sensitivities"):
+        system.adjoint_gradient(["m0"], final="x0")
+    pendulum = cart(1)
+    pendulum.specifieds = {"F": lambda x, t: 0.0}
+    with pytest.raises(ValueError, match="`wrt` needs the derivatives of the specifieds"):
+        pendulum.adjoint_gradient(["m0"], final="q0")
+
+
+def test_a_gradient_is_read_by_symbol_and_name():
+    system = oscillator()
+    found = system.adjoint_gradient(["k0", "x0"], final="x0", rtol=1e-8, atol=1e-8)
+    (k0,) = [s for s in system.constants_symbols if s.name == "k0"]
+    assert found["k0"] == found[k0] == found.values[0]
+    assert str(found).startswith("Gradient of ")
+    with pytest.raises(KeyError, match="k0, x0"):
+        found["c0"]
+
+
+def test_arrays_of_tolerances_hold_for_the_integral_too():
+    system = oscillator()
+    found = system.adjoint_gradient(["k0"], integral="x0", rtol=[1e-10, 1e-11], atol=[1e-10, 1e-12])
+    exact = system.adjoint_gradient(["k0"], integral="x0", **TIGHT)
+    assert found["k0"] == pytest.approx(exact["k0"], rel=1e-8)
