@@ -30,7 +30,7 @@ help:
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts; trees"
 	@echo "make bench-pages  pages that simulate: times real time, and how long a drag takes"
-	@echo "make bench-analysis  Jacobians over their functions; linear models, trims and fits"
+	@echo "make bench-analysis  Jacobians over their functions; linear models, trims and fits; sensitivities against other packages'"
 	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
 	@echo "make solvers-ir  write the compiled loops of the solvers as LLVM IR, after a change of them"
 	@echo "make three  bundle three.js for the animation page anew (needs npm and a network)"
@@ -86,8 +86,9 @@ bench-solvers: $(VENV)/.installed-test $(PEERS)/.installed $(REFERENCE)/.install
 bench-pages: $(VENV)/.installed-test $(VENV)/.installed-browser
 	$(PY) benchmarks/live_pages.py
 
-bench-analysis: $(VENV)/.installed-test
+bench-analysis: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/analysis.py
+	$(PY) benchmarks/derivatives.py --peer-python $(PEERS_PY)
 
 # After a change of the modules that numba compiles, and after a merge of two.
 solvers-ir: $(VENV)/.installed-loops

@@ -1,7 +1,7 @@
 """What derivatives and their answers cost: Jacobians, linear models, trims, fits.
 
-Needs no peers. Times are of this project alone, medians of a few runs after the first; counts are
-operations at every call.
+Times are of this project alone, medians of a few runs after the first; `derivatives.py`
+compares with others. Counts are operations at every call.
 """
 
 from __future__ import annotations

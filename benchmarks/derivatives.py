@@ -1,0 +1,224 @@
+"""Sensitivities and Jacobians against other packages': ``make bench-analysis``."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from contextlib import ExitStack
+from functools import partial
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import numpy as np
+from harness.contest import OURS, TARGETS, Contest
+from harness.driver import ROOT, Worker, WorkerError, in_turn
+from harness.precision import difference
+from harness.report import pairwise, save, seconds, table
+from harness.sensitive import COLUMNS
+from harness.serve import Repeated
+from trees import HUMANOID, definition, tree
+
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy.system import System
+
+PARTS = ("columns", "equal-error", "diffrax", "forward-dynamics")
+MODELS = ("pendulum-5", "bicycle")
+# What is asked: state and columns over the state alone; ours over the peers'.
+COLUMNS_ASKED, EQUAL_ASKED, DIFFRAX_ASKED, DYNAMICS_ASKED = 2.5, 1.0, 1 / 20, 1.0
+TOLERANCES = (1e-6, 1e-10)
+STATES = 1024
+
+
+def main() -> None:
+    """Measure each part, print its table, and write all results."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--peer-python", type=Path, default=ROOT / ".venv-peers/bin/python")
+    parser.add_argument("--parts", nargs="+", default=PARTS, choices=PARTS)
+    parser.add_argument("--models", nargs="+", default=MODELS, choices=MODELS)
+    parser.add_argument("--peers", nargs="+", default=("heyoka", "casadi"))
+    parser.add_argument("--budget", type=float, default=15.0, help="seconds for each line")
+    parser.add_argument("--timeout", type=float, default=1200.0, help="for any one answer")
+    parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
+    parser.add_argument("--core", type=int, default=max(os.sched_getaffinity(0)))
+    options = parser.parse_args()
+    measures = {
+        "columns": _columns,
+        "equal-error": _equal_error,
+        "diffrax": _diffrax,
+        "forward-dynamics": _forward_dynamics,
+    }
+    results: dict[str, Any] = {}
+    for part in options.parts:
+        results[part] = measures[part](options)
+        save("derivatives", results)  # now and then, so that a run can be broken off
+
+
+def _rounds(options: argparse.Namespace) -> dict[str, Any]:
+    if options.quick:
+        return {"least": 1, "most": 1}
+    return {"least": 5, "most": 25, "budget": options.budget}
+
+
+def _worker(options: argparse.Namespace, name: str, script: str = "") -> Worker:
+    python = sys.executable if name == OURS else options.peer_python
+    script = script or f"sensitivities_{name}.py"
+    return Worker(name, python, script, timeout=options.timeout, core=options.core)
+
+
+def _columns(options: argparse.Namespace) -> Any:
+    """State and columns over the state alone, in steps of the same size."""
+    found, rows = [], []
+    for model in options.models:
+        with _worker(options, OURS) as ours:
+            ours.ask("load", name=model)
+            for method in ("dop853", "vern9"):
+                ways = {"whole": method, "plain": f"{method} plain"}
+                for way in ways.values():
+                    ours.ask("reach", method=way, tolerance=1e-9)
+                ask = {
+                    key: partial(ours.ask, "time", method=way, tolerance=1e-9)
+                    for key, way in ways.items()
+                }
+                taken = in_turn(ask, **_rounds(options))
+                whole, plain = ([r[key] for r in taken] for key in ways)
+                found.append({"model": model, "method": method, "whole": whole, "plain": plain})
+                ratio = f"{pairwise(whole, plain):.2f}"
+                rows.append([model, method, *map(seconds, map(median, (plain, whole))), ratio])
+    head = ["model", "method", "state", f"with {COLUMNS} columns", "ratio"]
+    table(f"Sensitivities over the plain run; asked {COLUMNS_ASKED}", head, rows)
+    return found
+
+
+def _equal_error(options: argparse.Namespace) -> Any:
+    """Ours against heyoka's variational integrator and CVODES, at equal error."""
+    lines: list[dict[str, Any]] = []
+    summaries = []
+    for model in options.models:
+        with ExitStack() as stack:
+            names = (OURS, *options.peers)
+            workers = [stack.enter_context(_worker(options, name)) for name in names]
+            contest = Contest(model, workers, step=1.0)
+            contest.find_reference()
+            contest.scan()
+            lines += contest.race(_rounds(options))
+            summaries.append(contest.summary())
+            for what, why in contest.failed.items():
+                print(f"{model}: {what} failed: {why}", file=sys.stderr)
+    for target in TARGETS:
+        rows = []
+        for line in lines:
+            if line["target"] == target:
+                cells = [line["model"]]
+                for name in (OURS, *options.peers):
+                    times, ratio = line["best_seconds"].get(name), line["ratios"].get(name)
+                    text = f"{seconds(median(times))} {line['best'][name]}" if times else "–"
+                    cells.append(f"{text} ({ratio:.3f})" if ratio else text)
+                rows.append(cells)
+        head = ["model", *(f"{n} (ours/it)" if n != OURS else n for n in (OURS, *options.peers))]
+        table(f"State and {COLUMNS} columns to an error of {target:g}; asked 1", head, rows)
+    return [*lines, *summaries]
+
+
+def _diffrax(options: argparse.Namespace) -> Any:
+    """Ours against diffrax, both by tsit5 at the same tolerances."""
+    found, rows = [], []
+    for model in options.models:
+        with _worker(options, OURS) as ours, _worker(options, "diffrax") as peer:
+            try:
+                ours.ask("load", name=model)
+                built = peer.ask("load", name=model)["seconds"]
+            except WorkerError as error:
+                print(f"{model}: {error}", file=sys.stderr)
+                continue
+            for tolerance in TOLERANCES:
+                asks = {OURS: (ours, "tsit5"), **{m: (peer, m) for m in ("forward", "reverse")}}
+                reached = {
+                    name: worker.ask("reach", method=method, tolerance=tolerance)["state"]
+                    for name, (worker, method) in asks.items()
+                }
+                n = len(reached[OURS]) // (1 + COLUMNS)
+                total = np.reshape(reached[OURS][n:], (n, COLUMNS)).sum(axis=0)
+                apart = max(
+                    difference(reached["forward"], reached[OURS]),
+                    difference(reached["reverse"][1:], total),
+                )
+                taken = in_turn(
+                    {
+                        name: partial(worker.ask, "time", method=method, tolerance=tolerance)
+                        for name, (worker, method) in asks.items()
+                    },
+                    **_rounds(options),
+                )
+                times = {name: [r[name] for r in taken] for name in asks}
+                found.append({"model": model, "tolerance": tolerance, "built": built, **times})
+                cells = [model, f"{tolerance:g}", seconds(median(times[OURS]))]
+                for name in ("forward", "reverse"):
+                    ratio = pairwise(times[name], times[OURS])
+                    cells.append(f"{seconds(median(times[name]))} ({ratio:.0f})")
+                rows.append([*cells, f"{apart:.0e}"])
+    head = ["model", "tolerance", "ours", "forward (it/ours)", "reverse (it/ours)", "apart by"]
+    title = f"{COLUMNS} columns and diffrax, tsit5; asked {1 / DIFFRAX_ASKED:.0f} times faster"
+    table(title, head, rows)
+    return found
+
+
+def _forward_dynamics(options: argparse.Namespace) -> Any:
+    """The Jacobian of u' by q and u of trees against Pinocchio's `computeABADerivatives`."""
+    rng = np.random.default_rng(3)
+    cases = {
+        "arm of 7 joints": tree(list(range(-1, 6)), rng, aligned=True),
+        "the same, any axes": tree(list(range(-1, 6)), rng),
+        "tree of 29 joints": tree(HUMANOID, rng, aligned=True),
+    }
+    single = tree([-1], rng, aligned=True)
+    found, rows = [], []
+    for name, made in cases.items():
+        sweeps = _jacobians(made)
+        with _worker(options, "pinocchio", "arm_pinocchio.py") as peer:
+            expected = peer.ask("load", tree=made, single=single)
+            n = len(made["q"])
+            jacobian = sweeps.pop("values")[n:]
+            apart = max(
+                np.abs(jacobian[:, part] - expected[key]).max() / np.abs(expected[key]).max()
+                for key, part in (("q", slice(n)), ("v", slice(n, None)))
+            )
+            measures = {key: Repeated(sweep) for key, sweep in sweeps.items()}
+            os.sched_setaffinity(0, {options.core})
+            taken = in_turn(
+                {**measures, "peer": lambda peer=peer: peer.ask("run")}, **_rounds(options)
+            )
+        theirs = [whole - one for whole, one in (r["peer"] for r in taken)]
+        own = {key: [r[key] / STATES for r in taken] for key in sweeps}
+        found.append({"name": name, "peer": [r["peer"] for r in taken], **own})
+        cells = [name, seconds(median(theirs)), seconds(median([r["peer"][0] for r in taken]))]
+        cells += [f"{seconds(median(v))} ({pairwise(v, theirs):.2f})" for v in own.values()]
+        rows.append([*cells, f"{apart:.0e}"])
+    head = [
+        "tree", "Pinocchio", "from Python", "ours, one by one (ours/it)", "in lanes", "apart by"
+    ]  # fmt: skip
+    table(f"Jacobian of forward dynamics, one state; asked {DYNAMICS_ASKED:g}", head, rows)
+    return found
+
+
+def _jacobians(made: dict[str, Any]) -> dict[str, Any]:
+    """Return what sweeps our Jacobian over states, and its values at the tree's own."""
+    assembly = System(definition(made)).model.assembly
+    program = assembly.jacobian_program("rates", "x")
+    state = np.array([*made["q"], *made["v"]])
+    n = len(state)
+    x = state + np.random.default_rng(0).normal(0.0, 0.1, (STATES, n))
+    t, r, p = np.zeros(STATES), np.zeros((1, assembly.sizes[1])), np.zeros(assembly.sizes[2])
+    found: dict[str, Any] = {}
+    for name, lanes in (("one by one", 1), ("in lanes", 8)):
+        kernel = LLVMBackend(lanes=lanes).compile(program)
+        assert kernel.addresses is not None  # the best code
+        out = np.empty((STATES, n * n))
+        found[name] = partial(kernel.evaluate, t, x, r, p, out)
+        found["values"] = kernel.evaluate(t[:1], state[None], r, p)[0].reshape(n, n)
+    return found
+
+
+if __name__ == "__main__":
+    main()

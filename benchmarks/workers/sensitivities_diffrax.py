@@ -1,0 +1,87 @@
+"""diffrax: derivatives of the state at the end by constants, forward, and a gradient in reverse.
+
+One compilation serves all tolerances, which are arguments.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import diffrax
+import jax
+import jax.numpy as jnp
+import numpy as np
+from harness.convert import translate
+from harness.sensitive import joined, parameters
+from harness.solving import SolverPeer, serve_solver
+from jax_ import JAX
+
+METHODS = ("forward", "reverse")
+
+
+class Diffrax(SolverPeer):
+    def build(self) -> None:
+        start, horizon = jnp.asarray(self.scenario.start), self.scenario.horizon
+        inputs, by = jnp.asarray(self.scenario.inputs), np.array(parameters(self.model))
+        values = jnp.asarray(self.values)
+
+        def rates(t: Any, x: Any, p: Any) -> Any:
+            matrix, forcing, first = translate(self.model, JAX(), x, inputs, p)
+            n = len(forcing)
+            entries = [jnp.asarray(0.0 if entry is None else entry) for entry in matrix]
+            m = jnp.stack(entries).reshape(n, n)
+            b = jnp.stack([jnp.asarray(f, dtype=float) for f in forcing])
+            return jnp.concatenate([jnp.stack(first), jnp.linalg.solve(m, b)])
+
+        def end(moved: Any, tolerance: Any, adjoint: Any) -> Any:
+            solution = diffrax.diffeqsolve(
+                diffrax.ODETerm(rates),
+                diffrax.Tsit5(),
+                0.0,
+                horizon,
+                None,
+                start,
+                args=values.at[by].set(moved),
+                stepsize_controller=diffrax.PIDController(rtol=tolerance, atol=tolerance),
+                adjoint=adjoint,
+                saveat=diffrax.SaveAt(t1=True),
+                max_steps=4096,
+            )
+            return solution.ys[0]
+
+        def forward(moved: Any, tolerance: Any) -> Any:
+            def both(moved: Any) -> Any:
+                state = end(moved, tolerance, diffrax.ForwardMode())
+                return state, state
+
+            columns, state = jax.jacfwd(both, has_aux=True)(moved)
+            return state, columns
+
+        def reverse(moved: Any, tolerance: Any) -> Any:
+            def total(moved: Any) -> Any:
+                return jnp.sum(end(moved, tolerance, diffrax.RecursiveCheckpointAdjoint()))
+
+            return jax.value_and_grad(total)(moved)
+
+        self.moved = values[by]
+        self.compiled = {
+            function.__name__: jax.jit(function).lower(self.moved, jnp.asarray(1e-6)).compile()
+            for function in (forward, reverse)
+        }
+
+    def methods(self) -> list[str]:
+        return list(METHODS)
+
+    def solver(self, method: str, tolerance: float) -> Callable[[], np.ndarray]:
+        run, allowed = self.compiled[method], jnp.asarray(tolerance)
+
+        def solve() -> np.ndarray:
+            first, second = jax.block_until_ready(run(self.moved, allowed))
+            return joined(np.asarray(first), np.asarray(second))
+
+        return solve
+
+
+if __name__ == "__main__":
+    serve_solver(Diffrax())
