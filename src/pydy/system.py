@@ -1215,7 +1215,7 @@ class System:
 
         Parameters
         ----------
-        parameters : iterable of symbols or names
+        parameters : symbol, name, or iterable of these
             Constants, those in expressions for specifieds too, specifieds that are numbers, and
             states for their initial conditions; all trials share them. Initial conditions of single
             trials are named in `Trial.unknown`.

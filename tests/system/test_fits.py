@@ -304,6 +304,7 @@ def bad(**more):
         ([], bad(), {}, "at least one constant or state"),
         (["k0"], [], {}, "at least one pydy.analysis.Trial"),
         (["k0"], [3], {}, "must be pydy.analysis.Trial"),
+        (["k0"], swing(), {}, r"Trial\(times, {'q1': samples}\).* Got array"),
         (["k0"], bad(times=np.append(TIMES[:-1], np.nan)), {}, "finite, got .*nan.* at 100"),
         (["k0"], bad(times=TIMES[::-1]), {}, "must ascend"),
         (["k0"], bad(measured={"x0": [1.0]}), {}, r"must have the shape \(101,\).*got \(1,\)"),
@@ -325,6 +326,12 @@ def bad(**more):
 def test_what_does_not_fit_is_named(oscillator, parameters, trials, options, message):
     with pytest.raises((ValueError, TypeError), match=message):
         oscillator.fit(parameters, trials, **options)
+
+
+def test_one_parameter_needs_no_list(oscillator):
+    trial = bad(initial_conditions={"x0": 1.0, "v0": -0.1})
+    several = oscillator.fit(["k0"], trial).estimates
+    np.testing.assert_array_equal(oscillator.fit("k0", trial).estimates, several)
 
 
 def test_a_specified_that_is_a_python_function_is_named():

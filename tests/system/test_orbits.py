@@ -54,6 +54,7 @@ def test_van_der_pols_limit_cycle_has_its_period():
     integral = h * (divergence[:-1].sum())
     assert second == pytest.approx(np.exp(integral), rel=1e-6)
     np.testing.assert_allclose(orbit.trajectory.states[0], orbit.trajectory.states[-1], atol=1e-9)
+    assert not orbit.equilibrium
 
 
 def test_multipliers_are_exact_where_the_orbit_is_an_equilibrium():
@@ -71,6 +72,8 @@ def test_multipliers_are_exact_where_the_orbit_is_an_equilibrium():
     flown = solve_ivp(rates, [0.0, period], np.eye(2).ravel(), "DOP853", rtol=1e-12, atol=1e-13)
     expected = flown.y[:, -1].reshape(2, 2)
     np.testing.assert_allclose(orbit.monodromy, expected, rtol=1e-8, atol=1e-8)
+    assert orbit.equilibrium
+    assert str(orbit).startswith("Equilibrium over 2.99")
 
 
 def test_an_orbit_of_a_constrained_system_is_found_in_the_states_that_are_not_solved_for():

@@ -11,7 +11,7 @@ import numpy as np
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, listed
+from pydy._checks import Places, listed, one_or_more
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
@@ -44,7 +44,7 @@ def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], 
                 f"`wrt` must be one of {kinds}, or states, constants and specifieds of the system, "
                 f"got {wrt!r}."
             )
-    symbols = [wrt] if isinstance(wrt, str) or hasattr(wrt, "free_symbols") else listed("wrt", wrt)
+    symbols = one_or_more("wrt", wrt)
     if not symbols:
         raise ValueError("`wrt` must name at least one state, constant or specified.")
     found = (located(definition, symbol, "wrt") for symbol in symbols)

@@ -10,7 +10,15 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import Places, check_mapping, flag, listed, real_array, whole
+from pydy._checks import (
+    Places,
+    check_mapping,
+    flag,
+    listed,
+    one_or_more,
+    real_array,
+    whole,
+)
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._names import unique_names
 from pydy._optional import require
@@ -77,7 +85,7 @@ class _Fit:
         self.order = definition.states
         self.free = [s for s in (*equations.coordinates, *equations.speeds) if s not in tied]
         self.shared: list[tuple[str, Any]] = []
-        for key in listed("parameters", parameters):
+        for key in one_or_more("parameters", parameters):
             kind, place = located(definition, key, "parameters")
             symbol = definition.places[kind].symbols[place]
             if any(symbol == other for _, other in self.shared):
@@ -264,7 +272,8 @@ def fit(
     options: dict[str, Any],
 ) -> FitResult:
     """Return what `System.fit` describes."""
-    given = [trials] if isinstance(trials, Trial) else listed("trials", trials)
+    alone = isinstance(trials, Trial | np.ndarray)
+    given = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
     if not given:
         raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
     work = _Fit(system, parameters, given, whole(segments, "`segments`"), options)

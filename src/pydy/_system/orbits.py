@@ -25,6 +25,8 @@ _BEGINNING = 1e-3
 # How long an event is waited for, in periods as guessed.
 _PATIENCE = 5.0
 _SAMPLES = 201
+# What moves by less than this, in units of its size, does not move.
+_STILL = 1e-12
 
 
 def find_orbit(
@@ -118,6 +120,9 @@ def find_orbit(
     begin(z)
     initial = dict(runner.initial_conditions)
     runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
+    trajectory = runner.simulate(**options)
+    moved = np.ptp(trajectory.states[:, free], axis=0)
+    sizes = np.maximum(1.0, np.abs(trajectory.states[:, free]).max(axis=0))
     return PeriodicOrbit(
         period=flight.period,
         initial_conditions=initial,
@@ -125,7 +130,8 @@ def find_orbit(
         monodromy=flight.by_start,
         residual=residual,
         autonomous=autonomous,
-        trajectory=runner.simulate(**options),
+        equilibrium=bool((moved <= _STILL * sizes).all()),
+        trajectory=trajectory,
     )
 
 

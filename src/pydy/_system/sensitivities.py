@@ -20,7 +20,7 @@ from pydy._assembly.model import CompiledModel
 from pydy._assembly.stored import stored_program
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.llvm.columns import compile_columns, lanes_for
-from pydy._checks import Places, describe, listed
+from pydy._checks import Places, describe, one_or_more
 from pydy._graph.columns import Columns
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
@@ -73,8 +73,7 @@ def read_parameters(
         One that the system does not have, or has twice; or a specified of which no derivative is
         taken.
     """
-    one = isinstance(wanted, str) or hasattr(wanted, "free_symbols")
-    symbols = [wanted] if one else listed(argument, wanted)
+    symbols = one_or_more(argument, wanted)
     if not symbols:
         raise ValueError(
             f"`{argument}` must name at least one constant, initial condition or specified."

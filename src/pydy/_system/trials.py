@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy.physics.mechanics as me
 
-from pydy._checks import Places, check_mapping, listed, number, real_array
+from pydy._checks import Places, check_mapping, number, one_or_more, real_array, shown
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import unique_names
 from pydy.analysis.fit import Trial
@@ -54,8 +54,10 @@ def checked_trial(
     label = f"trial {k}"
     if not isinstance(trial, Trial):
         raise TypeError(
-            f"`trials` must be pydy.analysis.Trial, or a list of them, got a "
-            f"{type(trial).__name__} at {k}."
+            "`trials` must be pydy.analysis.Trial, or a list of them: Trial(times, "
+            "{'q1': samples}) says when samples were taken, and of which state, output or "
+            "expression. Got "
+            f"{shown(trial)} at {k}."
         )
     label = trial.name or label
     times = real_array(trial.times, f"`times` of {label}")
@@ -97,7 +99,7 @@ def checked_trial(
     values = np.stack(columns, axis=1)
     unknown = [
         states.symbols[states.find(s, f"unknown of {label}")]
-        for s in listed("unknown", trial.unknown)
+        for s in one_or_more("unknown", trial.unknown)
     ]
     names = list(unique_names(list(measured)))
     noise = _noise(trial.noise, list(measured), names, values.shape, label)

@@ -44,6 +44,9 @@ class PeriodicOrbit:
         The largest change of a state over a period.
     autonomous : bool
         Whether the equations leave the beginning of the period open: one multiplier is then 1.
+    equilibrium : bool
+        Whether nothing moves: the search came to a fixed point, which comes back after any time.
+        The multipliers are those of small motions around it.
     trajectory : Trajectory
         Over one period.
     """
@@ -54,6 +57,7 @@ class PeriodicOrbit:
     monodromy: np.ndarray
     residual: float
     autonomous: bool
+    equilibrium: bool
     trajectory: Any
 
     @property
@@ -74,8 +78,9 @@ class PeriodicOrbit:
 
     def __str__(self) -> str:
         largest = np.abs(self.multipliers).max(initial=0.0)
+        what = "Equilibrium over" if self.equilibrium else "Periodic orbit of"
         return (
-            f"Periodic orbit of {self.period:.10g} s, {'' if self.stable else 'un'}stable: "
+            f"{what} {self.period:.10g} s, {'' if self.stable else 'un'}stable: "
             f"largest multiplier {largest:.6g}; residual {self.residual:.2g}"
         )
 
