@@ -108,8 +108,8 @@ class System:
     equations : {'graph', 'method'}, optional
         Where the equations of motion come from: formed from the bodies and loads, or from the
         Lagrangian; or those that ``kanes_equations()`` or ``form_lagranges_equations()`` derived.
-        By default they are formed. Where a KanesMethod has derived its own, those are used if there
-        are constraints, or if the formed ones give other numbers or take no fewer operations.
+        By default they are formed. Where a KanesMethod has derived its own, those are used if the
+        formed ones give other numbers or take no fewer operations.
 
     Raises
     ------
@@ -416,7 +416,14 @@ class System:
         Raises
         ------
         TypeError, ValueError
-            An argument does not fit, a position is not known, or the method knows no bodies.
+            An argument does not fit, a position is not known, the method knows no bodies, or it is
+            a LagrangesMethod: a Lagrangian does not tell what acts on which body.
+
+        Notes
+        -----
+        Masses and inertias on which the motion does not depend may occur, such as the products of
+        inertia that a RigidBody names itself. They are then constants of the System, 1.0 by
+        default as all others: set them.
 
         Examples
         --------

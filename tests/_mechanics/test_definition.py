@@ -85,6 +85,15 @@ def bead(**options):
     return Definition(frame, bodies=bodies, loads=[(end, -m * g * frame.y)], **options)
 
 
+def test_what_depends_is_preferably_what_a_constraint_is_linear_in():
+    # By x the surface could not be solved where it is level, nor when the cosine vanishes.
+    made = bead(holonomic_constraints=[y - x**2 * sm.cos(sm.Symbol("w") * T)])
+    assert System(made).coordinates == [x, y]
+    made = bead(holonomic_constraints=[x - y**2 * sm.cos(sm.Symbol("w") * T)])
+    assert System(made).coordinates == [y, x]
+    assert System(made).speeds == [vy, vx]
+
+
 def test_redundant_constraints_do_no_harm():
     single = System(bead())
     double = System(bead(holonomic_constraints=[y - x**2, 3 * x**2 - 3 * y]))
@@ -132,6 +141,12 @@ WRONG = {
         "holonomic_constraints": [x - 1, y - x**2, x - 2]
     },
     "contradict each other: .*velocity constraint": {"nonholonomic_constraints": [vx - 1, vx - 2]},
+    r"velocity constraint 1, `vx.*`, is not linear in the speeds": {
+        "nonholonomic_constraints": [vx * vy - 1]
+    },
+    r"holonomic constraint 0, `-?.*vx.*`, holds speeds or derivatives": {
+        "holonomic_constraints": [x - vx]
+    },
     "must have 1 coordinates": {"dependent_coordinates": [x, y]},
     r"do not give the speeds vx": {
         "holonomic_constraints": [],

@@ -270,6 +270,13 @@ def test_constraints_that_contradict_each_other_are_named():
         System(me.LagrangesMethod(energy, [x, y], hol_coneqs=[x - y, x - y + 1]))
 
 
+def test_constraints_that_are_not_linear_in_the_velocities_are_named():
+    x, y = me.dynamicsymbols("x y")
+    energy, row = x.diff(T) ** 2 + y.diff(T) ** 2, x.diff(T) ** 2 - y.diff(T)
+    with pytest.raises(ValueError, match=r"velocity constraint 0, .* is not linear in the speeds"):
+        System(me.LagrangesMethod(energy, [x, y], nonhol_coneqs=[row]))
+
+
 def test_what_cannot_be_formed_is_named():
     x = me.dynamicsymbols("x")
     ground, point = me.ReferenceFrame("N"), me.Point("P")

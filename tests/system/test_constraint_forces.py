@@ -221,7 +221,8 @@ def test_arguments_that_do_not_fit_are_named(change, kind, message):
 def test_without_bodies_the_remedy_is_said():
     theta = me.dynamicsymbols("theta")
     system = System(me.LagrangesMethod(theta.diff(T) ** 2 / 2, [theta]))
-    with pytest.raises(ValueError, match="`eom_method` holds no bodies: construct a KanesMethod"):
+    remedy = r"Give a `pydy.mechanics.Definition` or a KanesMethod with `bodies` and all loads"
+    with pytest.raises(ValueError, match=f"a Lagrangian does not tell .* {remedy}"):
         system.reaction("bob", me.Point("P"))
 
 

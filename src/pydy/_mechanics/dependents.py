@@ -16,7 +16,7 @@ from pydy._checks import describe
 from pydy._graph.identities import signatures
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
-from pydy._mechanics.generic import GenericStates
+from pydy._mechanics.generic import Block, GenericStates
 from pydy._mechanics.reader import Multibody
 
 __all__ = ["Chosen", "constrained"]
@@ -26,6 +26,7 @@ _STATES = 3  # of those at which the constraints hold
 _OPEN = 1e-7  # a residual above this is no rounding error
 _SHARE = 0.1  # of the largest residual: what is named with it
 _SMALL = 1e-8  # of a pivot, with rows of unit size
+_STEADY = 10.0  # a pivot that is the same in all configurations weighs so much more
 _NEARLY = (1e-9, 1e-4)  # singular values between are neither zero nor sound
 
 
@@ -38,6 +39,8 @@ class Chosen:
         One matrix at several states.
     allowed : sequence of int, optional
         The columns to choose from; all by default.
+    varying : ndarray of bool, shape (m, n), optional
+        Entries that depend on the configuration: elsewhere they may vanish, as no constant does.
 
     Attributes
     ----------
@@ -45,8 +48,14 @@ class Chosen:
         In ascending order.
     """
 
-    def __init__(self, samples: Sequence[np.ndarray], allowed: Sequence[int] | None = None) -> None:
+    def __init__(
+        self,
+        samples: Sequence[np.ndarray],
+        allowed: Sequence[int] | None = None,
+        varying: np.ndarray | None = None,
+    ) -> None:
         work = np.array(samples, dtype=float)
+        varies = np.ones(work.shape[1:], dtype=bool) if varying is None else varying.copy()
         sizes = np.abs(work).max(axis=2, keepdims=True, initial=0.0)
         work /= np.where(sizes > 0.0, sizes, 1.0)
         rows: list[int] = []
@@ -55,13 +64,17 @@ class Chosen:
         free[:, range(work.shape[2]) if allowed is None else list(allowed)] = True
         while free.any():
             worst = np.where(free, np.abs(work).min(axis=0), 0.0)
-            i, j = np.unravel_index(int(worst.argmax()), worst.shape)
-            if worst[i, j] < _SMALL:
+            sound = np.where(worst < _SMALL, 0.0, worst)
+            weighed = np.where(varies, sound, _STEADY * sound)
+            i, j = np.unravel_index(int(weighed.argmax()), worst.shape)
+            if sound[i, j] == 0.0:
                 break
             rows.append(int(i))
             columns.append(int(j))
             ratio = work[:, :, j] / work[:, i, j][:, None]
             ratio[:, rows] = 0.0
+            moved = (ratio != 0.0).any(axis=0)
+            varies[moved] |= varies[i] | varies[moved, j][:, None]
             work -= ratio[:, :, None] * work[:, i, :][:, None, :]
             free[i, :] = free[:, j] = False
         self.rows, self.columns = sorted(rows), sorted(columns)
@@ -148,11 +161,12 @@ def _choose(
     """
     states = GenericStates(equations, (), "the constraints")
     residuals = [*states.holonomic, *states.velocity]
-    blocks = [
+    tables = [
         states.table("holonomic", states.holonomic, states.coordinates),
         states.table("velocity", states.velocity, states.speeds),
-        ("residuals", (len(residuals),), residuals),
     ]
+    blocks = [*tables, ("residuals", (len(residuals),), residuals)]
+    _check_linear(equations, states, tables)
     every = list(states.samples(blocks, _TRIALS))
     if not every:
         raise ValueError(
@@ -174,16 +188,37 @@ def _choose(
             f"{open_ones}. Leave out one of them, or correct it."
         )
     found = []
-    for name, symbols, chosen in (
-        ("holonomic", equations.coordinates, coordinates),
-        ("velocity", equations.speeds, speeds),
+    for (name, shape, cells), symbols, chosen in zip(
+        tables,
+        (equations.coordinates, equations.speeds),
+        (coordinates, speeds),
+        strict=True,
     ):
         matrices = _of_full_rank([s[name] for s in samples])[:_STATES]
-        best_choice = Chosen(matrices)
+        varying = np.array([states.changes(node) for node in cells], dtype=bool).reshape(shape)
+        best_choice = Chosen(matrices, varying=varying)
         if chosen is not None:
             best_choice = _checked(name, symbols, chosen, matrices, len(best_choice.columns))
         found.append((best_choice, tuple(symbols[k] for k in best_choice.columns)))
     return found[0], found[1]
+
+
+def _check_linear(equations: Equations, states: GenericStates, tables: Sequence[Block]) -> None:
+    """Refuse holonomic constraints that hold speeds, and others that are not linear in them."""
+    table = tables[1]
+    n = table[1][1]
+    held: list[tuple[str, list[int]]] = []
+    for k, (e, node) in enumerate(zip(equations.holonomic, states.holonomic, strict=True)):
+        what = (
+            f"holonomic constraint {k}, `{e}`, holds speeds or derivatives. Give it as a velocity"
+        )
+        held.append((f"The {what} constraint.", [node]))
+    for k, e in enumerate(equations.velocity):
+        what = f"The velocity constraint {k}, `{e}`, is not linear in the speeds."
+        held.append((f"{what} Replace it with one that is.", table[2][k * n : (k + 1) * n]))
+    for message, nodes in held:
+        if not set(states.speeds).isdisjoint(states.graph.reachable(nodes)):
+            raise ValueError(message)
 
 
 def _of_full_rank(matrices: list[np.ndarray]) -> list[np.ndarray]:

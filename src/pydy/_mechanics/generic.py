@@ -89,8 +89,14 @@ class GenericStates:
         # A prescribed motion y(t) moves a constraint through y'(t).
         self.moving = [*zip(self.coordinates, rates, strict=True), (time, graph.one)]
         self.moving += [(atoms[s], atoms[s.diff(t)]) for s in others if isinstance(s, AppliedUndef)]
+        self._moved = {node for node, _ in self.moving}
         self.holonomic = self.read.all(equations.holonomic)
         self.velocity = self.read.all(equations.velocity)
+
+    def changes(self, node: int) -> bool:
+        """Return whether a node depends on the configuration or on time."""
+        reached = self.graph.reachable([node])
+        return not self._moved.isdisjoint(reached)
 
     def rates(self, nodes: Sequence[int]) -> list[int]:
         """Return derivatives by time."""

@@ -110,6 +110,13 @@ def find_reaction(
 
 def _forces(equations: Equations, *, bodies: bool) -> ConstraintForces:
     forces = equations.constraint_forces
+    if bodies and forces is not None and forces.body.lagrangian is not None:
+        raise ValueError(
+            "Reactions follow from the bodies and the loads on each of them, but a Lagrangian does "
+            "not tell which bodies its potential energy acts on. Give a `pydy.mechanics.Definition`"
+            " or a KanesMethod with `bodies` and all loads, gravity included. The multipliers of a "
+            "LagrangesMethod's constraints are in `constraint_forces`."
+        )
     if forces is None or (bodies and not forces.body.bodies):
         raise ValueError(
             "Constraint forces follow from bodies and loads, but `eom_method` holds no bodies: "
