@@ -33,7 +33,7 @@ def _chain(axes, arms):
         reach = arm[0] * own.x + arm[1] * own.y + arm[2] * own.z
         centre = point.locatenew(f"C{k}", reach / 2)
         square = sum(a * a for a in arm)
-        inertia = me.inertia(own, *(sm.Rational(square - a * a, 12) for a in arm))
+        inertia = me.inertia(own, *(sm.Rational(square - a * a) / 12 for a in arm))
         bodies.append(me.RigidBody(f"rod{k}", centre, own, 1, (inertia, centre)))
         point, frame = point.locatenew(f"E{k}", reach), own
     return inertial, origin, q, u, bodies, frame, point
@@ -44,33 +44,35 @@ def _defined(frame, q, u, bodies, rows):
     return Definition(frame, q, u, bodies=bodies, loads=loads, holonomic_constraints=rows)
 
 
-def bricard():
-    """Bricard's mechanism: six revolute joints on edges of a cube, five rows of rank four."""
-    arms = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (-1, 0, 0), (0, -1, 0)]
+def bricard(edges=(1, 1, 1), rate=0.0):
+    """Bricard's mechanism: six revolute joints on edges of a box, five rows of rank four."""
+    a, b, c = edges
+    arms = [(a, 0, 0), (0, b, 0), (0, 0, c), (-a, 0, 0), (0, -b, 0)]
     frame, origin, q, u, bodies, last, end = _chain("yzxyz", arms)
-    gap = end.pos_from(origin) - frame.z
+    gap = end.pos_from(origin) - c * frame.z
     rows = [gap.dot(e) for e in frame] + [last.x.dot(frame.y), last.x.dot(frame.z)]
-    return _defined(frame, q, u, bodies, rows), dict.fromkeys([*q, *u], 0.0)
+    return _defined(frame, q, u, bodies, rows), dict.fromkeys(q, 0.0) | dict.fromkeys(u, rate)
 
 
-def parallelogram(rate=6.0):
+def parallelogram(rate=6.0, crank=1, base=2, angle=np.pi / 3):
     """A parallelogram of four revolutes, all five rows of the last one, along skew axes."""
-    frame, origin, q, u, bodies, last, end = _chain("zzz", [(1, 0, 0), (2, 0, 0), (1, 0, 0)])
+    arms = [(crank, 0, 0), (base, 0, 0), (crank, 0, 0)]
+    frame, origin, q, u, bodies, last, end = _chain("zzz", arms)
     skew = me.ReferenceFrame("S")
     skew.orient_body_fixed(frame, (0.3, 0.5, 0.7), "123")
-    gap = end.pos_from(origin) - 2 * frame.x
+    gap = end.pos_from(origin) - base * frame.x
     rows = [gap.dot(e) for e in skew] + [last.z.cross(frame.z).dot(e) for e in (skew.x, skew.y)]
-    angles = (np.pi / 3, -np.pi / 3, -2 * np.pi / 3)
+    angles = (angle, -angle, angle - np.pi)
     start = dict(zip([*q, *u], [*angles, rate, -rate, rate], strict=True))
     return _defined(frame, q, u, bodies, rows), start
 
 
-def spatial_four_bar(rate=3.0):
+def spatial_four_bar(rate=3.0, lengths=(1.0, 1.5), twist=0.5, angle=0.9):
     """Bennett's linkage: four revolutes in space, whose five rows have rank two."""
     frame, point = _ground()
     inertial, origin = frame, point
     q, u = list(me.dynamicsymbols("q1:4")), list(me.dynamicsymbols("u1:4"))
-    lengths, twists = (1.0, 1.5), (0.5, float(np.arcsin(1.5 * np.sin(0.5))))
+    twists = (twist, float(np.arcsin(lengths[1] / lengths[0] * np.sin(twist))))
     bodies = []
     for k in range(4):
         length, twist = lengths[k % 2], twists[k % 2]
@@ -92,11 +94,14 @@ def spatial_four_bar(rate=3.0):
     target = origin.locatenew("F", -length * inertial.x)
     gap = point.pos_from(origin) - target.pos_from(origin)
     rows = [gap.dot(e) for e in inertial] + [frame.z.dot(back.x), frame.z.dot(back.y)]
-    start = dict(zip([*q, *u], [0.9, -3.38062562, -0.9, rate, 0.0, -rate], strict=True))
+    half = np.sin(sum(twists) / 2) / np.sin((twists[1] - twists[0]) / 2) / np.tan(angle / 2)
+    start = dict(
+        zip([*q, *u], [angle, -2 * np.arctan(half), -angle, rate, 0.0, -rate], strict=True)
+    )
     return _defined(inertial, q, u, bodies, rows), start
 
 
-def three_cranks(rate=6.0):
+def three_cranks(rate=6.0, crank=1, base=1, angle=np.pi / 3):
     """A coupler on three parallel cranks: four rows of rank three."""
     frame, origin = _ground()
     q, u = list(me.dynamicsymbols("q1:5")), list(me.dynamicsymbols("u1:5"))
@@ -105,20 +110,20 @@ def three_cranks(rate=6.0):
         own = me.ReferenceFrame(f"B{k}")
         own.orient_axis(frame, frame.z, q[k])
         own.set_ang_vel(frame, u[k] * frame.z)
-        length = 1 if k < 3 else 2
-        root = origin.locatenew(f"O{k}", k * frame.x) if k < 3 else tips[0]
+        length = crank if k < 3 else 2 * base
+        root = origin.locatenew(f"O{k}", k * base * frame.x) if k < 3 else tips[0]
         if k < 3:
             root.set_vel(frame, 0)
-        centre = root.locatenew(f"C{k}", sm.Rational(length, 2) * own.x)
+        centre = root.locatenew(f"C{k}", sm.Rational(length) / 2 * own.x)
         centre.v2pt_theory(root, frame, own)
         if k < 3:
-            tips.append(root.locatenew(f"T{k}", own.x))
+            tips.append(root.locatenew(f"T{k}", crank * own.x))
             tips[-1].v2pt_theory(root, frame, own)
-        flat = sm.Rational(length**3, 12)
+        flat = sm.Rational(length) ** 3 / 12
         inertia = me.inertia(own, 0, flat, flat)
         bodies.append(me.RigidBody(f"rod{k}", centre, own, length, (inertia, centre)))
     along = bodies[3].frame.x
-    gaps = [tips[k].pos_from(tips[0]) - k * along for k in (1, 2)]
+    gaps = [tips[k].pos_from(tips[0]) - k * base * along for k in (1, 2)]
     rows = [gap.dot(e) for gap in gaps for e in (frame.x, frame.y)]
-    start = dict(zip([*q, *u], [*[np.pi / 3] * 3, 0.0, *[rate] * 3, 0.0], strict=True))
+    start = dict(zip([*q, *u], [*[angle] * 3, 0.0, *[rate] * 3, 0.0], strict=True))
     return _defined(frame, q, u, bodies, rows), start

@@ -22,8 +22,8 @@ RANKS = {
 }
 
 
-def loop(name):
-    definition, start = getattr(loops, name)()
+def loop(name, **shape):
+    definition, start = getattr(loops, name)(**shape)
     system = System(
         definition,
         {loops.GRAVITY: 9.81},
@@ -53,6 +53,31 @@ def test_a_loop_keeps_its_energy_through_singular_positions(name):
     energy = system.evaluate_energy(run.states, run.times)
     assert np.ptp(energy.kinetic) > 10.0
     assert np.abs(energy.total - energy.total[0]).max() < 1e-6
+
+
+SHAPES = [
+    ("bricard", {"edges": (sm.Rational(1, 2), 1, sm.Rational(3, 2))}),
+    ("bricard", {"edges": (1, 2, 3)}),
+    ("spatial_four_bar", {"rate": -4.0, "lengths": (2.0, 1.0), "twist": 1.0, "angle": -1.0}),
+    ("spatial_four_bar", {"rate": 2.0, "lengths": (0.5, 0.7), "twist": 0.7, "angle": 0.4}),
+    ("parallelogram", {"rate": 3.0, "crank": 0.5, "base": 1, "angle": 2.0}),
+    ("parallelogram", {"rate": -9.0, "crank": 2, "base": 1, "angle": 0.3}),
+    ("three_cranks", {"rate": -9.0, "crank": 2, "base": 1, "angle": 0.3}),
+    ("three_cranks", {"rate": 8.0, "crank": 1.3, "base": 2.7, "angle": -1.0}),
+]
+
+
+@pytest.mark.parametrize(("name", "shape"), SHAPES)
+def test_loops_of_other_sizes_keep_their_energy_too(name, shape):
+    system = loop(name, **shape)
+    body = system.eom_method.multibody
+    assert (len(body.velocity), len(body.redundant)) == RANKS[name]
+    with warnings.catch_warnings():  # that it passed some singular positions
+        warnings.filterwarnings("ignore", "`tsit5` passed a singular", PyDyUserWarning)
+        run = system.simulate(constraints="project", rtol=1e-10, atol=1e-10)
+    energy = system.evaluate_energy(run.states, run.times)
+    assert np.ptp(energy.kinetic) > 5.0
+    assert np.abs(energy.total - energy.total[0]).max() < 1e-7 * np.ptp(energy.kinetic)
 
 
 @pytest.mark.parametrize("name", ["parallelogram", "three_cranks"])
