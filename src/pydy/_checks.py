@@ -23,6 +23,7 @@ __all__ = [
     "check_mapping",
     "choice",
     "describe",
+    "file_of",
     "flag",
     "listed",
     "number",
@@ -212,6 +213,17 @@ def path_of(value: Any, what: str) -> Path:
     if not isinstance(value, (str, PathLike)) or "\0" in fspath(value):
         raise TypeError(f"{what} must be a path, got {shown(value)}.")
     return Path(value)
+
+
+def file_of(value: Any, what: str) -> Path:
+    """Return the path of a file to be written; its folder must exist."""
+    path = path_of(value, what)
+    if not path.parent.is_dir():
+        raise FileNotFoundError(
+            f"{what} is {str(path)!r}, but there is no folder {str(path.parent)!r}: make it first, "
+            "with `Path(...).mkdir(parents=True)`, or choose another."
+        )
+    return path
 
 
 class Places:

@@ -17,7 +17,7 @@ from scipy.integrate import odeint
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import check_expressions
-from pydy._checks import check_mapping, flag, path_of, text
+from pydy._checks import check_mapping, file_of, flag, text
 from pydy._mechanics.extract import extract, method_of
 from pydy._names import nearest
 from pydy._system.analysis import linearize, variables
@@ -1701,7 +1701,7 @@ class System:
         """
         from pydy.export.writing import check_options, write
 
-        target = path_of(path, "`path`")
+        target = file_of(path, "`path`")
         check_options(target, options)
         title = target.stem if name is None else text(name, "`name`")
         model = self._exportable(name=title, events=events, inputs=inputs)

@@ -70,6 +70,20 @@ def test_an_unknown_constant_is_named(module):
         module["rates"](0.0, np.zeros(6), p={"l9": 1.0})
 
 
+def test_a_wrong_length_is_named(module):
+    with pytest.raises(ValueError, match=r"x must have 6 columns, \['q0', .*; got \(5,\)"):
+        module["rates"](0.0, np.zeros(5))
+    with pytest.raises(ValueError, match=r"p must have \d+ columns, .*; got \(1,\)"):
+        module["rates"](0.0, np.zeros(6), p=[1.0])
+    with pytest.raises(ValueError, match=r"r must have 1 columns, \['F'\]; got \(\)"):
+        module["rates"](0.0, np.zeros(6), 2.0)
+
+
+def test_a_folder_that_is_not_there_is_named_with_the_remedy(tmp_path):
+    with pytest.raises(FileNotFoundError, match=r"`path` is '.*', but there is no folder .*mkdir"):
+        pendulum().export(tmp_path / "nowhere" / "model.py")
+
+
 def test_a_singular_mass_matrix_gives_nan_without_a_warning(module):
     massless = dict.fromkeys(module["CONSTANTS"], 0.0)
     assert np.isnan(module["rates"](0.0, np.zeros(6), p=massless)[3:]).all()

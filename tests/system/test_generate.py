@@ -98,6 +98,8 @@ def test_a_specifieds_keyword_is_ignored_with_a_warning():
 def test_an_unknown_generator_is_not_implemented():
     with pytest.raises(NotImplementedError, match="fortran77"):
         pendulum().generate_ode_function(generator="fortran77")
+    with pytest.raises(NotImplementedError, match=r"is 'LLVM', which .*Did you mean `llvm`\?"):
+        pendulum().generate_ode_function(generator="LLVM")
 
 
 def test_a_failed_generation_leaves_the_system_usable():

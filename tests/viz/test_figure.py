@@ -1,6 +1,7 @@
 """Pictures and films with Matplotlib."""
 
 import shutil
+import subprocess
 import sys
 from itertools import pairwise
 
@@ -80,6 +81,11 @@ def test_a_gif_has_a_picture_for_each_instant(scene, tmp_path):
 def test_an_mp4_is_saved(scene, tmp_path):
     path = scene.save(tmp_path / "a.mp4", fps=3, dpi=41)
     assert path.read_bytes()[4:8] == b"ftyp"
+    probe = shutil.which("ffprobe")
+    asked = [probe, "-v", "error", "-count_frames", "-select_streams", "v:0", "-of", "csv=p=0"]
+    asked += ["-show_entries", "stream=width,height,pix_fmt,nb_read_frames", str(path)]
+    said = subprocess.run(asked, capture_output=True, text=True, check=True).stdout
+    assert said.strip() == "288,206,yuv420p,4"  # 287 x 205 pixels, padded to even numbers
 
 
 def test_a_missing_ffmpeg_is_named_with_the_remedy(scene, tmp_path, monkeypatch):
@@ -135,22 +141,48 @@ def test_nothing_is_cut_at_the_rectangle_of_the_axes(scene):
 
 def test_a_film_makes_its_artists_once_and_draws_each_frame_once(scene, tmp_path, monkeypatch):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from mpl_toolkits.mplot3d import Axes3D
+
+    from pydy.viz import triangles
 
     counts = {"drawn": 0, "made": 0}
 
     def counted(kind, method):
-        def call(self, *args, **options):
+        def call(*args, **options):
             counts[kind] += 1
-            return method(self, *args, **options)
+            return method(*args, **options)
 
         return call
 
     monkeypatch.setattr(FigureCanvasAgg, "draw", counted("drawn", FigureCanvasAgg.draw))
-    made = counted("made", Axes3D.add_collection3d)
-    monkeypatch.setattr(Axes3D, "add_collection3d", made)
+    made = counted("made", triangles.make_triangles)
+    monkeypatch.setattr(triangles, "make_triangles", made)
     scene.save(tmp_path / "a.gif", fps=10, dpi=40)
-    assert counts == {"drawn": 11, "made": 4}
+    assert counts == {"drawn": 11, "made": 1}
+
+
+def test_a_film_begins_with_the_picture(scene, tmp_path):
+    from matplotlib.image import imread
+    from PIL import Image
+
+    picture = imread(scene.save(tmp_path / "a.png", dpi=60))[:, :, :3]
+    with Image.open(scene.save(tmp_path / "a.gif", fps=2, dpi=60)) as film:
+        frame = np.asarray(film.convert("RGB")) / 255
+    assert np.abs(frame - picture).mean() < 0.01
+    assert (np.abs(frame - picture).max(axis=2) > 0.25).mean() < 0.01
+    assert frame.min() < 0.1  # black stays black
+    assert frame.max() == 1.0
+
+
+def test_what_ffmpeg_says_is_in_the_message(scene, tmp_path, monkeypatch):
+    from matplotlib.animation import FFMpegWriter
+
+    program = tmp_path / "ffmpeg"
+    program.write_text("#!/bin/sh\necho 'no such codec' >&2\nexit 1\n", encoding="utf-8")
+    program.chmod(0o755)
+    monkeypatch.setattr(FFMpegWriter, "isAvailable", lambda: True)
+    monkeypatch.setattr(FFMpegWriter, "bin_path", lambda: str(program))
+    with pytest.raises(OSError, match=r"ffmpeg could not write '.*a\.mp4': no such codec"):
+        scene.save(tmp_path / "a.mp4", fps=2, dpi=40)
 
 
 def test_frames_of_a_film_differ_as_the_scene_moves(scene, tmp_path):

@@ -37,6 +37,13 @@ def floats(text, dtype="<f4"):
     return np.frombuffer(b64decode(text), dtype)
 
 
+def test_a_folder_that_is_not_there_is_named(tmp_path):
+    scene = Scene(N, O, Visual(Sphere(1.0), O)).animate([0.0], np.zeros((1, 0)), symbols=[])
+    for write in (scene.to_html, scene.save):
+        with pytest.raises(FileNotFoundError, match=r"there is no folder .*nowhere"):
+            write(tmp_path / "nowhere" / "page.html")
+
+
 def test_the_page_is_one_file_that_asks_for_nothing(tmp_path):
     path = scene(Visual(Sphere(1), P)).to_html(tmp_path / "out.html")
     text = path.read_text(encoding="utf-8")

@@ -9,6 +9,7 @@ from pydy._checks import shown
 from pydy._forks import whole
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
+from pydy._names import nearest
 
 __all__ = ["compile_program", "names", "refusal", "register", "resolve"]
 
@@ -53,10 +54,12 @@ def resolve(generator: Any) -> type:
 
 def refusal(generator: Any) -> NotImplementedError:
     """Return the error for what is no code generator."""
-    return NotImplementedError(
+    meant = nearest(generator, names(), or_all=False) if isinstance(generator, str) else ""
+    message = (
         f"`generator` is {shown(generator)}, which is not a code generator: it must be one of "
-        f"{', '.join(map(repr, names()))}, or a class with a method `compile(program)`."
+        f"{', '.join(map(repr, names()))}, or a class with a method `compile(program)`. {meant}"
     )
+    return NotImplementedError(message.rstrip())
 
 
 def compile_program(program: Program, generator: Any, options: dict[str, Any]) -> Kernel:

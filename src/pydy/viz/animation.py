@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation, Slerp
+from scipy.spatial.transform import Rotation
 
 from pydy.viz.colours import CYCLE
 from pydy.viz.defaults import default_shape
 from pydy.viz.motion import Motion
 from pydy.viz.poses import Geometry, Placement, place
 from pydy.viz.shapes import Arrow, Line, Plane, Shape, Trace
-from pydy.viz.surfaces import arrow, rod, surface
+from pydy.viz.surfaces import arrow, rods, surface
 from pydy.viz.visuals import Visual
 
 __all__ = ["Animation", "Item", "animate"]
@@ -46,6 +46,11 @@ class Item:
     vectors: np.ndarray | None = None
     points: np.ndarray | None = None
 
+    @property
+    def rigid(self) -> bool:
+        """Whether it is a body: triangles that only turn and move."""
+        return self.vectors is None and self.points is None and not isinstance(self.shape, Trace)
+
     def surface(self, k: int = 0) -> tuple[np.ndarray, np.ndarray] | None:
         """Return the triangles at instant k in the scene's frame, or None for thin lines."""
         if self.vectors is not None:
@@ -55,13 +60,7 @@ class Item:
             assert isinstance(self.shape, Line)
             if self.shape.radius is None:
                 return None
-            ends = zip(self.points[k, :-1], self.points[k, 1:], strict=True)
-            rods = [rod(a, b, self.shape.radius) for a, b in ends]
-            count = len(rods[0][0])
-            return (
-                np.concatenate([vertices for vertices, _ in rods]),
-                np.concatenate([faces + i * count for i, (_, faces) in enumerate(rods)]),
-            )
+            return rods(self.points[k], self.shape.radius)
         if isinstance(self.shape, Trace):
             return None
         vertices, faces = surface(self.shape)
@@ -127,24 +126,33 @@ class Animation:
         low, high = self.box
         return bool(np.linalg.norm(high - low) > 3 * own)
 
-    def at(self, t: float) -> Animation:
-        """Return the animation of one instant, between the ones shown if need be."""
-        times = self.times
-        t = float(np.clip(t, times[0], times[-1]))
-        k = int(np.clip(np.searchsorted(times, t, side="right") - 1, 0, max(len(times) - 2, 0)))
-        if len(times) == 1 or times[k] == t or times[k + 1] == times[k]:
-            return self._only(lambda a: a[k : k + 1], lambda r: r[k : k + 1], t)
-        part = (t - times[k]) / (times[k + 1] - times[k])
+    def at(self, t: Any) -> Animation:
+        """Return the animation at a time or at several, between the ones shown if need be."""
+        times, last = self.times, len(self.times) - 1
+        wanted = np.clip(np.atleast_1d(np.asarray(t, dtype=float)), times[0], times[-1])
+        k = np.clip(np.searchsorted(times, wanted, side="right") - 1, 0, max(last - 1, 0))
+        after = np.minimum(k + 1, last)
+        gap = times[after] - times[k]
+        part = np.where(gap > 0, (wanted - times[k]) / np.where(gap > 0, gap, 1.0), 0.0)
+        between = np.flatnonzero(part)
+        done: dict[int, np.ndarray] = {}  # frames that several visuals have in common
+
+        def blend(a: np.ndarray) -> np.ndarray:
+            share = part.reshape(-1, *[1] * (a.ndim - 1))
+            mixed: np.ndarray = (1 - share) * a[k] + share * a[after]
+            return mixed
 
         def turned(r: np.ndarray) -> np.ndarray:
-            ends = Rotation.from_matrix(
-                np.array(r[k : k + 2])
-            )  # old SciPy refuses what is read-only
-            return np.asarray(Slerp([0, 1], ends)([part]).as_matrix())
+            if id(r) not in done:
+                rows = np.array(r[k])
+                if between.size:
+                    first = Rotation.from_matrix(rows[between])
+                    second = Rotation.from_matrix(np.array(r[after[between]]))
+                    way = (first.inv() * second).as_rotvec() * part[between, None]
+                    rows[between] = (first * Rotation.from_rotvec(way)).as_matrix()
+                done[id(r)] = rows
+            return done[id(r)]
 
-        return self._only(lambda a: ((1 - part) * a[k] + part * a[k + 1])[None], turned, t)
-
-    def _only(self, blend: Any, turned: Any, t: float) -> Animation:
         items = tuple(
             replace(
                 item,
@@ -156,7 +164,7 @@ class Animation:
             for item in self.items
         )
         series = {label: blend(values) for label, values in self.series.items()}
-        return Animation(np.array([t]), items, series, self.bounds)
+        return Animation(wanted, items, series, self.bounds)
 
 
 def animate(

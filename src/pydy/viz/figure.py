@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pydy._optional import require
-from pydy.viz.animation import Animation
+from pydy.viz.animation import Animation, Item
 from pydy.viz.framing import Framing, Look, frame
 from pydy.viz.shapes import Circle, Line, Mesh, Plane, Trace
+from pydy.viz.surfaces import surface
 
 __all__ = ["draw", "save"]
 
@@ -34,7 +35,7 @@ def draw(animation: Animation, look: Look, t: float, axes: Any = None) -> Any:
             "`axes` must be three-dimensional, made with subplot(projection='3d'), got the "
             f"{type(axes).__name__} {axes!r}."
         )
-    _Drawing(animation, seen, axes, look.title).draw(t)
+    _Drawing(animation, animation.at(t), seen, axes, look.title).draw(0)
     return axes
 
 
@@ -59,70 +60,27 @@ def save(
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=size, dpi=dpi)
-    drawing = _Drawing(animation, frame(animation, look), _whole(figure), look.title)
+    seen, axes = frame(animation, look), _whole(figure)
     start, end = float(animation.times[0]), float(animation.times[-1])
     if suffix in _PICTURES:
-        drawing.draw(start)
+        _Drawing(animation, animation.at(start), seen, axes, look.title).draw(0)
         figure.savefig(path, dpi=dpi)
         return
+    from pydy.viz.films import save_gif, save_mp4
+    from pydy.viz.triangles import make_triangles
+
     count = max(1, round((end - start) / speed * fps)) + 1
-    instants: Iterable[float] = np.linspace(start, end, count)
+    shown = animation.at(np.linspace(start, end, count))
+    drawing = _Drawing(animation, shown, seen, axes, look.title, make_triangles(axes))
+    rows: Iterable[int] = range(count)
     if progress:
-        instants = require("tqdm.auto", "ensemble", "`progress=True`").tqdm(instants)
-    if suffix == ".gif":
-        _save_gif(drawing, figure, instants, path, fps)
-        return
-    writer = _mp4_writer(fps)
-    with writer.saving(figure, str(path), dpi):
-        for t in instants:
-            drawing.draw(float(t))
-            writer.grab_frame()
+        rows = require("tqdm.auto", "ensemble", "`progress=True`").tqdm(rows)
+    (save_gif if suffix == ".gif" else save_mp4)(drawing, rows, path, fps)
 
 
 def _whole(figure: Any) -> Any:
     """Return Axes that are as large as their figure: what is beyond them is beyond the picture."""
     return figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
-
-
-def _save_gif(
-    drawing: _Drawing, figure: Any, instants: Iterable[float], path: Path, fps: float
-) -> None:
-    """Save a GIF: each frame is drawn once, and its colours are chosen by an octree.
-
-    Matplotlib's writer draws through `savefig` and leaves the choice to Pillow's median cut, which
-    takes as long as drawing.
-    """
-    require("PIL", "plot", "A GIF film of a scene")
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from PIL import Image
-
-    canvas = FigureCanvasAgg(figure)
-
-    def frames() -> Iterator[Any]:
-        for t in instants:
-            drawing.draw(float(t))
-            canvas.draw()
-            pixels = Image.frombuffer("RGBA", canvas.get_width_height(), canvas.buffer_rgba())
-            yield pixels.convert("RGB").quantize(
-                method=Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE
-            )
-
-    rest = frames()
-    next(rest).save(path, save_all=True, append_images=rest, duration=int(1000.0 / fps), loop=0)
-
-
-def _mp4_writer(fps: Any) -> Any:
-    from matplotlib.animation import FFMpegWriter
-
-    if not FFMpegWriter.isAvailable():
-        raise FileNotFoundError(
-            "MP4 films need the program ffmpeg, which was not found. Install it (Debian and "
-            "Ubuntu: apt install ffmpeg; macOS: brew install ffmpeg; Windows: winget install "
-            "ffmpeg), or save a '.gif', or call `to_html`."
-        )
-    # The pixel format that every player reads wants even numbers of pixels.
-    even = ["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"]
-    return FFMpegWriter(fps=fps, extra_args=even)
 
 
 def _normals(corners: np.ndarray) -> np.ndarray:
@@ -133,11 +91,29 @@ def _normals(corners: np.ndarray) -> np.ndarray:
     return unit
 
 
-class _Drawing:
-    """Draws instants of an animation into one Axes3D, whose artists it makes once."""
+def _rgb(colour: str) -> np.ndarray:
+    return np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
 
-    def __init__(self, animation: Animation, seen: Framing, axes: Any, title: str) -> None:
+
+class _Drawing:
+    """Draws the instants `shown` of an animation into one Axes3D, whose artists it makes once.
+
+    A film passes `triangles`, one artist for all surfaces.
+    """
+
+    def __init__(
+        self,
+        animation: Animation,
+        shown: Animation,
+        seen: Framing,
+        axes: Any,
+        title: str,
+        triangles: Any = None,
+    ) -> None:
         self.animation = animation
+        self.shown = shown
+        self.triangles = triangles
+        self.solids: dict[int, tuple[np.ndarray, np.ndarray]] = {}
         self.seen = seen
         self.axes = axes
         self.title = title
@@ -152,38 +128,67 @@ class _Drawing:
         self.target: np.ndarray | None = None  # what the camera looks at
         self.zoom = 1.0
 
-    def draw(self, t: float) -> None:
-        seen = self.seen
-        instant = self.animation.at(t)
+    @property
+    def colours(self) -> list[np.ndarray]:
+        """The colours of the visuals."""
+        return [_rgb(colour) for colour in sorted({i.shape.colour for i in self.shown.items})]
+
+    def draw(self, k: int) -> None:
+        """Draw instant k of those to be shown."""
+        seen, t = self.seen, float(self.shown.times[k])
         target = seen.target.copy()
         if seen.path is not None:
-            row = [np.interp(t, self.animation.times, seen.path[:, k]) for k in range(3)]
+            row = [np.interp(t, self.animation.times, seen.path[:, i]) for i in range(3)]
             target += np.array(row)
         if self.target is None or not np.array_equal(target, self.target):
             self._frame(target)
         self.target = target
-        for k, (item, whole) in enumerate(zip(instant.items, self.animation.items, strict=True)):
+        surfaces = []
+        for number, (item, whole) in enumerate(
+            zip(self.shown.items, self.animation.items, strict=True)
+        ):
             colour, shape = item.shape.colour, item.shape
             if isinstance(shape, Trace) or item.visual.trail:
                 past = self.animation.times <= t
                 if isinstance(shape, Trace) and shape.duration is not None:
                     past &= self.animation.times >= t - shape.duration
-                path = np.concatenate([whole.positions[past], item.positions])
-                self._line((k, "path"), path, color=colour, linewidth=1.2, alpha=0.8)
+                path = np.concatenate([whole.positions[past], item.positions[k : k + 1]])
+                self._line((number, "path"), path, color=colour, linewidth=1.2, alpha=0.8)
             if isinstance(shape, Line) and shape.radius is None and item.points is not None:
-                self._line((k, "line"), item.points[0], color=colour, linewidth=1.5)
-            triangles = item.surface()
-            if triangles is None:
+                self._line((number, "line"), item.points[k], color=colour, linewidth=1.5)
+            solid = self._solid(number, item, k)
+            if solid is None:
                 continue
-            vertices, faces = triangles
-            corners = (vertices @ self.turn.T)[faces]
-            normals = _normals(corners)
+            corners, normals = solid
             if shape.opacity == 1.0 and not isinstance(shape, _OPEN):
                 # Half of a closed surface is behind the other half; less, for the perspective.
                 seen_ones = normals @ self.view > -_GRAZING
                 corners, normals = corners[seen_ones], normals[seen_ones]
             colours = self._shaded(normals, colour, shape.opacity)
-            self._surface((k, "surface"), corners, colours)
+            if self.triangles is None:
+                self._surface((number, "surface"), corners, colours)
+            else:
+                surfaces.append((corners, colours))
+        if surfaces:
+            self.triangles.corners = np.concatenate([corners for corners, _ in surfaces])
+            self.triangles.colours = np.concatenate([colours for _, colours in surfaces])
+
+    def _solid(self, number: int, item: Item, k: int) -> tuple[np.ndarray, np.ndarray] | None:
+        """Return corners and normals of an item's triangles in Matplotlib's axes."""
+        if item.rigid:  # its triangles only turn and move
+            if number not in self.solids:
+                vertices, faces = surface(item.shape)
+                corners = vertices[faces]
+                self.solids[number] = corners, _normals(corners)
+            corners, normals = self.solids[number]
+            turn = (self.turn @ item.rotations[k]).T
+            return corners @ turn + self.turn @ item.positions[k], normals @ turn
+        triangles = item.surface(k)
+        if triangles is None:
+            return None
+        vertices, faces = triangles
+        corners = (vertices @ self.turn.T)[faces]
+        return corners, _normals(corners)
 
     def _line(self, key: tuple[int, str], points: np.ndarray, **style: Any) -> None:
         columns = self.turn @ points.T
@@ -208,8 +213,7 @@ class _Drawing:
 
     def _shaded(self, normals: np.ndarray, colour: str, opacity: float) -> np.ndarray:
         bright = 0.7 + 0.3 * normals @ self.light
-        base = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
-        return np.column_stack([bright[:, None] * base, np.full(len(normals), opacity)])
+        return np.column_stack([bright[:, None] * _rgb(colour), np.full(len(normals), opacity)])
 
     def _fit(self, middle: np.ndarray, edges: np.ndarray) -> None:
         """Choose the zoom with which the box to be seen just fits into the picture."""

@@ -67,6 +67,11 @@ class Slider:
             )
         if self.value is not None:
             given = number(self.value, "`value` of Slider", finite=True)
+            if not self.low <= given <= self.high:
+                raise ValueError(
+                    f"`value` of Slider must be from `low` to `high`, {self.low} to {self.high}, "
+                    f"got {given}: widen the range."
+                )
             object.__setattr__(self, "value", given)
         text(self.unit, "`unit` of Slider")
         text(self.label, "`label` of Slider")

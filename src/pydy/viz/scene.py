@@ -14,10 +14,10 @@ from sympy.physics.vector import Point, ReferenceFrame
 
 from pydy._checks import (
     choice,
+    file_of,
     flag,
     listed,
     number,
-    path_of,
     text,
     vector,
 )
@@ -389,7 +389,7 @@ class Scene:
             `live` has something that the system does not have, the scene was not made by
             `system.scene`, or a specified is given by what only Python can compute.
         """
-        target = path_of(path, "`path`")
+        target = file_of(path, "`path`")
         target.write_text(self.html(theme, live), encoding="utf-8")
         return target
 
@@ -500,7 +500,7 @@ class Scene:
         """
         from pydy.viz.figure import save
 
-        target = path_of(path, "`path`")
+        target = file_of(path, "`path`")
         width, height = vector(size, 2, "`size`").tolist()
         save(
             self._moving(),

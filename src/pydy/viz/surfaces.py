@@ -6,7 +6,7 @@ The page builds its own, finer surfaces from the same dimensions; a browser test
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import singledispatch
+from functools import cache, singledispatch
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from pydy.viz.solids import (
     polyhedron,
 )
 
-__all__ = ["Surface", "arrow", "rod", "surface"]
+__all__ = ["Surface", "arrow", "rods", "surface"]
 
 Surface = tuple[np.ndarray, np.ndarray]
 """Vertices, shape (n, 3), and triangles, shape (k, 3), counter-clockwise from outside."""
@@ -62,7 +62,10 @@ def _turned(profile: list[tuple[float, float]], axis: str, around: int = _AROUND
         return np.stack([radius[k] * np.sin(angle), height[k], radius[k] * np.cos(angle)], 1)
 
     vertices, faces = _grid(point, len(profile) - 1, around)
-    return _along(vertices, "y", axis), faces
+    # Where the radius is zero, one of two triangles is no more than an edge.
+    ends = vertices[faces]
+    flat = (ends == np.roll(ends, 1, axis=1)).all(axis=2).any(axis=1)
+    return _along(vertices, "y", axis), faces[~flat]
 
 
 def _along(vertices: np.ndarray, own: str, axis: str) -> np.ndarray:
@@ -169,13 +172,22 @@ def _(shape: Mesh) -> Surface:
     return shape.vertices * shape.scale, shape.faces
 
 
-def rod(start: np.ndarray, end: np.ndarray, radius: float) -> Surface:
-    """Return a cylinder from one point to another."""
-    length = float(np.linalg.norm(end - start))
-    r = radius
-    around = 8 if r < length / 30 else _AROUND  # a spoke needs few corners
-    vertices, faces = _turned([(0, length), (r, length), (r, 0), (0, 0)], "y", around)
-    return vertices @ _onto(end - start).T + start, faces
+def rods(points: np.ndarray, radius: float) -> Surface:
+    """Return cylinders from each of some points to the next."""
+    ways = np.diff(points, axis=0)
+    lengths = np.linalg.norm(ways, axis=1)
+    around = 8 if radius < lengths.min() / 30 else _AROUND  # a spoke needs few corners
+    vertices, faces = _unit_rod(around)
+    sizes = np.stack([np.full_like(lengths, radius), lengths, np.full_like(lengths, radius)], 1)
+    turns = np.stack([_onto(way) for way in ways])
+    placed = np.einsum("kij,knj->kni", turns, vertices * sizes[:, None]) + points[:-1, None]
+    offsets = len(vertices) * np.arange(len(ways))
+    return placed.reshape(-1, 3), (faces + offsets[:, None, None]).reshape(-1, 3)
+
+
+@cache
+def _unit_rod(around: int) -> Surface:
+    return _turned([(0, 1), (1, 1), (1, 0), (0, 0)], "y", around)
 
 
 def arrow(start: np.ndarray, vector: np.ndarray, radius: float) -> Surface:
@@ -194,6 +206,14 @@ def _onto(vector: np.ndarray) -> np.ndarray:
     if length == 0:
         return np.eye(3)
     y = vector / length
-    x = np.cross(y, np.eye(3)[int(np.abs(y).argmin())])
+    k = int(np.abs(y).argmin())  # x is normal to this axis and to y
+    x = np.zeros(3)
+    x[k - 2], x[k - 1] = y[k - 1], -y[k - 2]
     x /= np.linalg.norm(x)
-    return np.stack([x, y, np.cross(x, y)], 1)
+    return np.stack([x, y, _cross(x, y)], 1)
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return the cross product of two vectors; NumPy's takes ten times as long."""
+    (a0, a1, a2), (b0, b1, b2) = a.tolist(), b.tolist()
+    return np.array([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0])

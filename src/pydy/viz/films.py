@@ -1,0 +1,112 @@
+"""Films of a scene: frames that go to a GIF or to ffmpeg as they are drawn."""
+
+from __future__ import annotations
+
+import subprocess
+import tempfile
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pydy._optional import require
+
+__all__ = ["save_gif", "save_mp4"]
+
+_BITS = 5  # of a channel, by which a colour is looked up in a film's palette
+_SHADES = 24  # of each colour of the scene that the palette can tell
+
+
+def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
+    """Save a GIF whose frames share a palette.
+
+    Pillow would choose the colours of each frame anew, which takes as long as drawing it.
+    """
+    require("PIL", "plot", "A GIF film of a scene")
+    from PIL import Image
+
+    canvas = _canvas(drawing)
+    size = canvas.get_width_height()
+
+    def frames() -> Iterator[Any]:
+        palette, table = b"", np.zeros(0, np.uint8)
+        for k in rows:
+            drawing.draw(k)
+            canvas.draw()
+            pixels = np.asarray(canvas.buffer_rgba())
+            if not palette:
+                palette, table = _palette(Image, pixels[:, :, :3], drawing.colours)
+            words = pixels.view("<u4")[:, :, 0]
+            place = np.bitwise_and(words >> (8 - _BITS), 2**_BITS - 1)
+            for channel in (1, 2):
+                shifted = words >> (8 * (channel + 1) - _BITS * (channel + 1))
+                place |= np.bitwise_and(shifted, (2**_BITS - 1) << _BITS * channel)
+            frame = Image.frombuffer("P", size, table[place].tobytes(), "raw", "P", 0, 1)
+            frame.putpalette(palette)
+            yield frame
+
+    rest = frames()
+    next(rest).save(path, save_all=True, append_images=rest, duration=int(1000.0 / fps), loop=0)
+
+
+def _palette(image: Any, pixels: np.ndarray, colours: list[np.ndarray]) -> tuple[bytes, np.ndarray]:
+    """Return 256 colours, and for each colour of `_BITS` a channel which of them is nearest."""
+    from scipy.spatial import cKDTree
+
+    shades = np.linspace(0.4, 1.0, _SHADES)[:, None, None] * np.array(colours or [np.ones(3)])
+    strip = np.tile((255 * shades).astype(np.uint8).reshape(1, -1, 3), (40, 1, 1))
+    sample = np.concatenate([pixels.reshape(-1, 3), strip.reshape(-1, 3)])[None]
+    chosen = image.frombuffer("RGB", sample.shape[1::-1], sample.tobytes(), "raw", "RGB", 0, 1)
+    palette = chosen.quantize(method=image.Quantize.FASTOCTREE, dither=image.Dither.NONE)
+    entries = np.array(palette.getpalette(), dtype=np.uint8).reshape(-1, 3)
+    entries[entries.sum(1).argmax()] = 255  # the octree's white is a little grey
+    levels = np.arange(2**_BITS)
+    levels = (levels << (8 - _BITS)) | (levels >> (2 * _BITS - 8))  # black and white stay so
+    blue, green, red = np.meshgrid(levels, levels, levels, indexing="ij")
+    cells = np.stack([red, green, blue], -1).reshape(-1, 3)
+    _, nearest = cKDTree(entries).query(cells)
+    return entries.tobytes(), nearest.astype(np.uint8)
+
+
+def save_mp4(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
+    """Save an MP4 with the program ffmpeg."""
+    from matplotlib.animation import FFMpegWriter
+
+    if not FFMpegWriter.isAvailable():
+        raise FileNotFoundError(
+            "MP4 films need the program ffmpeg, which was not found. Install it (Debian and "
+            "Ubuntu: apt install ffmpeg; macOS: brew install ffmpeg; Windows: winget install "
+            "ffmpeg), or save a '.gif', or call `to_html`."
+        )
+    canvas = _canvas(drawing)
+    width, height = canvas.get_width_height()
+    command = [
+        *(FFMpegWriter.bin_path(), "-y", "-loglevel", "error"),
+        *("-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{width}x{height}"),
+        *("-framerate", str(fps), "-i", "-", "-vcodec", "h264"),
+        # The pixel format that every player reads wants even numbers of pixels.
+        *("-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", str(path)),
+    ]
+    with tempfile.TemporaryFile() as said:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=said) as process:
+            assert process.stdin is not None
+            try:
+                for k in rows:
+                    drawing.draw(k)
+                    canvas.draw()
+                    process.stdin.write(canvas.buffer_rgba())
+                process.stdin.close()
+            except BrokenPipeError:
+                pass  # it has said why
+        if process.returncode:
+            said.seek(0)
+            message = said.read().decode(errors="replace").strip()
+            raise OSError(f"ffmpeg could not write '{path}': {message}")
+
+
+def _canvas(drawing: Any) -> Any:
+    """Return a canvas with the pixels of a drawing's figure."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    return FigureCanvasAgg(drawing.axes.figure)
