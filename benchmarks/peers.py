@@ -16,6 +16,10 @@ from harness.report import pairwise, save, seconds, table
 MODELS = (
     *("pendulum-1", "pendulum-5", "pendulum-10", "pendulum-20", "rods-3", "bicycle"),
     *("springs-100-absolute", "rider-bicycle", "pendulum-50", "rods-10"),
+    # The same mechanisms derived otherwise, and some more: see `harness.models.VARIANTS`.
+    *("pendulum-relative-5", "rods-universal-3", "rods-absolute-3", "rods-universal-absolute-3"),
+    *("rods-5", "rods-universal-5", "rods-absolute-5", "rods-universal-absolute-5"),
+    *("bicycle-from-contact", "rider-adduction", "arm-7", "quadrotor"),
 )
 PEERS = {
     "heyoka": ("heyoka_.py",),

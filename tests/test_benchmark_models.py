@@ -10,12 +10,14 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "benchmarks"))
 
+import trees
 from harness import frozen
 from harness.program import assembly_of
 from harness.samples import samples
-from harness.written_down import pendulum_written_down, rods_written_down
+from harness.written_down import arm_written_down, pendulum_written_down, rods_written_down
 
 from pydy._graph.interpret import run
+from pydy.system import System
 
 
 @pytest.mark.parametrize("n", [5, 10])
@@ -26,8 +28,10 @@ def test_the_pendulum_written_down_gives_the_very_program_of_the_derived_one(n):
     assert programs[0].digest == programs[1].digest
 
 
-def test_the_rods_written_down_move_as_the_derived_ones_do():
-    derived, written = frozen.read("rods-3"), rods_written_down(3)
+@pytest.mark.parametrize("universal", [False, True])
+def test_the_rods_written_down_move_as_the_derived_ones_do(universal):
+    derived = frozen.read("rods-universal-3" if universal else "rods-3")
+    written = rods_written_down(3, universal=universal)
     assert derived.constants == written.constants
     x, r, p = samples(derived, 20)
     found, expected = (
@@ -35,3 +39,26 @@ def test_the_rods_written_down_move_as_the_derived_ones_do():
         for m in (written, derived)
     )
     np.testing.assert_allclose(found, expected, rtol=1e-11, atol=1e-11 * abs(expected).max())
+
+
+def test_the_arm_written_down_moves_as_the_one_made_of_bodies_does(monkeypatch):
+    model = arm_written_down(4)
+    values = dict(zip((s.name for s in model.constants), model.values, strict=True))
+    x, r, p = samples(model, 1)
+    links = [
+        {
+            "parent": k - 1,
+            "axis": [float(k % 3 == i) for i in range(3)],
+            "turn": [0.0] * 3,
+            "place": [0.0, 0.0, values[f"l{k - 1}"] if k else 0.0],
+            "mass": values[f"m{k}"],
+            "centre": [values[f"c{k}_{axis}"] for axis in "xyz"],
+            "inertia": [values[f"I{k}_{axes}"] for axes in ("xx", "yy", "zz", "xy", "yz", "zx")],
+        }
+        for k in range(4)
+    ]
+    monkeypatch.setattr(trees, "GRAVITY", (0.0, 0.0, -values["g"]))
+    made = {"links": links, "q": x[0, :4], "v": x[0, 4:], "torques": r[0].tolist()}
+    expected = System(trees.definition(made)).evaluate_ode(x[0])
+    found = run(assembly_of(model).program("rates"), np.zeros(1), x, r, p)[0]
+    np.testing.assert_allclose(found.ravel(), expected, rtol=1e-10)

@@ -3,59 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import sympy as sm
 import sympy.physics.mechanics as me
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 
+from harness import variants
+from harness.kane import from_kane
 from harness.model import Model
 from harness.problems import BICYCLE
 from harness.serve import module_at
-from harness.written_down import pendulum_written_down, rods_written_down
-
-
-def from_kane(name: str, kane: Any, values: Callable[[str], float], **about: Any) -> Model:
-    """Take M, F and q' out of a KanesMethod.
-
-    Parameters
-    ----------
-    name : str
-    kane : KanesMethod
-    values : callable
-        Gives the value of a constant by its name.
-    **about
-        What is to be remembered of the model.
-    """
-    t = me.dynamicsymbols._t
-    rates = kane.kindiffdict()
-    zero = dict.fromkeys((*kane._uaux, *(u.diff(t) for u in kane._uaux)), sm.S.Zero)
-    replace = {**rates, **zero}
-
-    def clean(expressions: Any) -> list[Any]:
-        found = _symbols(expressions)
-        if any(key in found for key in replace):
-            return [e.xreplace(replace) for e in expressions]
-        return list(expressions)
-
-    matrix, forcing = clean(kane.mass_matrix), clean(kane.forcing)
-    kinematics = clean([rates[q.diff(t)] for q in kane.q])
-    found = _symbols([*matrix, *forcing, *kinematics])
-    rest = [s for s in found if s not in {*kane.q, *kane.u, t}]
-    constants = sorted((s for s in rest if s.is_Symbol), key=sm.default_sort_key)
-    return Model(
-        name=name,
-        coordinates=list(kane.q),
-        speeds=list(kane.u),
-        specifieds=sorted((s for s in rest if not s.is_Symbol), key=sm.default_sort_key),
-        constants=constants,
-        mass_matrix=matrix,
-        forcing=forcing,
-        coordinate_derivatives=kinematics,
-        positive_definite=not kane._udep,
-        values=[float(values(s.name)) for s in constants],
-        about={"sympy": sm.__version__, **about},
-    )
+from harness.written_down import arm_written_down, pendulum_written_down, rods_written_down
 
 
 def pendulum(n: int) -> Model:
@@ -173,21 +133,6 @@ def rider_bicycle() -> Model:
     return from_kane("rider-bicycle", kane, values, source="symbrim")
 
 
-def _symbols(expressions: Any) -> set[Any]:
-    """Return symbols, functions of time and derivatives; every distinct object is seen once."""
-    found, seen, stack = set(), set(), list(expressions)
-    while stack:
-        expr = stack.pop()
-        if id(expr) in seen:
-            continue
-        seen.add(id(expr))
-        if isinstance(expr, (sm.Symbol, sm.Derivative, sm.core.function.AppliedUndef)):
-            found.add(expr)
-        else:
-            stack.extend(expr.args)
-    return found
-
-
 MODELS: dict[str, Callable[[], Model]] = {
     **{f"pendulum-{n}": lambda n=n: pendulum(n) for n in (1, 5, 10, 20)},
     **{f"rods-{n}": lambda n=n: rods(n) for n in (3,)},
@@ -197,7 +142,28 @@ MODELS: dict[str, Callable[[], Model]] = {
     "rider-bicycle": rider_bicycle,
     # Not frozen: large, and quickly written down.
     "pendulum-50": lambda: pendulum_written_down(50),
-    "rods-5": lambda: rods(5),
     "rods-10": lambda: rods_written_down(10),
 }
-STANDARD = tuple(MODELS)[:-3]
+STANDARD = tuple(MODELS)[:-2]
+
+# Not in the benchmark set, but as fast: the same mechanisms derived otherwise, and some others.
+VARIANTS: dict[str, Callable[[], Model]] = {
+    "pendulum-relative-5": lambda: variants.pendulum_relative(5),
+    **{
+        f"rods{'-universal' * universal}{'-absolute' * absolute}-{n}": partial(
+            variants.rods, n, universal=universal, absolute=absolute
+        )
+        for n, universal, absolute in (
+            *((3, True, False), (3, False, True), (3, True, True)),
+            *((5, False, True), (5, True, True)),
+        )
+    },
+    "bicycle-from-contact": variants.bicycle_from_contact,
+    "rider-adduction": variants.rider_adduction,
+    "quadrotor": variants.quadrotor,
+    # Not frozen: written down.
+    "rods-5": lambda: rods_written_down(5),
+    "rods-universal-5": lambda: rods_written_down(5, universal=True),
+    "arm-7": lambda: arm_written_down(7),
+}
+MODELS |= VARIANTS

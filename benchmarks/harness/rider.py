@@ -9,7 +9,7 @@ import symbrim as bm
 import sympy as sm
 
 
-def derive() -> tuple[Any, Any]:
+def derive(shoulder: str = "FlexRot") -> tuple[Any, Any]:
     """Return the KanesMethod, and a function that gives constants some values.
 
     A Carvallo-Whipple bicycle; a pelvis that leans on the saddle and carries the torso; shoulders
@@ -30,8 +30,8 @@ def derive() -> tuple[Any, Any]:
     rider.sacrum = bm.FixedSacrum("sacrum")
     rider.left_arm = bm.PinElbowStickLeftArm("left_arm")
     rider.right_arm = bm.PinElbowStickRightArm("right_arm")
-    rider.left_shoulder = bm.FlexRotLeftShoulder("left_shoulder")
-    rider.right_shoulder = bm.FlexRotRightShoulder("right_shoulder")
+    rider.left_shoulder = getattr(bm, f"{shoulder}LeftShoulder")("left_shoulder")
+    rider.right_shoulder = getattr(bm, f"{shoulder}RightShoulder")("right_shoulder")
 
     both = bm.BicycleRider("both")
     both.bicycle, both.rider = bicycle, rider

@@ -41,7 +41,8 @@ LOOP = 100
 
 # Operations from which code does not fit the processor's cache for it, and those for one result of
 # models that do little but the same for each: 300 masses in half the time where LLVM looks for
-# them, in 3 to 5 times the compile time.
+# them, in 3 to 5 times the compile time. With AVX2, 100 masses in 0.83 of the time where all eight
+# lanes go at once instead of four and four (EPYC, Zen 3).
 LARGE = 1500
 SHORT = 6
 

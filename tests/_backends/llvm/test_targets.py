@@ -14,7 +14,7 @@ from harness import frozen
 from harness.program import assembly_of
 
 from graphs import solve_program
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.backend import LLVMBackend, width_of
 from pydy._backends.llvm.targets import TABLE, chosen, registers_for, target
 
 TESTS = Path(__file__).parents[2]
@@ -129,7 +129,7 @@ import zoo
 from cases import system_of
 from harness import frozen
 from harness.program import assembly_of
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.backend import LLVMBackend, width_of
 
 def say(what, values):
     print(what, hashlib.sha256(np.ascontiguousarray(values).tobytes()).hexdigest())
@@ -183,3 +183,22 @@ def test_a_wrong_target_is_told_where_code_is_first_compiled(tmp_path):
         [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False
     )
     assert "ValueError: The environment variable PYDY_CPU is 'pentium'" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("name", "features", "width"),
+    [
+        ("bicycle", V3, 4),
+        ("springs-100-absolute", V3, 8),
+        ("springs-100-absolute", V4, 8),
+        ("springs-100-absolute", {"sse2"}, 2),
+        ("pendulum-1", {"sse2"}, 8),
+    ],
+)
+def test_where_little_is_done_for_each_result_all_lanes_go_at_once(
+    monkeypatch, name, features, width
+):
+    host = chosen("native", X86, "some", features)
+    monkeypatch.setattr("pydy._backends.llvm.backend.target", lambda: host)
+    program = assembly_of(frozen.read(name)).program("rates")
+    assert width_of(program, 8) == width

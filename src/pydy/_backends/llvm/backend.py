@@ -23,7 +23,7 @@ from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions, si
 from pydy._backends.llvm.solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.llvm.targets import target
 from pydy._backends.registry import compile_program
-from pydy._backends.tuning import LARGE, LOOP, SHORT
+from pydy._backends.tuning import LARGE, LOOP, SHORT, TEMPORARY
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -104,8 +104,17 @@ def _read_text(program: bytes, lanes: int, width: int) -> _Text:
 
 
 def width_of(program: Program, lanes: int) -> int:
-    """Return how many lanes a Program's code takes at once: all of a small one, which is a loop."""
-    return lanes if _is_small(program) else min(lanes, target().registers.widest)
+    """Return how many lanes a Program's code takes at once.
+
+    All of a small one, which is a loop; and all, if there are registers for it, where little is
+    done for each result, so that memory limits it: turns would read and write each line of the
+    cache several times.
+    """
+    host = target()
+    fits = host.vectors(lanes) > TEMPORARY
+    if _is_small(program) or (fits and _does_little(program)):
+        return lanes
+    return min(lanes, host.registers.widest)
 
 
 def _repeats(program: Program) -> bool:
@@ -114,8 +123,11 @@ def _repeats(program: Program) -> bool:
     It then writes vectors for a chain's masses: half the code, and half the time for 300 of them;
     compiling takes 3 to 5 times as long.
     """
-    count = sum(program.operation_count["run"].values())
-    return LARGE < count < SHORT * len(program.outputs)
+    return _does_little(program) and program.operation_count["run"].total() > LARGE
+
+
+def _does_little(program: Program) -> bool:
+    return program.operation_count["run"].total() < SHORT * len(program.outputs)
 
 
 def _improve(known: ref[Entry], source: jit.Source, calls: bool, compile_source: Compile) -> None:
