@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import json
 from html import escape
+from operator import truediv
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 HERE = Path(__file__).parent
 DATA, STATIC = HERE / "data", HERE / "static"
 NAMES = {
+    "pendulum-1": "pendulum, 1 link",
     "pendulum-5": "pendulum, 5 links",
     "pendulum-10": "pendulum, 10 links",
     "pendulum-20": "pendulum, 20 links",
@@ -17,6 +20,9 @@ NAMES = {
     "bicycle": "bicycle",
     "rider-bicycle": "rider on a bicycle",
 }
+
+PEERS = {"heyoka": ("heyoka", "#2f6fd0"), "casadi-c": ("CasADi, compiled C", "#9aa7b8")}
+WIDTHS = ("avx512", "avx2", "avx")
 
 
 def make(app: Any) -> None:
@@ -26,6 +32,7 @@ def make(app: Any) -> None:
     counts = {r["model"]: (r["cse"], sum(r["run"].values())) for r in results["results"]}
     write_table(counts, STATIC / "operations.md")
     draw_counts(counts, STATIC / "operations.svg")
+    draw_speeds(sorted(DATA.glob("peers*.json")), STATIC / "speeds.svg")
     write_landing(STATIC / "landing.html")
     watch_scenes()
 
@@ -56,6 +63,41 @@ def draw_counts(counts: dict[str, tuple[int, int]], path: Path) -> None:
     axes.set(xlim=(0, 100), xlabel="operations per evaluation, in % of SymPy's cse")
     axes.spines[["top", "right", "left"]].set_visible(False)
     axes.tick_params(left=False)
+    figure.savefig(path)
+
+
+def draw_speeds(files: list[Path], path: Path) -> None:
+    """Draw how many times ours the peers take for one state, a panel for each processor."""
+    from matplotlib.figure import Figure
+
+    found = [json.loads(file.read_text(encoding="utf-8")) for file in files]
+    figure = Figure(figsize=(7.0, 2.9 * len(found)), layout="constrained")
+    panels = figure.subplots(len(found), squeeze=False)[:, 0]
+    for axes, data in zip(panels, found, strict=True):
+        lines = {r["model"]: r["seconds"] for r in data["results"] if r["kind"] == "scalar"}
+        models = [model for model in NAMES if "ours" in lines.get(model, {})]
+        for place, (peer, (label, colour)) in enumerate(PEERS.items()):
+            ratios = {
+                row: median(map(truediv, lines[model][peer], lines[model]["ours"]))
+                for row, model in enumerate(models)
+                if peer in lines[model]
+            }
+            rows = [row + 0.38 * (place - 0.5) for row in ratios]
+            bars = axes.barh(rows, list(ratios.values()), height=0.36, color=colour, label=label)
+            axes.bar_label(bars, fmt=" %.1f", fontsize=9, color="#1f2733")
+        axes.axvline(1.0, color="#1f2733", linewidth=1)
+        axes.set_yticks(range(len(models)), [NAMES[model] for model in models])
+        axes.invert_yaxis()
+        axes.spines[["top", "right", "left"]].set_visible(False)
+        axes.tick_params(left=False)
+        axes.margins(x=0.1)
+        processor = data["about"]["processor"]
+        widest = next(
+            (f for f in WIDTHS if any(x.startswith(f) for x in processor["features"])), ""
+        )
+        where = f"{processor['name']}, {widest.upper()}, {data['about']['taken'][:10]}"
+        axes.set_xlabel(f"time for one state, pydy = 1 ({where})")
+        axes.legend(frameon=False, loc="lower right")
     figure.savefig(path)
 
 
