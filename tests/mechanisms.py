@@ -382,6 +382,81 @@ def given_accelerations():
     return Model(kane, _numbers(m, slope, gain, g))
 
 
+@cache
+def towed_sledge():
+    """A sledge that cannot slip, with an added mass that depends on accelerations, as a Force."""
+    frame, origin, g = _ground()
+    q, u = list(me.dynamicsymbols("x y theta beta")), list(me.dynamicsymbols("v1:5"))
+    m, n, size, c, added, k = sm.symbols("m n I c added k")
+    hull, boom = me.ReferenceFrame("H"), me.ReferenceFrame("B")
+    hull.orient_axis(frame, frame.z, q[2])
+    boom.orient_dcm(hull, sm.rot_axis2(q[3]).T)
+    edge = origin.locatenew("E", q[0] * frame.x + q[1] * frame.y)
+    centre, tip = edge.locatenew("C", c * hull.x), edge.locatenew("T", c / 3 * boom.z - c * boom.x)
+    slip = u[1] * sm.cos(q[2]) - u[0] * sm.sin(q[2])
+    push = -added * (u[0].diff(T) + c * u[2].diff(T)) * hull.x
+    kane = me.KanesMethod(
+        frame,
+        q,
+        [u[0], u[2], u[3]],
+        kd_eqs=[a.diff(T) - b for a, b in zip(q, u, strict=True)],
+        u_dependent=[u[1]],
+        velocity_constraints=[slip],
+        bodies=[
+            me.RigidBody("hull", centre, hull, m, (me.inertia(hull, 0, 0, size), edge)),
+            me.Particle("tip", tip, n),
+        ],
+        forcelist=[
+            me.Force(centre, push),
+            me.Torque(hull, -added * u[2].diff(T) * hull.z / 3),
+            (tip, -n * g * frame.z - k * sm.sin(q[3]) * boom.x),
+        ],
+    )
+    numbers = _numbers(m, n, c, added, k, g) | {size: 9.7}
+    return Model(kane, numbers)
+
+
+@cache
+def driven_crane():
+    """A load on a rope of prescribed length below a trolley on a rail that moves with time."""
+    frame, origin, g = _ground()
+    q, u = list(me.dynamicsymbols("s h a b")), list(me.dynamicsymbols("w1:5"))
+    reach = me.dynamicsymbols("rope")
+    m, n, k = sm.symbols("m n k")
+    inertias = sm.symbols("A B C D E F")
+    load = me.ReferenceFrame("L")
+    load.orient_body_fixed(frame, (q[2], q[3], 0), "xyz")
+    trolley = origin.locatenew("W", q[0] * frame.x + q[1] * frame.z)
+    hook = trolley.locatenew("K", -reach * load.z)
+    centre = hook.locatenew("C", -k * load.z + k / 4 * load.y)
+    rail = q[1] - sm.sin(q[0]) / 3 - sm.cos(2 * T) / 5
+    rate = u[1] - u[0] * sm.cos(q[0]) / 3 + 2 * sm.sin(2 * T) / 5
+    kd = [
+        q[0].diff(T) - u[0],
+        q[1].diff(T) - u[1],
+        u[2] - q[2].diff(T) * sm.cos(q[3]) - k * q[3].diff(T),
+        u[3] - q[3].diff(T) + q[2].diff(T) / 7,
+    ]
+    kane = me.KanesMethod(
+        frame,
+        [q[0], *q[2:]],
+        [u[0], *u[2:]],
+        kd_eqs=kd,
+        q_dependent=[q[1]],
+        configuration_constraints=[rail],
+        u_dependent=[u[1]],
+        velocity_constraints=[rate],
+        bodies=[
+            me.Particle("trolley", trolley, m),
+            me.RigidBody("load", centre, load, n, (me.inertia(load, *inertias), hook)),
+        ],
+        forcelist=[(trolley, -m * g * frame.z - k * u[0] * frame.x), (centre, -n * g * frame.z)],
+    )
+    numbers = dict(zip(inertias, [9.3, 9.1, 8.7, -0.2, 0.15, 0.3], strict=True))
+    prescribed = {reach: 1.31, reach.diff(T): -0.42, reach.diff(T, 2): 0.57}
+    return Model(kane, numbers | _numbers(m, n, k, g), prescribed)
+
+
 MECHANISMS = {
     f.__name__: f
     for f in (
@@ -397,5 +472,7 @@ MECHANISMS = {
         coupler,
         wheel,
         given_accelerations,
+        towed_sledge,
+        driven_crane,
     )
 }

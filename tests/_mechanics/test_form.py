@@ -21,7 +21,8 @@ FORMS = {
     "composite bodies in the inertial frame": {"in_bodies": False, "articulated": False},
 }
 # Loads with accelerations: M and F of the form are then not those of SymPy, whose F holds them.
-MODELS = {**{name: zoo.MODELS[name] for name in zoo.MODELS if name != "added_mass"}, **MECHANISMS}
+MODELS = {**zoo.MODELS, **MECHANISMS}
+del MODELS["added_mass"], MODELS["towed_sledge"]
 
 
 def rates(model, way, *states):
