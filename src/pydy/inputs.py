@@ -12,6 +12,7 @@ from pydy._checks import choice, real_array
 __all__ = ["SampledInput"]
 
 _INTERPOLATIONS = ("linear", "previous", "pchip")
+_SLACK = 1e-9  # of the time that samples span: rounding of times that were computed
 
 
 class SampledInput:
@@ -170,7 +171,7 @@ class SampledInput:
     def covers(self, t: np.ndarray) -> bool:
         """Tell whether all times lie inside, but for rounding."""
         start, end = self._knots[0], self._knots[-1]
-        slack = 1e-9 * (end - start)
+        slack = _SLACK * (end - start)
         return not (np.any(t < start - slack) or np.any(t > end + slack))
 
     def __repr__(self) -> str:

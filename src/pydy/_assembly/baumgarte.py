@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.tuning import NO_SHARE, SAME_RATE, SAME_SHARE
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
@@ -84,21 +85,22 @@ def _shares(assembly: Assembly) -> np.ndarray:
         x, r, p = (rng.uniform(0.3, 1.3, size) for size in assembly.sizes)
         out, _ = run(program, rng.uniform(0.1, 1.0, 1), x[None], r[None], p)
         part = {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
-        if not np.allclose(part["rows"], part["motion"], rtol=1e-9, atol=1e-12):
+        if not np.allclose(part["rows"], part["motion"], rtol=SAME_RATE, atol=NO_SHARE):
             raise ValueError(
                 "`constraints='baumgarte'` needs acceleration constraints that are the rates of "
                 "the velocity constraints, in the same order and not scaled; these are not. Use "
                 "constraints='project'."
             )
         reach = part["gradient"] @ part["kinematics"]
-        share, *_ = np.linalg.lstsq(reach.T, part["motion"].T, rcond=1e-9)
+        share, *_ = np.linalg.lstsq(reach.T, part["motion"].T, rcond=SAME_RATE)
         residual = part["motion"] - share.T @ reach
-        genuine = np.linalg.norm(residual, axis=1) > 1e-8 * np.linalg.norm(part["motion"], axis=1)
+        left, size = (np.linalg.norm(rows, axis=1) for rows in (residual, part["motion"]))
+        genuine = left > SAME_SHARE * size
         found.append(np.where(genuine[:, None], 0.0, share.T))
-    if not all(np.allclose(found[0], other, atol=1e-8) for other in found[1:]):
+    if not all(np.allclose(found[0], other, atol=SAME_SHARE) for other in found[1:]):
         raise ValueError(
             "`constraints='baumgarte'` needs velocity constraints that are the rates of holonomic "
             "ones with constant factors; here the factors depend on the state. Use "
             "constraints='project', or write the velocity constraints as `holonomic.diff(t)`."
         )
-    return np.where(np.abs(found[0]) < 1e-12, 0.0, found[0])
+    return np.where(np.abs(found[0]) < NO_SHARE, 0.0, found[0])

@@ -21,12 +21,12 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.generic import GenericStates
 from pydy._mechanics.reader import Multibody
+from pydy._mechanics.tuning import AGREEING
 
 __all__ = ["formed_alike"]
 
 _LOG = logging.getLogger("pydy")
 _STATES = 2
-_TOLERANCE = 1e-8
 # Estimates that differ by more need no counting: the simplification of the method's would take
 # longer than all the rest.
 _CLEAR = 0.5
@@ -101,7 +101,7 @@ def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:
     except np.linalg.LinAlgError:
         return False
     size = np.abs(matrix) @ np.abs(rates) + np.abs(forcing)
-    return bool((np.abs(matrix @ rates - forcing) <= _TOLERANCE * size + 1e-300).all())
+    return bool((np.abs(matrix @ rates - forcing) <= AGREEING * size + np.finfo(float).tiny).all())
 
 
 def _costs_less(equations: Equations, formed: Formed) -> bool:

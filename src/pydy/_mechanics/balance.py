@@ -13,11 +13,11 @@ import numpy as np
 
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import GenericStates
+from pydy._mechanics.tuning import AGREEING
 
 __all__ = ["is_potential_of"]
 
 _TRIALS = 3
-_TOLERANCE = 1e-8
 
 
 def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any]) -> bool:
@@ -36,4 +36,4 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     if values is None:
         return False
     found = values["terms"]
-    return bool(abs(found.sum()) <= _TOLERANCE * max(np.abs(found).sum(), 1e-300))
+    return bool(abs(found.sum()) <= AGREEING * max(np.abs(found).sum(), np.finfo(float).tiny))

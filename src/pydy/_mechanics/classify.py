@@ -16,11 +16,11 @@ import numpy as np
 from pydy._graph.derivative import dense_rows, jacobian
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import Block, GenericStates
+from pydy._mechanics.tuning import WITHIN_SPAN
 
 __all__ = ["classify"]
 
 _TRIALS = 3
-_DEPENDENT = 1e-8  # a unit row with less than this outside a span lies in it
 
 
 def classify(equations: Equations) -> Equations:
@@ -45,7 +45,7 @@ def classify(equations: Equations) -> Equations:
 
 def _implied(row: np.ndarray, motion: np.ndarray) -> bool:
     """Return whether the motion rows imply a row; that of a quaternion's norm is zero."""
-    return bool(np.linalg.norm(row) > _DEPENDENT) and not _completing(motion, row[None])
+    return bool(np.linalg.norm(row) > WITHIN_SPAN) and not _completing(motion, row[None])
 
 
 def _completing(rates: np.ndarray, motion: np.ndarray) -> list[int]:
@@ -59,9 +59,9 @@ def _completing(rates: np.ndarray, motion: np.ndarray) -> list[int]:
             for unit in basis:
                 rest = rest - (unit @ rest) * unit
         left = np.linalg.norm(rest)
-        if left > _DEPENDENT:
+        if left > WITHIN_SPAN:
             basis.append(rest / left)
-        return bool(left > _DEPENDENT)
+        return bool(left > WITHIN_SPAN)
 
     for row in rates:
         extends(row)

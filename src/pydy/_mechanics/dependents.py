@@ -18,16 +18,14 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import Block, GenericStates
 from pydy._mechanics.reader import Multibody
+from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, SMALL_PIVOT
 
 __all__ = ["Chosen", "constrained"]
 
 _TRIALS = 12
 _STATES = 3  # of those at which the constraints hold
-_OPEN = 1e-7  # a residual above this is no rounding error
 _SHARE = 0.1  # of the largest residual: what is named with it
-_SMALL = 1e-8  # of a pivot, with rows of unit size
 _STEADY = 10.0  # a pivot that is the same in all configurations weighs so much more
-_NEARLY = (1e-9, 1e-4)  # singular values between are neither zero nor sound
 
 
 class Chosen:
@@ -64,7 +62,7 @@ class Chosen:
         free[:, range(work.shape[2]) if allowed is None else list(allowed)] = True
         while free.any():
             worst = np.where(free, np.abs(work).min(axis=0), 0.0)
-            sound = np.where(worst < _SMALL, 0.0, worst)
+            sound = np.where(worst < SMALL_PIVOT, 0.0, worst)
             weighed = np.where(varies, sound, _STEADY * sound)
             i, j = np.unravel_index(int(weighed.argmax()), worst.shape)
             if sound[i, j] == 0.0:
@@ -173,7 +171,7 @@ def _choose(
             "The constraints cannot be evaluated: they give NaN or infinity at random states. "
             "Check what they divide by."
         )
-    samples = [s for s in every if np.abs(s["residuals"]).max(initial=0.0) < _OPEN]
+    samples = [s for s in every if np.abs(s["residuals"]).max(initial=0.0) < OPEN]
     if not samples:
         best = min(every, key=lambda s: float(np.abs(s["residuals"]).max()))["residuals"]
         names = [("holonomic", k, e) for k, e in enumerate(equations.holonomic)]
@@ -233,7 +231,7 @@ def _of_full_rank(matrices: list[np.ndarray]) -> list[np.ndarray]:
 
 def _nearly_singular(matrix: np.ndarray) -> bool:
     sizes = np.linalg.svd(matrix, compute_uv=False) if matrix.size else np.zeros(1)
-    low, high = _NEARLY
+    low, high = NEARLY_DEPENDENT
     return bool(((sizes > low * sizes[0]) & (sizes < high * sizes[0])).any())
 
 

@@ -21,12 +21,11 @@ from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
+from pydy._mechanics.tuning import CLOSED, FULL_STEPS
 
 __all__ = ["Block", "GenericStates"]
 
 _STEPS = 50
-_CLOSED = 1e-13
-_SHARES = (0.05, 1e-14)
 
 Block = tuple[str, tuple[int, ...], list[int]]
 
@@ -138,13 +137,12 @@ class GenericStates:
         x = rng.uniform(0.3, 1.3, n + len(self.speeds))
         r = rng.uniform(0.5, 1.5, len(self._others))
         t = rng.uniform(0.1, 1.0, 1)
-        # With full steps redundant constraints draw Newton's method to singular positions.
-        for share in _SHARES:
+        for share in FULL_STEPS:
             for _ in range(_STEPS):
                 now = _values(closing, t, x, r)
                 if not all(np.isfinite(now[k]).all() for k in ("gradient", "holonomic")):
                     return t, x, r
-                if np.abs(now["holonomic"]).max(initial=0.0) < _CLOSED:
+                if np.abs(now["holonomic"]).max(initial=0.0) < CLOSED:
                     break
                 step = -_solved(now["gradient"], now["holonomic"], share)
                 x[:n] += step[:n]

@@ -19,12 +19,11 @@ from collections.abc import Sequence
 
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
+from pydy._mechanics.tuning import SHIFT, SOUND_PIVOT
 
 __all__ = ["accelerations_of_held", "multipliers_of"]
 
-_SHARE = 1e-4  # of D in the size of the diagonal of S
 _STEPS = 6  # after the first: what is 1e-2 of the size is found to rounding
-_PIVOT = 1e-2  # of the size of its row: below, all rows take part
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
 
 
@@ -99,7 +98,7 @@ def _eliminated(
     cell, found = [list(row) for row in square], list(right)
     share = [[graph.zero] * n for _ in range(n)]
     for j in range(n):
-        limit = graph.sum([(sizes[j], _PIVOT)])
+        limit = graph.sum([(sizes[j], SOUND_PIVOT)])
         sound = graph.call("and", sound, graph.call("lt", limit, cell[j][j]))
         inverse = graph.powi(cell[j][j], -1)
         for i in range(j + 1, n):
@@ -151,7 +150,7 @@ def _least(
     count = range(len(right))
     shifted = [list(row) for row in square]
     for i in count:
-        shifted[i][i] = graph.sum([(square[i][i], 1.0), (sizes[i], _SHARE)])
+        shifted[i][i] = graph.sum([(square[i][i], 1.0), (sizes[i], SHIFT)])
     factor = graph.make("factor", ("ldl", len(right), tuple(e for row in shifted for e in row)))
     found = graph.solve_factored(factor, right)
     for _ in range(_STEPS):

@@ -183,7 +183,7 @@ def _wild(kinematics: np.ndarray) -> np.ndarray:
 def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
     """Say what to choose where the constraints cannot be solved for the dependent speeds."""
     speeds, chosen = equations.speeds, equations.dependent_speeds
-    rows = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
+    rows = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), np.finfo(float).tiny)
     columns = [speeds.index(u) for u in chosen]
     sizes = np.linalg.svd(rows[:, columns], compute_uv=False)
     if len(columns) == len(rows) and sizes[-1] > NEARLY_SINGULAR * sizes[0]:

@@ -12,6 +12,7 @@ from pydy._assembly.definition import Definition
 from pydy._checks import Places, listed
 from pydy._errors import PyDyUserWarning, SingularMatrixError
 from pydy._system.snapshot import Snapshot
+from pydy._system.tuning import CANCELLED, UNSOLVED
 from pydy.codegen.arguments import describe
 from pydy.solvers.run.constraints import satisfied
 
@@ -141,8 +142,8 @@ def solve_dependents(
         first = len(definition.equations.coordinates)
         moving = slice(first, first + len(definition.equations.speeds))
         size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
-        rounding = 1e-14 * rows * np.abs(x[moving]).max()
-        if (left > 1e-8 * size + rounding).any():
+        rounding = CANCELLED * rows * np.abs(x[moving]).max()
+        if (left > UNSOLVED * size + rounding).any():
             names = [definition.states[k] for k in speeds]
             warnings.warn(
                 f"The velocity constraints do not hold for {describe(names)}: the largest residual "

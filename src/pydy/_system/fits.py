@@ -25,6 +25,7 @@ from pydy._optional import require
 from pydy._system.balance import located
 from pydy._system.dependents import latest_dependents
 from pydy._system.trials import Data, checked_trial
+from pydy._system.tuning import FIT, INSTANT, LEAST_SPREAD
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
 from pydy.solvers.solver import Solver
 
@@ -63,7 +64,7 @@ class _Fit:
         self.runner = copy(system)
         if not isinstance(self.runner.ode_solver, Solver):
             self.runner.ode_solver = "dop853"
-        self.options = {"rtol": 1e-9, "atol": 1e-9, **options}
+        self.options = {"rtol": FIT, "atol": FIT, **options}
         definition = system._now().definition
         states = definition.places["states"]
         outputs = Places(definition.outputs_symbols, "outputs of the system")
@@ -192,7 +193,7 @@ class _Fit:
         skip = int(not len(times) or times[0] > part.begin)
         times = np.append(part.begin, times) if skip else times
         if len(times) < 2:
-            times = np.append(times, times[-1] + 1e-9)
+            times = np.append(times, times[-1] + INSTANT)
         self.runner.times = times
         if self.tied:
             self.runner.set_dependent_initial_conditions(self.tied)
@@ -256,7 +257,7 @@ class _Fit:
                 z[following : following + len(ahead)] = ahead
                 found.append(ahead)
         if found:
-            self.spread = np.maximum(np.std(found, axis=0), 1e-2)
+            self.spread = np.maximum(np.std(found, axis=0), LEAST_SPREAD)
         return z
 
 

@@ -14,19 +14,17 @@ from pydy._errors import PeriodicOrbitError
 from pydy._names import unique_names
 from pydy._system.dependents import latest_dependents
 from pydy._system.snapshot import Snapshot
+from pydy._system.tuning import AT_REST, BEGINNING, ORBIT
 from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
+from pydy.analysis.tuning import STILL
 from pydy.solvers.events import Event
 from pydy.solvers.solver import Solver
 
 __all__ = ["find_orbit"]
 
-# An event that ends the period may be where it begins: it is looked for after this share.
-_BEGINNING = 1e-3
 # How long an event is waited for, in periods as guessed.
 _PATIENCE = 5.0
 _SAMPLES = 201
-# What moves by less than this, in units of its size, does not move.
-_STILL = 1e-12
 
 
 def find_orbit(
@@ -57,7 +55,7 @@ def find_orbit(
     runner = copy(system)
     if not isinstance(runner.ode_solver, Solver):
         runner.ode_solver = "dop853"
-    options = {"rtol": 1e-12, "atol": 1e-12, **options}
+    options = {"rtol": ORBIT, "atol": ORBIT, **options}
     if tied:
         options.setdefault("constraints", "project")
     t0 = now.t
@@ -83,12 +81,12 @@ def find_orbit(
             end, slopes, instant = ride.states[-1], ride.sensitivity.values[-1], t0 + length
             rates = runner.evaluate_ode(end, instant)
         else:
-            first = run([t0, t0 + _BEGINNING * guess])
+            first = run([t0, t0 + BEGINNING * guess])
             runner.initial_conditions = dict(
                 zip(definition.states, first.states[-1].tolist(), strict=True)
             )
             ending = replace(until, terminal=True)
-            ride = run([t0 + _BEGINNING * guess, t0 + _PATIENCE * guess], events=ending)
+            ride = run([t0 + BEGINNING * guess, t0 + _PATIENCE * guess], events=ending)
             if not ride.events:
                 raise PeriodicOrbitError(
                     f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
@@ -110,7 +108,7 @@ def find_orbit(
         begin(start)
         slope = runner.evaluate_ode()[free]
         size = float(np.linalg.norm(slope))
-        if size <= 1e-9:
+        if size <= STILL:
             raise ValueError(
                 "The initial conditions are an equilibrium, which is no orbit. Start elsewhere, or "
                 "use `find_equilibrium`."
@@ -130,7 +128,7 @@ def find_orbit(
         monodromy=flight.by_start,
         residual=residual,
         autonomous=autonomous,
-        equilibrium=bool((moved <= _STILL * sizes).all()),
+        equilibrium=bool((moved <= AT_REST * sizes).all()),
         trajectory=trajectory,
     )
 

@@ -12,11 +12,10 @@ from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy.analysis.tuning import FREE
 from pydy.solvers.run.constraints import CompiledConstraints
 
 __all__ = ["Projections"]
-
-_DEPENDENT = 1e-9
 
 
 class Projections:
@@ -131,5 +130,5 @@ def _least(rows: np.ndarray) -> np.ndarray:
     """Return what solves equations with the least change; dependent rows do not count."""
     lengths = np.linalg.norm(rows, axis=1)
     lengths = np.where(lengths > 0.0, lengths, 1.0)
-    found: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=_DEPENDENT) / lengths
+    found: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=FREE) / lengths
     return found

@@ -25,6 +25,8 @@ from pydy._graph.columns import Columns
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy._system.tuning import UNSOLVED_COLUMNS
+from pydy.analysis.tuning import FREE
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event
@@ -32,8 +34,6 @@ from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.solver import Solver
 
 __all__ = ["Parameter", "Sensitive", "Wanted", "by_samples", "read_parameters"]
-
-_DEPENDENT = 1e-9
 
 
 @dataclass(frozen=True)
@@ -365,10 +365,10 @@ class Sensitive:
                 for b in blocks
             ]
         )
-        solved, *_ = np.linalg.lstsq(gradient[:, dependent], -moved, rcond=_DEPENDENT)
+        solved, *_ = np.linalg.lstsq(gradient[:, dependent], -moved, rcond=FREE)
         values[dependent] += solved
         size = (np.abs(gradient) @ np.abs(values) + np.abs(moved)).max(axis=0)
-        if (np.abs(gradient[:, dependent] @ solved + moved) > 1e-6 * size).any():
+        if (np.abs(gradient[:, dependent] @ solved + moved) > UNSOLVED_COLUMNS * size).any():
             names = describe([self.definition.states[d] for d in dependent]) if dependent else ""
             which = f"for {names}" if names else "for any: none is named as dependent"
             raise ValueError(

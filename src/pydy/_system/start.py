@@ -12,7 +12,7 @@ from pydy._assembly.model import CompiledModel
 from pydy._errors import warn_user
 from pydy._graph.derivative import dense_jacobian
 from pydy._system.solving import constraint_names
-from pydy._system.tuning import DIGITS, TRIED
+from pydy._system.tuning import DIGITS, HELD, TRIED
 
 __all__ = ["check_samples", "check_start", "violations"]
 
@@ -72,7 +72,7 @@ def violations(
     equations = definition.equations
     at = (np.array([t]), x[None], r[None], p)
     residuals = np.concatenate([part[0] for part in model.interpreted(_residuals, at).values()])
-    if np.abs(residuals).max(initial=0.0) < 1e-12:  # NaN is not
+    if np.abs(residuals).max(initial=0.0) < HELD:  # NaN is not
         return ""
     n = len(equations.coordinates)
     size = np.abs(x)

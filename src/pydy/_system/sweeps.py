@@ -18,6 +18,7 @@ from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_equilibrium, solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of
+from pydy.analysis.tuning import FREE, ZERO_ROOT
 
 __all__ = ["Family", "eigenvalues", "follow_equilibria", "parameter_of"]
 
@@ -81,7 +82,7 @@ class Family:
         if moved <= 0.02 * scale:
             return True
         slopes = self.balance.slopes(z[None])[0]
-        expected = -np.linalg.pinv(slopes[:, :-1], rcond=1e-9) @ slopes[:, -1] * step[-1]
+        expected = -np.linalg.pinv(slopes[:, :-1], rcond=FREE) @ slopes[:, -1] * step[-1]
         return float(np.linalg.norm(step[:-1] - expected)) <= 0.5 * moved
 
     def alone(self, z: np.ndarray) -> np.ndarray:
@@ -180,7 +181,7 @@ def follow_equilibria(
         family.names,
     )
     z = np.array(points)
-    limit = 1e-7 * max(1.0, max(float(np.abs(s).max(initial=0.0)) for s in spectra))
+    limit = ZERO_ROOT * max(1.0, max(float(np.abs(s).max(initial=0.0)) for s in spectra))
     return EquilibriumBranch(
         parameter=family.names[-1],
         values=z[:, -1].copy(),

@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 __all__ = [
+    "AT_REST",
+    "BEGINNING",
     "BESIDE",
     "BLOCK_BYTES",
+    "CANCELLED",
     "DIGITS",
+    "FIT",
+    "HELD",
+    "INSTANT",
     "LARGEST_BLOCK",
+    "LEAST_SPREAD",
     "NEARLY_SINGULAR",
     "NO_INERTIA",
+    "ORBIT",
     "SMALLEST_BLOCK",
     "TRIED",
+    "UNSOLVED",
+    "UNSOLVED_COLUMNS",
 ]
 
 TRIED = 64
@@ -30,6 +40,31 @@ In a singular configuration itself the gradient is rounding errors; they are far
 
 NO_INERTIA = 1e-12
 """The inertia of a combination of speeds, in units of what each has alone, that is none."""
+
+HELD = 1e-12
+"""Residuals of constraints that hold, whatever the sizes of the states."""
+
+UNSOLVED, UNSOLVED_COLUMNS = 1e-8, 1e-6
+"""What dependent speeds, and sensitivities, leave of equations that they do not solve, in units of
+the terms."""
+
+CANCELLED = 1e-14
+"""What coefficients that cancel leave, in units of their row and of the largest speed."""
+
+FIT, ORBIT = 1e-9, 1e-12
+"""Tolerances of the integrations of fits and of periodic orbits: their results are differenced."""
+
+INSTANT = 1e-9
+"""How long, in s, a part of a fit lasts that has a single sample, at its beginning."""
+
+LEAST_SPREAD = 1e-2
+"""The least scale of the states at which a fit joins parts."""
+
+AT_REST = 1e-12
+"""What moves by less than this, in units of its size, does not move."""
+
+BEGINNING = 1e-3
+"""An event that ends a period may be where it begins: it is looked for after this share."""
 
 NEARLY_SINGULAR = 1e-6
 """A singular value, in units of the largest, near which steps become ever smaller."""

@@ -18,13 +18,12 @@ import numpy as np
 
 from pydy._optional import require
 from pydy.analysis.pictures import plot_branch
+from pydy.analysis.tuning import BISECTED, FREE, ON_BRANCH, SHORTEST_STEP, STEEPEST_TURN, ZERO_ROOT
 
 __all__ = ["EquilibriumBranch", "SpecialPoint", "trace"]
 
 Function = Callable[[np.ndarray], np.ndarray]
 
-_RANK = 1e-9
-_TOLERANCE = 1e-11
 _ITERATIONS = 8
 
 
@@ -132,7 +131,7 @@ class _Curve:
         self.scale = np.append(np.maximum(np.abs(z[:-1]), 1.0), span)
         slopes = J(z)[:, :-1] * self.scale[:-1]
         _, singular, right = np.linalg.svd(slopes)
-        rank = int((singular > _RANK * singular.max(initial=1e-300)).sum())
+        rank = int((singular > FREE * singular.max(initial=np.finfo(float).tiny)).sum())
         free = right[rank:]
         # A direction that the parameter alone moves along, such as at a fold, is not held.
         self.held = free if len(free) <= max(0, len(z) - 1 - rank) else free[:0]
@@ -159,7 +158,7 @@ class _Curve:
                 return None
             step = np.linalg.lstsq(slopes, values, rcond=None)[0]
             z = z - self.scale * step
-            if np.abs(step).max() <= _TOLERANCE:
+            if np.abs(step).max() <= ON_BRANCH:
                 return z, count
         return None
 
@@ -216,7 +215,7 @@ def trace(
     point = curve.point(start, towards)
     if point.tangent[-1] * towards[-1] < 0.0:
         raise AssertionError("the tangent points the other way")
-    limit = 1e-7 * max(1.0, float(np.abs(point.spectrum).max(initial=0.0)))
+    limit = ZERO_ROOT * max(1.0, float(np.abs(point.spectrum).max(initial=0.0)))
     points, special = [point], []
     length, ended = step / 4.0, "steps"
     while len(points) < most:
@@ -227,13 +226,13 @@ def trace(
         )
         if found is None or not near:
             length *= 0.5
-            if length < 1e-8:
+            if length < SHORTEST_STEP:
                 ended = "lost"
                 break
             continue
         z, count = found
         new = curve.point(z, point.tangent)
-        if new.tangent @ point.tangent < 0.8 and length > 1e-4:
+        if new.tangent @ point.tangent < 0.8 and length > STEEPEST_TURN:
             length *= 0.5
             continue
         special += _between(curve, point, new, length, limit, names, len(points) - 1)
@@ -315,6 +314,6 @@ def _bisected(
             low = middle
         else:
             high = middle
-        if high - low < 1e-13:
+        if high - low < BISECTED:
             break
     return best

@@ -16,19 +16,17 @@ from scipy.optimize import least_squares
 
 from pydy._errors import EquilibriumError
 from pydy._names import unique_names
+from pydy.analysis.directions import direction_text
+from pydy.analysis.tuning import AT_BOUND, FREE, NAMED, NEWTON_STEP, TO_ROUNDING
 
 __all__ = ["Equilibrium", "solve_equilibrium", "solve_many"]
 
 _EPS = float(np.finfo(float).eps)
-# Singular values below this share of the largest leave a direction in which the unknowns are free.
-_FREE = 1e-9
 # A residual up to so many rounding errors of the terms it is made of is zero.
 _ROUNDING = 1e5
 # Of the largest term of all rows, so many: what a linear solve leaves in a row that vanishes.
 _SOLVED = 100.0
 _POLISH = 20
-# A step this small, relative to the unknowns, ends Newton's method.
-_CONVERGED = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,7 +110,7 @@ def solve_equilibrium(
         try:
             found = least_squares(
                 residual, z, jacobian, bounds, x_scale="jac",
-                xtol=1e-14, ftol=1e-14, gtol=1e-14,
+                xtol=TO_ROUNDING, ftol=TO_ROUNDING, gtol=TO_ROUNDING,
             )  # fmt: skip
             z, message = found.x, found.message
         except ValueError as error:  # residuals that are not finite at the start
@@ -138,8 +136,8 @@ def _quickly(
         slopes = jacobian(z)
         if not (np.isfinite(size) and np.isfinite(slopes).all()):
             return None
-        step = np.linalg.lstsq(slopes, values, rcond=_FREE)[0]
-        if np.abs(step).max(initial=0.0) <= _CONVERGED * max(1.0, np.abs(z).max(initial=0.0)):
+        step = np.linalg.lstsq(slopes, values, rcond=FREE)[0]
+        if np.abs(step).max(initial=0.0) <= NEWTON_STEP * max(1.0, np.abs(z).max(initial=0.0)):
             return _polished(residual, jacobian, z, low, high)
         z = z - step
         if (z < low).any() or (z > high).any():
@@ -169,14 +167,15 @@ def _accepted(
             z,
             values,
         )
-    worst = np.abs(values) / np.maximum(_ROUNDING * _EPS * _scale(slopes, z, values), 1e-300)
+    limit = _ROUNDING * _EPS * _scale(slopes, z, values)
+    worst = np.abs(values) / np.maximum(limit, np.finfo(float).tiny)
     if (worst > 1.0).any():
         order = [k for k in np.argsort(-np.abs(values)) if worst[k] > 1.0][:3]
         left = ", ".join(f"{rows[k]} = {values[k]:.3g}" for k in order)
         at_bounds = [
             name
             for name, value, a, b in zip(unknowns, z, low, high, strict=True)
-            if min(value - a, b - value) <= 1e-9 * max(1.0, abs(value))
+            if min(value - a, b - value) <= AT_BOUND * max(1.0, abs(value))
         ]
         bound = f" At a bound: {', '.join(at_bounds)}." if at_bounds else ""
         why = f" ({' '.join(message.split())})" if message else ""
@@ -220,7 +219,7 @@ def solve_many(
         left = left[ready & (sizes[left] > 0.0)]
         if not left.size:
             break
-        steps = np.linalg.pinv(J[left, :, :-1], rcond=_FREE) @ best[left, :, None]
+        steps = np.linalg.pinv(J[left, :, :-1], rcond=FREE) @ best[left, :, None]
         after = z[left]
         after[:, :-1] -= steps[:, :, 0]
         values = residuals(after)
@@ -232,7 +231,7 @@ def solve_many(
         J[left] = slopes(after)
     limit = _ROUNDING * _EPS * _scale(J, z, best)
     with np.errstate(invalid="ignore"):
-        return z, (np.abs(best) <= np.maximum(limit, 1e-300)).all(axis=1)
+        return z, (np.abs(best) <= np.maximum(limit, np.finfo(float).tiny)).all(axis=1)
 
 
 def _scale(J: np.ndarray, z: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -262,7 +261,7 @@ def _polished(
         slopes = jacobian(z)
         if not (np.isfinite(slopes).all() and np.isfinite(best).all()) or not best.any():
             break
-        step = np.linalg.lstsq(slopes, best, rcond=_FREE)[0]
+        step = np.linalg.lstsq(slopes, best, rcond=FREE)[0]
         after = np.clip(z - step, low, high)
         values = residual(after)
         if not np.abs(values).max() < np.abs(best).max():
@@ -282,18 +281,5 @@ def _undetermined(slopes: np.ndarray, unknowns: Sequence[str]) -> tuple[str, ...
         return tuple(unknowns)
     sizes = np.linalg.norm(slopes, axis=1, keepdims=True)
     _, singular, right = np.linalg.svd(slopes / np.where(sizes > 0.0, sizes, 1.0))
-    rank = int((singular > _FREE * max(singular.max(initial=0.0), 1e-300)).sum())
-    texts = []
-    for direction in right[rank:]:
-        largest = np.abs(direction).max()
-        parts = [
-            name if abs(share - largest) < 1e-12 else f"{share / largest:.3g} {name}"
-            for name, share in zip(unknowns, np.sign(_leading(direction)) * direction, strict=True)
-            if abs(share) > 1e-6 * largest
-        ]
-        texts.append(" + ".join(parts))
-    return tuple(texts)
-
-
-def _leading(direction: np.ndarray) -> Any:
-    return direction[np.abs(direction).argmax()]
+    rank = int((singular > FREE * max(singular.max(initial=0.0), np.finfo(float).tiny)).sum())
+    return tuple(direction_text(direction, unknowns, NAMED) for direction in right[rank:])

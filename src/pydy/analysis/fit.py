@@ -17,13 +17,11 @@ from scipy.stats import t as student
 
 from pydy._checks import number
 from pydy._errors import FitInterrupted, warn_user
+from pydy.analysis.directions import direction_text
 from pydy.analysis.pictures import plot_residuals
+from pydy.analysis.tuning import AT_BOUND, FITTED, NAMED_IN_FIT, UNDETERMINED
 
 __all__ = ["FitResult", "Trial", "estimate"]
-
-# Singular values of the scaled Jacobian below this share leave a combination undetermined.
-_UNDETERMINED = 1e-8
-_BOUND = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,7 +202,7 @@ def estimate(
     try:
         found = least_squares(
             lambda z: at(z)[0], start, lambda z: at(z)[1], bounds, x_scale="jac",
-            xtol=1e-12, ftol=1e-12, gtol=1e-12, max_nfev=most,
+            xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
         )  # fmt: skip
         residuals, jacobian = at(found.x)
     except KeyboardInterrupt as stop:
@@ -230,21 +228,13 @@ def covariance_of(
     sizes = np.where(np.abs(values) > 0.0, np.abs(values), 1.0)
     _, singular, right = np.linalg.svd(jacobian * sizes, full_matrices=False)
     largest = singular.max(initial=0.0)
-    weak = singular <= _UNDETERMINED * largest
+    weak = singular <= UNDETERMINED * largest
     inverse = np.where(weak, 0.0, 1.0 / np.where(weak, 1.0, singular))
     covariance = (right.T * inverse**2) @ right
     texts = []
     for direction in right[weak]:
-        lead = np.abs(direction).max()
-        sign = np.sign(direction[np.abs(direction).argmax()])
-        parts = [
-            name if abs(abs(share) - lead) < 1e-9 and sign * share > 0 else
-            f"{sign * share / lead:.3g} {name}"
-            for name, share in zip(names, direction, strict=True)
-            if abs(share) > 1e-4 * lead
-        ]  # fmt: skip
-        texts.append(" + ".join(parts))
-        touched = np.abs(direction) > 1e-4 * lead
+        texts.append(direction_text(direction, names, NAMED_IN_FIT))
+        touched = np.abs(direction) > NAMED_IN_FIT * np.abs(direction).max()
         covariance[touched, touched] = np.inf
     return covariance * np.outer(sizes, sizes), tuple(texts)
 
@@ -254,6 +244,6 @@ def held_by(
 ) -> tuple[str, ...]:
     """Return the parameters that lie at a bound."""
     low, high = bounds
-    size = np.maximum(np.abs(values), 1e-300)
-    near = (values - low <= _BOUND * size) | (high - values <= _BOUND * size)
+    size = np.maximum(np.abs(values), np.finfo(float).tiny)
+    near = (values - low <= AT_BOUND * size) | (high - values <= AT_BOUND * size)
     return tuple(name for name, flag in zip(names, near, strict=True) if flag)

@@ -20,12 +20,9 @@ from scipy.linalg import qr
 from pydy._checks import choice, real_array
 from pydy._optional import require
 from pydy.analysis.pictures import plot_bode
+from pydy.analysis.tuning import FREE, SLOW
 
 __all__ = ["LinearModel", "independent_places", "tangents"]
-
-# A row of the constraints' Jacobian this much shorter than the longest, after elimination, adds
-# nothing to its rank.
-_DEPENDENT = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,7 +122,7 @@ class LinearModel:
         i = self.outputs.index(choice(output, self.outputs, "`output`"))
         if frequencies is None:
             sizes = np.abs(np.linalg.eigvals(self._one("plot_bode")[0]))
-            sizes = sizes[sizes > 1e-6 * sizes.max(initial=0.0)]
+            sizes = sizes[sizes > SLOW * sizes.max(initial=0.0)]
             low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
             frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
         response = self.frequency_response(frequencies)[:, i, j]
@@ -159,12 +156,12 @@ def independent_places(
         The constraints have a lower rank than there are dependent states.
     """
     rows, n = jacobian, jacobian.shape[1]
-    rank = int(np.linalg.matrix_rank(rows, tol=_DEPENDENT)) if rows.size else 0
+    rank = int(np.linalg.matrix_rank(rows, tol=FREE)) if rows.size else 0
     if rank < len(dependent):
         raise _singular(0)
     preferred = np.array(sorted(dependent), dtype=np.int64)
     if rank == len(preferred) and rank:
-        rank_of_preferred = np.linalg.matrix_rank(rows[:, preferred], tol=_DEPENDENT)
+        rank_of_preferred = np.linalg.matrix_rank(rows[:, preferred], tol=FREE)
         if rank_of_preferred < rank:
             preferred = preferred[:0]
     elif len(preferred) != rank:
@@ -209,7 +206,7 @@ def tangents(jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray) -> np.nd
         held, moved = jacobian[:, :, bound], jacobian[:, :, free]
         left, sizes, right = np.linalg.svd(held, full_matrices=False)
         smallest = sizes[:, -1]
-        if not smallest.min() > _DEPENDENT:
+        if not smallest.min() > FREE:
             raise _singular(int(smallest.argmin()))
         # The pseudo-inverse from the same decomposition.
         projected = left.transpose(0, 2, 1) @ moved / sizes[:, :, None]

@@ -15,11 +15,11 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import PeriodicOrbitError
+from pydy.analysis.tuning import DAMPED, MARGIN, ORBIT_CLOSED, SOLVABLE
 
 __all__ = ["Flight", "PeriodicOrbit", "shoot"]
 
 _ITERATIONS = 40
-_ROUNDING = 1e-9
 _STUCK = 1e8
 # The least period, and the least rates of the states at its end, as shares of those at first.
 _SHORTEST = 0.1
@@ -74,7 +74,7 @@ class PeriodicOrbit:
         values = self.multipliers
         if self.autonomous and values.size:
             values = np.delete(values, np.abs(values - 1.0).argmin())
-        return bool((np.abs(values) <= 1.0 + 1e-5).all())
+        return bool((np.abs(values) <= 1.0 + MARGIN).all())
 
     def __str__(self) -> str:
         largest = np.abs(self.multipliers).max(initial=0.0)
@@ -151,7 +151,7 @@ def shoot(
             # conservative systems come in families, of which the nearest is wanted.
             held = np.sqrt(weight * min(size, 1.0)) * np.eye(whole.shape[1])
             both = np.append(right, np.zeros(whole.shape[1]))
-            step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=1e-13)[0]
+            step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=SOLVABLE)[0]
             after = z + step[:k]
             new_period = period + float(step[k]) if slope is not None else period
             try:
@@ -165,15 +165,15 @@ def shoot(
             if new is not None and float(np.abs(new.end - after).max()) < size:
                 break
             new = None
-            if size <= _ROUNDING * scale:
+            if size <= ORBIT_CLOSED * scale:
                 break
-            weight = max(10.0 * weight, 1e-6)
+            weight = max(10.0 * weight, DAMPED)
         if new is None:
             break
         z, period, flight, gap = after, new_period, new, new.end - after
         weight *= 0.1
     size = float(np.abs(gap).max(initial=0.0))
-    if not size <= _ROUNDING * max(1.0, float(np.abs(z).max(initial=0.0))):
+    if not size <= ORBIT_CLOSED * max(1.0, float(np.abs(z).max(initial=0.0))):
         raise _lost(names, z, gap, period)
     return z, flight, size
 

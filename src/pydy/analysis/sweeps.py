@@ -11,14 +11,10 @@ from scipy.optimize import brentq, linear_sum_assignment
 
 from pydy._optional import require
 from pydy.analysis.pictures import plot_eigenvalues, plot_root_locus
+from pydy.analysis.tuning import CROSSED, ENTRY, TO_ROUNDING
 
 __all__ = ["Crossing", "EigenvalueSweep", "spectra_of"]
 
-# Real parts below this share of the largest eigenvalue are rounding errors of zero: those of
-# coordinates that may be anywhere.
-_NOTHING = 1e-6
-# Entries of A below this share of the largest in their row are rounding errors.
-_ROUNDING = 1e-12
 Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
@@ -93,7 +89,7 @@ class EigenvalueSweep:
 
     @property
     def _nothing(self) -> float:
-        return _NOTHING * float(np.abs(self.eigenvalues).max(initial=0.0))
+        return CROSSED * float(np.abs(self.eigenvalues).max(initial=0.0))
 
     def crossings(self) -> tuple[Crossing, ...]:
         """Return where branches cross the imaginary axis, ascending in the parameter.
@@ -125,7 +121,7 @@ class EigenvalueSweep:
             expected = ends[0] + share * (ends[1] - ends[0])
             return complex(spectrum[np.abs(spectrum - expected).argmin()])
 
-        value = brentq(lambda v: near(v).real, a, b, xtol=1e-14, rtol=4 * np.finfo(float).eps)
+        value = brentq(lambda v: near(v).real, a, b, xtol=TO_ROUNDING, rtol=4 * np.finfo(float).eps)
         there = near(value)
         return Crossing(
             value=float(value),
@@ -165,8 +161,8 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """
     m, k = A.shape[:2]
     sizes = np.abs(A).max(axis=2, keepdims=True, initial=0.0)
-    sizes = np.maximum(sizes, _NOTHING * sizes.max(initial=0.0))
-    matters = (np.abs(A) > _ROUNDING * sizes).any(axis=0)  # rows by columns
+    sizes = np.maximum(sizes, CROSSED * sizes.max(initial=0.0))
+    matters = (np.abs(A) > ENTRY * sizes).any(axis=0)  # rows by columns
     active = np.arange(k)
     while True:
         left = active[matters[np.ix_(active, active)].any(axis=0)]

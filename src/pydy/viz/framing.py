@@ -9,6 +9,7 @@ import numpy as np
 
 from pydy.viz.animation import Animation
 from pydy.viz.shapes import Plane
+from pydy.viz.tuning import ROUND
 
 __all__ = ["Framing", "Look", "frame"]
 
@@ -139,4 +140,4 @@ def _path(animation: Animation, up: np.ndarray) -> np.ndarray:
 
 def _nice(value: float) -> float:
     power = 10.0 ** np.floor(np.log10(value))
-    return float(power * max(k for k in (1, 2, 5) if k * power <= value * (1 + 1e-9)))
+    return float(power * max(k for k in (1, 2, 5) if k * power <= value * (1 + ROUND)))

@@ -23,6 +23,7 @@ from pydy.viz.animation import Animation, Item
 from pydy.viz.motion import Motion
 from pydy.viz.poses import Geometry, Names, pose_program
 from pydy.viz.shapes import Arrow, Line, Plane
+from pydy.viz.tuning import RIGID
 
 __all__ = ["Live", "LivePage", "LiveSystem", "Slider", "live_page"]
 
@@ -197,7 +198,7 @@ class Witness:
         """Tell whether a point rests in a frame as seen from another point."""
         away = self._positions[point] - self._positions[base]
         offset = np.einsum("mji,mj->mi", self._rotations[frame], away)
-        return bool(np.ptp(offset, axis=0).max() <= 1e-11 * self._size)
+        return bool(np.ptp(offset, axis=0).max() <= RIGID * self._size)
 
 
 # -- the page -------------------------------------------------------------------------------------

@@ -11,6 +11,7 @@ import numpy as np
 from pydy._checks import check_mapping, listed, number, real_array
 from pydy._names import name_of
 from pydy.viz.poses import Names
+from pydy.viz.tuning import ON_TIME
 
 __all__ = [
     "Model",
@@ -229,7 +230,7 @@ def sampled(times: np.ndarray, step: float) -> np.ndarray:
     """
     keep = [0]
     last = len(times) - 1
-    close = step * (1 - 1e-6)  # a rounding error is not a frame less
+    close = step * (1 - ON_TIME)  # a rounding error is not a frame less
     while True:
         k = max(int(np.searchsorted(times, times[keep[-1]] + close)), keep[-1] + 1)
         if k > last:

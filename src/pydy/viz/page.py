@@ -29,6 +29,7 @@ from pydy.viz.live import LivePage, Witness
 from pydy.viz.shapes import Arrow, Line, Mesh, Trace
 from pydy.viz.solids import Circle, Cube, Icosahedron, Octahedron, Tetrahedron, TorusKnot, Tube
 from pydy.viz.surfaces import surface
+from pydy.viz.tuning import AT_REST, TRACK
 
 __all__ = ["Look", "page", "page_data"]
 
@@ -150,7 +151,7 @@ def _column(array: np.ndarray, changing: bool = False) -> dict[str, Any]:
     """Return an array of shape (m, …) for the page: once if it is constant and never changes."""
     rows = array.reshape(len(array), -1)
     scale = float(np.abs(rows).max(initial=0.0))
-    if not changing and np.ptp(rows, axis=0).max(initial=0.0) <= 1e-9 * scale:
+    if not changing and np.ptp(rows, axis=0).max(initial=0.0) <= AT_REST * scale:
         return {"width": rows.shape[1], "fixed": rows[0].tolist()}
     return {"width": rows.shape[1], "rows": _packed(rows)}
 
@@ -171,7 +172,7 @@ class _Tracks:
         self._frames = {item.visual.frame: item.rotations for item in animation.items}
         self._frames.setdefault(None, np.broadcast_to(np.eye(3), (len(animation.times), 3, 3)))
         # Below what a 32-bit float can tell apart at that distance.
-        self._tolerance = 1e-8 * float(np.abs([low, high]).max(initial=0.0))
+        self._tolerance = TRACK * float(np.abs([low, high]).max(initial=0.0))
 
     def find(self, frame: Any, point: Any, positions: np.ndarray) -> tuple[int, list[float]]:
         """Return the number of the track that moves with a frame, and a point's offset from it."""

@@ -421,7 +421,7 @@ class Scene:
             Length of the axes at the origin.
         """
         if axes_arrow_length is not None:
-            length = within(axes_arrow_length, "`axes_arrow_length`", 1e-300, 1e300)
+            length = within(axes_arrow_length, "`axes_arrow_length`", np.finfo(float).tiny, 1e300)
             self._look = replace(self._look, axes=length)
         self._moving()
         return self

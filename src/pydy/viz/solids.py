@@ -9,6 +9,7 @@ import numpy as np
 
 from pydy._checks import real_array, shown
 from pydy.viz.shape import Shape
+from pydy.viz.tuning import FLAT
 
 __all__ = [
     "Circle",
@@ -132,7 +133,7 @@ def hull(points: Any) -> tuple[np.ndarray, np.ndarray] | None:
         return None
     if table.ndim != 2 or table.shape[1] != 3 or len(table) < 3 or not np.isfinite(table).all():
         return None
-    flat = np.linalg.matrix_rank(table - table.mean(0), tol=1e-9 * np.ptp(table)) < 3
+    flat = np.linalg.matrix_rank(table - table.mean(0), tol=FLAT * np.ptp(table)) < 3
     found = ConvexHull(table, qhull_options="QJ" if flat else "Qt").simplices
     a, b, c = (table[found[:, k]] for k in range(3))
     inwards = np.einsum("ij,ij->i", np.cross(b - a, c - a), a - table.mean(0)) < 0

@@ -60,7 +60,7 @@ def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], lis
         Reid, Direct Methods for Sparse Matrices, 2nd ed., §§5.2, 7.2), and the multiply-adds of
         the factorisation and one solve. None where no entry would do at all samples.
     """
-    a = samples / np.abs(samples).max(axis=2, keepdims=True).clip(1e-300)
+    a = samples / np.abs(samples).max(axis=2, keepdims=True).clip(np.finfo(float).tiny)
     pattern = filled.copy()
     n = len(filled)
     rows_left, columns_left = list(range(n)), list(range(n))
@@ -72,7 +72,7 @@ def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], lis
         in_row = pattern[np.ix_(rows_left, columns_left)].sum(axis=1)
         in_column = pattern[np.ix_(rows_left, columns_left)].sum(axis=0)
         size = np.abs(a[:, rows_left][:, :, columns_left])
-        sound = (size >= PIVOT_SHARE * size.max(axis=1, keepdims=True)) & (size > 1e-9)
+        sound = (size >= PIVOT_SHARE * size.max(axis=1, keepdims=True)) & (size > SMALL_PIVOT)
         allowed = sound.all(axis=0) & pattern[np.ix_(rows_left, columns_left)]
         for i, j in zip(*np.nonzero(allowed), strict=True):
             rank = (int((in_row[i] - 1) * (in_column[j] - 1)), int(i), int(j))

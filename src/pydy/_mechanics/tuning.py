@@ -1,0 +1,45 @@
+"""Thresholds of the mechanics, each with what it was found by.
+
+Numbers at generic states are of order one, so that rounding leaves 1e-16 times a condition number;
+those that differ differ by 1e-3 or more.
+"""
+
+from __future__ import annotations
+
+__all__ = [
+    "AGREEING",
+    "CLOSED",
+    "FULL_STEPS",
+    "NEARLY_DEPENDENT",
+    "OPEN",
+    "SHIFT",
+    "SMALL_PIVOT",
+    "SOUND_PIVOT",
+    "WITHIN_SPAN",
+]
+
+AGREEING = 1e-8
+"""The difference of two values that are the same, in units of the terms they are sums of."""
+
+WITHIN_SPAN = 1e-8
+"""What is left of a unit row that lies in the span of others."""
+
+CLOSED, OPEN = 1e-13, 1e-7
+"""Residuals of constraints up to which they hold, and above which they certainly do not."""
+
+FULL_STEPS = (0.05, 1e-14)
+"""Shares below which singular values are left out of Newton's steps: first with few directions,
+since redundant constraints draw full steps to singular positions; then with all."""
+
+SMALL_PIVOT = 1e-8
+"""A pivot of rows of unit size that is none."""
+
+NEARLY_DEPENDENT = (1e-9, 1e-4)
+"""Singular values between are neither zero nor sound: such a state is not counted."""
+
+SHIFT = 1e-4
+"""What is added to a singular matrix for iterative refinement, in units of its diagonal: larger,
+six steps do not reach rounding; smaller, the factors lose more digits than the steps mend."""
+
+SOUND_PIVOT = 1e-2
+"""A pivot below this share of its row's size has all rows take part: two digits are lost."""

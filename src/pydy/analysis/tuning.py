@@ -1,0 +1,103 @@
+"""Thresholds of the analyses, each with what it was found by."""
+
+from __future__ import annotations
+
+__all__ = [
+    "AT_BOUND",
+    "BISECTED",
+    "CROSSED",
+    "DAMPED",
+    "ENTRY",
+    "FITTED",
+    "FREE",
+    "MARGIN",
+    "NAMED",
+    "NAMED_IN_FIT",
+    "NEWTON_STEP",
+    "ON_BRANCH",
+    "ORBIT_CLOSED",
+    "SHORTEST_STEP",
+    "SLOW",
+    "SOLVABLE",
+    "STEEPEST_TURN",
+    "STILL",
+    "TO_ROUNDING",
+    "UNDETERMINED",
+    "WHOLE_SHARE",
+    "ZERO_ROOT",
+]
+
+# -- ranks and directions --------------------------------------------------------------------------
+
+FREE = 1e-9
+"""Singular values below this share of the largest leave a direction free: Jacobians are exact, so
+that rounding leaves some 1e-14 of one that is zero."""
+
+UNDETERMINED = 1e-8
+"""The same for the scaled Jacobian of a fit, whose sensitivities are integrated."""
+
+SOLVABLE = 1e-13
+"""The same for a step to a periodic orbit, whose damping leaves no direction free."""
+
+WHOLE_SHARE = 1e-9
+"""Shares of a direction that differ by less are equal, and written without a factor."""
+
+NAMED, NAMED_IN_FIT = 1e-6, 1e-4
+"""Unknowns of which a free direction has less than this share of the most are not named; in fits
+directions are known less well."""
+
+# -- equilibria and their branches -----------------------------------------------------------------
+
+TO_ROUNDING = 1e-14
+"""Tolerances that end a search no sooner than rounding does."""
+
+NEWTON_STEP = 1e-9
+"""A step this small, relative to the unknowns, ends Newton's method: its square is rounding."""
+
+AT_BOUND = 1e-9
+"""How near to a bound a value lies at it, relative to the value."""
+
+ON_BRANCH = 1e-11
+"""Newton's last step to a point of a branch, in scaled unknowns."""
+
+SHORTEST_STEP, STEEPEST_TURN = 1e-8, 1e-4
+"""Steps along a branch, as arc length: shorter, it is lost; shorter than the second, it may turn
+as it likes."""
+
+BISECTED = 1e-13
+"""The arc to which a fold, a crossing or a Hopf point is found."""
+
+# -- eigenvalues -----------------------------------------------------------------------------------
+
+ZERO_ROOT = 1e-7
+"""Real parts along branches below this share of the largest eigenvalue are zero: those of double
+roots come out at the square root of a rounding, 1e-8."""
+
+CROSSED = 1e-6
+"""The same in a sweep, whose equilibria are found one by one: those of coordinates that may be
+anywhere."""
+
+ENTRY = 1e-12
+"""Entries of A below this share of the largest in their row are rounding errors."""
+
+SLOW = 1e-6
+"""Eigenvalues below this share of the largest are not drawn a Bode plot down to."""
+
+# -- periodic orbits -------------------------------------------------------------------------------
+
+ORBIT_CLOSED = 1e-9
+"""The gap of an orbit that is closed, in units of its states: integrations are good to 1e-12."""
+
+DAMPED = 1e-6
+"""The least damping of a step that did not come nearer; ten times as much each further time."""
+
+MARGIN = 1e-5
+"""How far beyond 1 a multiplier may be computed that is 1: double ones come out at 1e-6."""
+
+STILL = 1e-9
+"""The rates of a state that is an equilibrium."""
+
+# -- fits ------------------------------------------------------------------------------------------
+
+FITTED = 1e-12
+"""Relative changes of cost, parameters and gradient that end a fit: what integrations leave."""
