@@ -1,8 +1,5 @@
 """Periodic orbits and their Floquet multipliers, against published numbers and closed forms."""
 
-import runpy
-from pathlib import Path
-
 import numpy as np
 import pytest
 import sympy as sm
@@ -10,6 +7,7 @@ import sympy.physics.mechanics as me
 from scipy.integrate import solve_ivp
 from scipy.special import ellipk
 
+from gallery import definitions
 from pydy import System
 from pydy.errors import PeriodicOrbitError
 from pydy.mechanics import Definition
@@ -17,14 +15,14 @@ from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 
 t = me.dynamicsymbols._t
-WALKER = runpy.run_path(str(Path(__file__).parents[2] / "examples" / "walker.py"))
 
 
 def simplest_walker():
-    """The walker of the gallery, and its heel strike."""
-    kane, constants, strike = WALKER["derive"]()
-    start = dict(zip((*kane.q, *kane.u), (0.2, 0.4, -0.2, -0.02), strict=True))
-    return System(kane, constants=constants, initial_conditions=start), strike
+    """The walker of the gallery before its gait is found, and its heel strike."""
+    walker = definitions("walker", before="A shooting method")
+    start = dict(zip((*walker.kane.q, *walker.kane.u), (0.2, 0.4, -0.2, -0.02), strict=True))
+    constants = {walker.gamma: walker.SLOPE, walker.m: 1.0}
+    return System(walker.kane, constants=constants, initial_conditions=start), walker.strike
 
 
 def on_a_line(force):
