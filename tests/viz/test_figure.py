@@ -139,12 +139,12 @@ def test_nothing_is_cut_at_the_rectangle_of_the_axes(scene):
     assert not any(artist.get_clip_on() for artist in (*axes.collections, *axes.lines[-3:]))
 
 
-def test_a_film_makes_its_artists_once_and_draws_each_frame_once(scene, tmp_path, monkeypatch):
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
+def test_a_film_makes_its_artists_and_its_background_once(tmp_path, monkeypatch):
+    from matplotlib.lines import Line2D
+    from matplotlib.text import Text
+    from mpl_toolkits.mplot3d.art3d import Line3D
 
-    from pydy.viz import triangles
-
-    counts = {"drawn": 0, "made": 0}
+    counts = {"texts": 0, "lines": 0, "made": 0}
 
     def counted(kind, method):
         def call(*args, **options):
@@ -153,11 +153,44 @@ def test_a_film_makes_its_artists_once_and_draws_each_frame_once(scene, tmp_path
 
         return call
 
-    monkeypatch.setattr(FigureCanvasAgg, "draw", counted("drawn", FigureCanvasAgg.draw))
-    made = counted("made", triangles.make_triangles)
-    monkeypatch.setattr(triangles, "make_triangles", made)
-    scene.save(tmp_path / "a.gif", fps=10, dpi=40)
-    assert counts == {"drawn": 11, "made": 1}
+    times = np.linspace(0, 1, 11)
+    moving = Scene(N, O, Visual(Box(0.2, 0.1, 0.1), P), Visual(Trace(), P), title="Far away")
+    moving.animate(times, 30 * times[:, None], symbols=[q])  # the grid comes along
+    monkeypatch.setattr(Text, "draw", counted("texts", Text.draw))
+    monkeypatch.setattr(Line3D, "draw", counted("lines", Line3D.draw))
+    monkeypatch.setattr(Line2D, "__init__", counted("made", Line2D.__init__))
+    made = []
+    for fps in (5, 10):
+        counts.update(made=0, texts=0, lines=0)
+        moving.save(tmp_path / "a.gif", fps=fps, dpi=40)
+        assert counts["texts"] == 1
+        assert counts["lines"] == 2 * (fps + 1)  # the trace and the grid
+        made.append(counts["made"])
+    assert made[0] == made[1]
+
+
+def test_frames_of_a_film_that_is_followed_are_the_pictures_at_their_times(tmp_path):
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from PIL import Image
+
+    times = np.linspace(0, 1, 11)
+    visuals = [
+        Visual(Line([O.locatenew("A", q * N.x + N.y), P], radius=0.1, colour="red"), name="rod"),
+        Visual(Sphere(0.5, colour="green"), P, name="ball"),
+        Visual(Trace(), P, name="trace"),
+    ]
+    scene = Scene(N, O, *visuals, title="Rolls")
+    scene.animate(times, 31.3 * times[:, None] ** 1.7, symbols=[q])
+    with Image.open(scene.save(tmp_path / "a.gif", fps=2, dpi=100)) as film:
+        for k, t in enumerate((0.0, 0.5, 1.0)):
+            film.seek(k)
+            frame = np.asarray(film.convert("RGB")).astype(int)
+            canvas = FigureCanvasAgg(scene.to_matplotlib(t).figure)
+            canvas.draw()
+            picture = np.asarray(canvas.buffer_rgba())[:, :, :3].astype(int)
+            apart = np.abs(frame - picture).max(axis=2)
+            assert np.ptp(picture, axis=2).max() > 100
+            assert (apart > 60).mean() < 5e-3
 
 
 def test_a_film_begins_with_the_picture(scene, tmp_path):

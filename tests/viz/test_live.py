@@ -88,6 +88,8 @@ def test_a_slider_of_ones_own_sets_initial_conditions():
         ({"l0": 3}, r"`live\[l0\]` must be a Slider or a range such as \(0.1, 2.0\), got 3"),
         ({"l0": (2, 1)}, "`low` of Slider must be less than `high`, got 2.0 and 1.0"),
         ({"l0": (0, 1, 3)}, "`value` of Slider must be from `low` to `high`, 0.0 to 1.0, got 3.0"),
+        ({"l0": (0.8, 1)}, r"`live\[l0\]` must include the system's own value, 0.7, got the range"),
+        ({"q1": Slider(0.5, 1)}, r"`live\[q1\]` .* 0.4, got the range 0.5 to 1.0: widen"),
         ({sm.Symbol("v"): Slider(0, 1, sets={"u0": 1})}, "symbol of your own, needs a `value`"),
         ({"l0": Slider(0, 1, sets={"u0": 1})}, "`sets` of the slider for `l0` is for symbols"),
         ({sm.Symbol("v"): Slider(0, 1, 0.5, sets={"z": 1})}, "has `z`, which is no state"),

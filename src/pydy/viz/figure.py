@@ -12,7 +12,8 @@ from pydy._optional import require
 from pydy.viz.animation import Animation, Item
 from pydy.viz.framing import Framing, Look, frame
 from pydy.viz.shapes import Circle, Line, Mesh, Plane, Trace
-from pydy.viz.surfaces import surface
+from pydy.viz.surfaces import Surface, surface
+from pydy.viz.triangles import Part, make_triangles, normals
 
 __all__ = ["draw", "save"]
 
@@ -67,7 +68,6 @@ def save(
         figure.savefig(path, dpi=dpi)
         return
     from pydy.viz.films import save_gif, save_mp4
-    from pydy.viz.triangles import make_triangles
 
     count = max(1, round((end - start) / speed * fps)) + 1
     shown = animation.at(np.linspace(start, end, count))
@@ -81,14 +81,6 @@ def save(
 def _whole(figure: Any) -> Any:
     """Return Axes that are as large as their figure: what is beyond them is beyond the picture."""
     return figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
-
-
-def _normals(corners: np.ndarray) -> np.ndarray:
-    """Return the unit normals of triangles, shape (k, 3)."""
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    lengths = np.linalg.norm(normals, axis=1, keepdims=True)
-    unit: np.ndarray = normals / np.where(lengths > 0, lengths, 1.0)
-    return unit
 
 
 def _rgb(colour: str) -> np.ndarray:
@@ -113,7 +105,7 @@ class _Drawing:
         self.animation = animation
         self.shown = shown
         self.triangles = triangles
-        self.solids: dict[int, tuple[np.ndarray, np.ndarray]] = {}
+        self.solids: dict[int, Surface] = {}
         self.seen = seen
         self.axes = axes
         self.title = title
@@ -124,7 +116,7 @@ class _Drawing:
         self.light /= np.linalg.norm(self.light)
         self.view = self.turn @ seen.direction
         self.artists: dict[tuple[int, str], Any] = {}
-        self.grid: list[Any] = []
+        self.grid: Any = None
         self.target: np.ndarray | None = None  # what the camera looks at
         self.zoom = 1.0
 
@@ -143,7 +135,7 @@ class _Drawing:
         if self.target is None or not np.array_equal(target, self.target):
             self._frame(target)
         self.target = target
-        surfaces = []
+        parts = []
         for number, (item, whole) in enumerate(
             zip(self.shown.items, self.animation.items, strict=True)
         ):
@@ -159,36 +151,29 @@ class _Drawing:
             solid = self._solid(number, item, k)
             if solid is None:
                 continue
-            corners, normals = solid
-            if shape.opacity == 1.0 and not isinstance(shape, _OPEN):
-                # Half of a closed surface is behind the other half; less, for the perspective.
-                seen_ones = normals @ self.view > -_GRAZING
-                corners, normals = corners[seen_ones], normals[seen_ones]
-            colours = self._shaded(normals, colour, shape.opacity)
+            vertices, faces = solid
+            closed = shape.opacity == 1.0 and not isinstance(shape, _OPEN)
             if self.triangles is None:
-                self._surface((number, "surface"), corners, colours)
+                self._surface((number, "surface"), vertices[faces], colour, shape.opacity, closed)
             else:
-                surfaces.append((corners, colours))
-        if surfaces:
-            self.triangles.corners = np.concatenate([corners for corners, _ in surfaces])
-            self.triangles.colours = np.concatenate([colours for _, colours in surfaces])
+                rgba = np.append(_rgb(colour), shape.opacity)
+                parts.append(Part(vertices, faces, rgba, closed))
+        if self.triangles is not None:
+            self.triangles.set_parts(parts, self.light)
 
-    def _solid(self, number: int, item: Item, k: int) -> tuple[np.ndarray, np.ndarray] | None:
-        """Return corners and normals of an item's triangles in Matplotlib's axes."""
+    def _solid(self, number: int, item: Item, k: int) -> Surface | None:
+        """Return an item's triangles in Matplotlib's axes."""
         if item.rigid:  # its triangles only turn and move
             if number not in self.solids:
-                vertices, faces = surface(item.shape)
-                corners = vertices[faces]
-                self.solids[number] = corners, _normals(corners)
-            corners, normals = self.solids[number]
+                self.solids[number] = surface(item.shape)
+            vertices, faces = self.solids[number]
             turn = (self.turn @ item.rotations[k]).T
-            return corners @ turn + self.turn @ item.positions[k], normals @ turn
+            return vertices @ turn + self.turn @ item.positions[k], faces
         triangles = item.surface(k)
         if triangles is None:
             return None
         vertices, faces = triangles
-        corners = (vertices @ self.turn.T)[faces]
-        return corners, _normals(corners)
+        return vertices @ self.turn.T, faces
 
     def _line(self, key: tuple[int, str], points: np.ndarray, **style: Any) -> None:
         columns = self.turn @ points.T
@@ -197,23 +182,33 @@ class _Drawing:
         else:
             (self.artists[key],) = self.axes.plot(*columns, clip_on=False, **style)
 
-    def _surface(self, key: tuple[int, str], corners: np.ndarray, colours: np.ndarray) -> None:
+    def _surface(
+        self,
+        key: tuple[int, str],
+        corners: np.ndarray,
+        colour: str,
+        opacity: float,
+        closed: bool,
+    ) -> None:
         from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
+        normal = normals(corners)
+        if closed:
+            # Half of a closed surface is behind the other half; less, for the perspective.
+            seen = normal @ self.view > -_GRAZING
+            corners, normal = corners[seen], normal[seen]
+        bright = 0.7 + 0.3 * normal @ self.light
+        rgba = np.column_stack([bright[:, None] * _rgb(colour), np.full(len(bright), opacity)])
         if key not in self.artists:
             self.artists[key] = Poly3DCollection(
-                corners, facecolors=colours, edgecolors=colours, linewidths=0.3, clip_on=False
+                corners, facecolors=rgba, edgecolors=rgba, linewidths=0.3, clip_on=False
             )
             self.axes.add_collection3d(self.artists[key])
             return
         self.artists[key].set_verts(corners)
         # Without edges the seams between triangles shine through.
-        self.artists[key].set_facecolor(colours)
-        self.artists[key].set_edgecolor(colours)
-
-    def _shaded(self, normals: np.ndarray, colour: str, opacity: float) -> np.ndarray:
-        bright = 0.7 + 0.3 * normals @ self.light
-        return np.column_stack([bright[:, None] * _rgb(colour), np.full(len(normals), opacity)])
+        self.artists[key].set_facecolor(rgba)
+        self.artists[key].set_edgecolor(rgba)
 
     def _fit(self, middle: np.ndarray, edges: np.ndarray) -> None:
         """Choose the zoom with which the box to be seen just fits into the picture."""
@@ -257,14 +252,20 @@ class _Drawing:
             if self.title:
                 axes.set_title(self.title, y=1.0, pad=0.0)
             self._fit(middle, edges)
-        for line in self.grid:
-            line.remove()
-        self.grid = []
         if seen.ground is None:
             return
         (x0, x1), (y0, y1) = limits[:2]
+        across, along = (
+            seen.cell * np.arange(np.ceil(low / seen.cell), np.floor(high / seen.cell) + 1)
+            for low, high in ((x0, x1), (y0, y1))
+        )
+        # One artist for all lines, with gaps between them.
+        lines = [[[x, x, np.nan], [y0, y1, np.nan]] for x in across]
+        lines += [[[x0, x1, np.nan], [y, y, np.nan]] for y in along]
+        level = np.concatenate(lines, axis=1)
+        columns = (*level, np.full(level.shape[1], seen.ground))
+        if self.grid is not None:
+            self.grid.set_data_3d(*columns)
+            return
         style = {"color": "0.8", "linewidth": 0.5, "zorder": -1}
-        for x in seen.cell * np.arange(np.ceil(x0 / seen.cell), np.floor(x1 / seen.cell) + 1):
-            self.grid += axes.plot([x, x], [y0, y1], [seen.ground] * 2, **style)
-        for y in seen.cell * np.arange(np.ceil(y0 / seen.cell), np.floor(y1 / seen.cell) + 1):
-            self.grid += axes.plot([x0, x1], [y, y], [seen.ground] * 2, **style)
+        (self.grid,) = axes.plot(*columns, **style)

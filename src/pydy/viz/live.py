@@ -365,6 +365,11 @@ def _sliders(
         if found and not slider.sets:
             group, place, variable = found[0]
             start = variable.value if slider.value is None else slider.value
+            if not slider.low <= start <= slider.high:  # a `value` given has been checked
+                raise ValueError(
+                    f"`live[{name_of(key)}]` must include the system's own value, {start}, got the "
+                    f"range {slider.low} to {slider.high}: widen the range, or give a `value`."
+                )
             rows.append({**row, "group": group, "place": place, "value": start})
             continue
         if found or not isinstance(key, sm.Symbol) or not slider.sets:

@@ -179,8 +179,7 @@ def rods(points: np.ndarray, radius: float) -> Surface:
     around = 8 if radius < lengths.min() / 30 else _AROUND  # a spoke needs few corners
     vertices, faces = _unit_rod(around)
     sizes = np.stack([np.full_like(lengths, radius), lengths, np.full_like(lengths, radius)], 1)
-    turns = np.stack([_onto(way) for way in ways])
-    placed = np.einsum("kij,knj->kni", turns, vertices * sizes[:, None]) + points[:-1, None]
+    placed = vertices * sizes[:, None] @ _onto(ways).swapaxes(1, 2) + points[:-1, None]
     offsets = len(vertices) * np.arange(len(ways))
     return placed.reshape(-1, 3), (faces + offsets[:, None, None]).reshape(-1, 3)
 
@@ -197,23 +196,17 @@ def arrow(start: np.ndarray, vector: np.ndarray, radius: float) -> Surface:
     neck, head, r = length - size * _HEAD_LENGTH * radius, size * _HEAD_RADIUS * radius, radius
     profile = [(0, length), (head, neck), (size * r, neck), (size * r, 0), (0, 0)]
     vertices, faces = _turned([(float(a), float(b)) for a, b in profile], "y")
-    return vertices @ _onto(vector).T + start, faces
+    return vertices @ _onto(vector[None])[0].T + start, faces
 
 
-def _onto(vector: np.ndarray) -> np.ndarray:
-    """Return a rotation that turns the y axis into the direction of a vector."""
-    length = float(np.linalg.norm(vector))
-    if length == 0:
-        return np.eye(3)
-    y = vector / length
-    k = int(np.abs(y).argmin())  # x is normal to this axis and to y
-    x = np.zeros(3)
-    x[k - 2], x[k - 1] = y[k - 1], -y[k - 2]
-    x /= np.linalg.norm(x)
-    return np.stack([x, y, _cross(x, y)], 1)
-
-
-def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Return the cross product of two vectors; NumPy's takes ten times as long."""
-    (a0, a1, a2), (b0, b1, b2) = a.tolist(), b.tolist()
-    return np.array([a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0])
+def _onto(vectors: np.ndarray) -> np.ndarray:
+    """Return rotations that turn the y axis into the directions of vectors, shape (n, 3)."""
+    lengths = np.sqrt((vectors * vectors).sum(1))
+    lost = lengths == 0
+    y = vectors / np.where(lost, 1.0, lengths)[:, None]
+    y[lost, 1] = 1.0
+    rows, k = np.arange(len(y)), np.abs(y).argmin(1)  # x is normal to this axis and to y
+    x = np.zeros_like(y)
+    x[rows, k - 2], x[rows, k - 1] = y[rows, k - 1], -y[rows, k - 2]
+    x /= np.sqrt((x * x).sum(1))[:, None]
+    return np.stack([x, y, np.cross(x, y)], 2)
