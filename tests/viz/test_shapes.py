@@ -8,7 +8,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame
 
 from pydy.viz import Arrow, Box, Capsule, Cone, Cylinder, Line, Mesh, Plane, Sphere, Torus, Trace
-from pydy.viz.surfaces import arrow, rod, surface
+from pydy.viz.surfaces import arrow, rods, surface
 
 N = ReferenceFrame("N")
 
@@ -135,10 +135,30 @@ def test_a_plane_has_its_length_along_the_first_of_the_other_axes(axis, reach):
 
 def test_rods_and_arrows_go_from_their_start_along_their_vector():
     start, vector = np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.0, -2.0])
-    for vertices, faces in (rod(start, start + vector, 0.1), arrow(start, vector, 0.05)):
+    ends = np.stack([start, start + vector])
+    for vertices, faces in (rods(ends, 0.1), arrow(start, vector, 0.05)):
         assert vertices[:, 2].max() == pytest.approx(3.0)
         assert vertices[:, 2].min() == pytest.approx(1.0)
         assert volume(vertices, faces) > 0
+
+
+@pytest.mark.parametrize("radius", [0.01, 0.2])  # with few corners around, and with many
+def test_each_of_several_rods_is_a_cylinder_about_its_way(radius):
+    points = np.array([[0.0, 0, 0], [1, 2, 2], [1, 2, 5], [-3, 2, 5], [-3, 0, 5]])
+    vertices, faces = rods(points, radius)
+    assert len(vertices) % 4 == 0
+    assert len(faces) % 4 == 0
+    per = len(vertices) // 4
+    for k, corners in enumerate(vertices.reshape(4, per, 3)):
+        start, way = points[k], points[k + 1] - points[k]
+        length = np.linalg.norm(way)
+        along = (corners - start) @ way / length
+        away = np.linalg.norm(np.cross(corners - start, way), axis=1) / length
+        assert along.min() == pytest.approx(0.0, abs=1e-12)
+        assert along.max() == pytest.approx(length)
+        assert away.max() == pytest.approx(radius)
+        own = faces.reshape(4, -1, 3)[k] - k * per
+        assert 0.85 < volume(corners, own) / (np.pi * radius**2 * length) < 1.0
 
 
 def test_a_mesh_takes_arrays_and_checks_them():

@@ -209,4 +209,6 @@ def _onto(vectors: np.ndarray) -> np.ndarray:
     x = np.zeros_like(y)
     x[rows, k - 2], x[rows, k - 1] = y[rows, k - 1], -y[rows, k - 2]
     x /= np.sqrt((x * x).sum(1))[:, None]
-    return np.stack([x, y, np.cross(x, y)], 2)
+    (x0, x1, x2), (y0, y1, y2) = x.T, y.T
+    z = np.stack([x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0], 1)
+    return np.stack([x, y, z], 2)
