@@ -22,7 +22,7 @@ LAYERS = {
         "_curves",
         *("_array_layout", "_cache_folder", "_checks", "_dataset", "_errors", "_forks", "_html"),
         *("_names", "_optional", "_sensitivity", "_version", "errors", "inputs", "plot"),
-        "trajectory",
+        *("trajectory", "_trajectory"),
     },
     "graph and mechanics": {"_graph", "_mechanics", "mechanics"},
     "machine": {"_backends", "_kernel", "solvers"},
@@ -324,7 +324,6 @@ def test_importing_system_loads_no_optional_library():
 # and blank lines.
 LONG = {
     "pydy.system": (600, "the documented methods of System, each a few lines that call their task"),
-    "pydy.trajectory": (420, "the documented methods of Trajectory"),
     "pydy.viz.scene": (350, "the documented methods of Scene"),
 }
 

@@ -2,80 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
-from pydy._dataset import (
-    ENERGIES,
-    KINDS,
-    OUTPUTS,
-    STATES,
-    read_netcdf,
-    to_dataset,
-    write_netcdf,
-)
+from pydy._checks import check_mapping, listed, number, real_array, shown
+from pydy._dataset import OUTPUTS, STATES, write_netcdf
 from pydy._html import table_of_columns
-from pydy._names import latex_of, latex_of_rate, name_of, nearest, unique_names, written_out
-from pydy._optional import require
 from pydy._sensitivity import Sensitivity, SensitivityModel
+from pydy._trajectory.columns import Columns
+from pydy._trajectory.event_record import EventRecord
+from pydy._trajectory.interpolation import Model, Samples, checked_times
+from pydy._trajectory.tables import checked_table, dataframe_of, dataset_of, loaded_from
 
 __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
-
-
-@dataclass(frozen=True, eq=False)
-class EventRecord:
-    """An event that happened at one instant of a simulation.
-
-    Attributes
-    ----------
-    time : float
-    name : str
-    index : int
-        Its place among the events that were watched.
-    before, after : ndarray, shape (n,)
-        The states on both sides; the same without a reset.
-    time_sensitivity : ndarray, shape (k,), or None
-        Derivatives of the event's time by the parameters, of a simulation with sensitivities.
-    sensitivity_before, sensitivity_after : ndarray, shape (n, k), or None
-        Derivatives of the states on both sides, at a fixed time.
-    """
-
-    time: float
-    name: str
-    index: int
-    before: np.ndarray
-    after: np.ndarray
-    time_sensitivity: np.ndarray | None = None
-    sensitivity_before: np.ndarray | None = None
-    sensitivity_after: np.ndarray | None = None
-
-    def __repr__(self) -> str:
-        """Return what happened and when; the states are left out."""
-        return f"EventRecord({self.name!r} at t = {self.time!r})"
-
-
-class Model(Protocol):
-    """What a trajectory may ask of the model it comes from, at times (m,) and states (m, n)."""
-
-    def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return x', shape (m, n)."""
-
-    def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the outputs, shape (m, o)."""
-
-    def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the specifieds, shape (m, s)."""
-
-    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return kinetic, potential and total energy, shape (m, 3)."""
-
-    def scene(self, *visuals: Any, **options: Any) -> Any:
-        """Return a scene that shows the model."""
 
 
 class Trajectory:
@@ -161,14 +103,10 @@ class Trajectory:
         if self.times.ndim != 1 or not (np.diff(self.times) >= 0.0).all():
             raise ValueError(f"`times` must be one-dimensional and ascending, got {shown(times)}.")
         m = len(self.times)
-        kinds = check_mapping("symbols", symbols)
-        self._symbols = {
-            kind: tuple(listed(f"symbols[{kind!r}]", kinds.get(kind, ()), hashable=True))
-            for kind in KINDS
-        }
-        self.states = _table("states", states, m, len(self.state_symbols))
-        self.outputs = _table("outputs", outputs, m, len(self.outputs_symbols))
-        self.specifieds = _table("specifieds", specifieds, m, len(self.specifieds_symbols))
+        self._columns = Columns(symbols)
+        self.states = checked_table("states", states, m, len(self.state_symbols))
+        self.outputs = checked_table("outputs", outputs, m, len(self.outputs_symbols))
+        self.specifieds = checked_table("specifieds", specifieds, m, len(self.specifieds_symbols))
         self.constants = {
             symbol: number(value, f"`constants[{symbol}]`")
             for symbol, value in check_mapping("constants", constants).items()
@@ -184,48 +122,43 @@ class Trajectory:
         self._known_sensitivity: Sensitivity | None = None
         self._derivatives: np.ndarray | None = None
         self._energy: np.ndarray | None = None
-        self._latex: dict[str, str] = {}
-        self._columns = [s for kind in KINDS for s in self._symbols[kind]]
-        self._names = unique_names(self._columns)
-        self._place = {s: k for k, s in reversed(list(enumerate(self._columns)))}
-        self._place_of_name = {n: k for k, n in enumerate(self._names)}
 
     # -- names ------------------------------------------------------------------------------------
 
     @property
     def coordinates_symbols(self) -> tuple[Any, ...]:
         """The coordinates, in the order of the first columns of `states`."""
-        return self._symbols["coordinate"]
+        return self._columns.of("coordinate")
 
     @property
     def speeds_symbols(self) -> tuple[Any, ...]:
         """The speeds, in the order of the columns of `states` after the coordinates."""
-        return self._symbols["speed"]
+        return self._columns.of("speed")
 
     @property
     def state_symbols(self) -> tuple[Any, ...]:
         """The states, in the order of the columns of `states`."""
-        return tuple(s for kind in STATES for s in self._symbols[kind])
+        return self._columns.of(*STATES)
 
     @property
     def outputs_symbols(self) -> tuple[Any, ...]:
         """The outputs, in the order of the columns of `outputs`."""
-        return tuple(s for kind in OUTPUTS for s in self._symbols[kind])
+        return self._columns.of(*OUTPUTS)
 
     @property
     def constraints_symbols(self) -> tuple[Any, ...]:
         """The residuals of the constraints, in the order of the columns of `constraints`."""
-        return self._symbols["constraint"]
+        return self._columns.of("constraint")
 
     @property
     def specifieds_symbols(self) -> tuple[Any, ...]:
         """The specifieds, in the order of the columns of `specifieds`."""
-        return self._symbols["specified"]
+        return self._columns.of("specified")
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of all quantities: states, outputs, residuals, specifieds."""
-        return self._names
+        return self._columns.names
 
     def names_of(self, *kinds: str) -> tuple[str, ...]:
         """Return the names of the quantities of some kinds.
@@ -234,51 +167,19 @@ class Trajectory:
         ----------
         *kinds : {'coordinate', 'speed', 'auxiliary', 'output', 'constraint', 'force', 'specified'}
         """
-        for kind in kinds:
-            choice(kind, KINDS, "`kinds`")
-        all_kinds = [kind for kind in KINDS for _ in self._symbols[kind]]
-        return tuple(n for n, k in zip(self._names, all_kinds, strict=True) if k in kinds)
+        return self._columns.names_of(*kinds)
 
     def name(self, key: Any) -> str:
         """Return the name of a quantity, given its symbol or its name."""
-        return self._names[self._find(key)]
+        return self._columns.names[self._columns.find(key)]
 
     def latex(self, key: Any) -> str:
         """Return the LaTeX of a quantity's symbol, without dollar signs."""
-        k = self._find(key)
-        if self._names[k] not in self._latex:
-            self._latex[self._names[k]] = latex_of(self._columns[k])
-        return self._latex[self._names[k]]
+        return self._columns.latex(key)
 
     def latex_of_rate(self, key: Any) -> str:
         """Return the LaTeX of a quantity's derivative by time, without dollar signs."""
-        k = self._find(key)
-        name = f"{self._names[k]}'"
-        if name not in self._latex:
-            self._latex[name] = latex_of_rate(self._columns[k])
-        return self._latex[name]
-
-    def _find(self, key: Any) -> int:
-        k = self._place.get(key) if isinstance(key, Hashable) else None
-        if k is None:
-            k = self._place_of_name.get(name_of(key))
-            if k is None and isinstance(key, str):  # as a symbol is printed: 'q1(t)'
-                alike = [j for j, s in enumerate(self._columns) if str(s) == key]
-                k = alike[0] if len(alike) == 1 else None
-            own = None if k is None else self._columns[k]
-            symbols = own is not None and str not in (type(own), type(key))
-            if symbols and own != key and str(own) == str(key):
-                raise KeyError(
-                    f"`{written_out(key)}` is none of the trajectory's quantities: "
-                    f"`{written_out(own)}` is another symbol, because its assumptions differ. "
-                    "Use that one, or its name."
-                )
-        if k is None:
-            raise KeyError(
-                f"`{key}` is none of the trajectory's quantities: {', '.join(self._names)}. "
-                f"{nearest(str(key), self._names, or_all=False)}".rstrip()
-            )
-        return k
+        return self._columns.latex_of_rate(key)
 
     def __getitem__(self, key: Any) -> np.ndarray:
         """Return the values of one quantity, shape (m,), or of a list of k of them, (m, k)."""
@@ -287,7 +188,7 @@ class Trajectory:
         return self._one(key)
 
     def _one(self, key: Any) -> np.ndarray:
-        k = self._find(key)
+        k = self._columns.find(key)
         for table in (self.states, self.outputs, self.specifieds):
             if k < table.shape[1]:
                 return table[:, k]
@@ -295,7 +196,7 @@ class Trajectory:
         raise AssertionError("more names than columns")
 
     def __contains__(self, key: Any) -> bool:
-        return key in self._place or name_of(key) in self._place_of_name
+        return key in self._columns
 
     def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
         """Return `states`, for ``np.asarray(trajectory)``."""
@@ -305,23 +206,23 @@ class Trajectory:
         return self.states if as_is and not copy else self.states.astype(dtype or float)
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._names)
+        return iter(self.names)
 
     def __repr__(self) -> str:
-        shown = ", ".join(self._names[:6]) + (", ..." if len(self._names) > 6 else "")
+        shown = ", ".join(self.names[:6]) + (", ..." if len(self.names) > 6 else "")
         span = f" from {self.times[0]} to {self.times[-1]}" if len(self.times) else ""
         return f"Trajectory of {shown} at {len(self.times)} times{span}"
 
     def _repr_html_(self) -> str:
-        return table_of_columns(repr(self), self._names[: self.states.shape[1]], self.states)
+        return table_of_columns(repr(self), self.names[: self.states.shape[1]], self.states)
 
     # -- what follows from the states -------------------------------------------------------------
 
     @property
     def constraints(self) -> np.ndarray:
         """Residuals of the holonomic, then the nonholonomic constraints, shape (m, c)."""
-        start = len(self._symbols["output"])
-        return self.outputs[:, start : start + len(self._symbols["constraint"])]
+        start = len(self._columns.of("output"))
+        return self.outputs[:, start : start + len(self.constraints_symbols)]
 
     @property
     def derivatives(self) -> np.ndarray:
@@ -425,16 +326,19 @@ class Trajectory:
         >>> system.simulate().at([0.05, 0.15])['x0'].round(6)
         array([0.998771, 0.989312])
         """
-        times = np.atleast_1d(real_array(times, "`times`"))
-        if times.ndim != 1 or not (np.diff(times) >= 0.0).all():
-            raise ValueError(f"`times` must be one-dimensional and ascending, got {times!r}.")
-        outside = times[~((times >= self.times[0]) & (times <= self.times[-1]))]
-        if outside.size:
-            raise ValueError(
-                f"`times` must be within the simulated time, {self.times[0]} to "
-                f"{self.times[-1]}, got {outside[0]}."
-            )
-        states, sensitivities = self._between(times)
+        times = checked_times(times, self.times)
+        known = self._sensitivity
+        samples = Samples(
+            self.times,
+            self.states,
+            lambda: self.derivatives,
+            self.events,
+            self._model,
+            self._dense,
+            None if known is None else known.values,
+            self._sensitivity_model,
+        )
+        states, values = samples.at(times)
         if self._model is not None:
             outputs = self._model.outputs(times, states)
             specifieds = self._model.specifieds(times, states)
@@ -446,7 +350,7 @@ class Trajectory:
         return Trajectory(
             times,
             states,
-            self._symbols,
+            self._columns.kinds,
             outputs=outputs.reshape(len(times), len(self.outputs_symbols)),
             specifieds=specifieds.reshape(len(times), len(self.specifieds_symbols)),
             constants=self.constants,
@@ -454,72 +358,8 @@ class Trajectory:
             statistics=self.statistics,
             model=self._model,
             dense=self._dense,
-            sensitivities=sensitivities,
+            sensitivities=None if known is None or values is None else (known.counts, values),
             sensitivity_model=self._sensitivity_model,
-        )
-
-    def _between(
-        self, times: np.ndarray
-    ) -> tuple[np.ndarray, tuple[Mapping[Any, int], np.ndarray] | None]:
-        """Return the states at other times, and the sensitivities if there are any."""
-        if self._sensitivity is None:
-            return (self._dense or self._hermite)(times), None
-        n, values, m = self.states.shape[1], self._sensitivity.values, len(self.times)
-        whole = self._hermite(times)
-        if self._sensitivity_model is None:  # no derivatives by time: straight lines
-            columns = [np.interp(times, self.times, v) for v in values.reshape(m, -1).T]
-            whole = np.column_stack([whole, *columns])
-        states = whole[:, :n] if self._dense is None else self._dense(times)
-        return states, (self._sensitivity.counts, whole[:, n:].reshape(len(times), n, -1))
-
-    def _hermite(self, times: np.ndarray) -> np.ndarray:
-        """Return the states, and after them the sensitivities if their derivatives are known."""
-        values = None if self._sensitivity is None else self._sensitivity.values
-        nodes = self.times
-        x, rates = self._beside(nodes, self.states, self.derivatives, values)
-        if self.events and self._model is not None:
-            nodes, x, rates = self._with_events(self._model, x, rates)
-        # The last of equal times, so that an interval has a length wherever there is one.
-        k = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 1)
-        after = np.minimum(k + 1, len(nodes) - 1)
-        h = (nodes[after] - nodes[k])[:, None]
-        s = np.divide((times - nodes[k])[:, None], h, out=np.zeros_like(h), where=h > 0.0)
-        value = x[k] + (3.0 - 2.0 * s) * s**2 * (x[after] - x[k])
-        slope = h * s * (1.0 - s) * ((1.0 - s) * rates[k] - s * rates[after])
-        result: np.ndarray = value + slope
-        return result
-
-    def _beside(
-        self, times: np.ndarray, states: np.ndarray, rates: np.ndarray, values: np.ndarray | None
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Return states and their derivatives by time with those of the sensitivities after."""
-        model, m = self._sensitivity_model, len(times)
-        if model is None or values is None:
-            return states, rates
-        slopes = model.rates(times, states, values)
-        return (
-            np.concatenate([states, values.reshape(m, -1)], axis=1),
-            np.concatenate([rates, slopes.reshape(m, -1)], axis=1),
-        )
-
-    def _with_events(
-        self, model: Model, x: np.ndarray, rates: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        moments = np.repeat([e.time for e in self.events], 2)
-        sides = np.array([side for e in self.events for side in (e.before, e.after)])
-        values = None
-        if self._sensitivity is not None:
-            values = np.array(
-                [v for e in self.events for v in (e.sensitivity_before, e.sensitivity_after)]
-            )
-        own, slopes = self._beside(moments, sides, model.derivatives(moments, sides), values)
-        other = ~np.isin(self.times, moments)  # on which side such a node is, nobody tells
-        nodes = np.concatenate([moments, self.times[other]])
-        order = np.argsort(nodes, kind="stable")
-        return (
-            nodes[order],
-            np.concatenate([own, x[other]])[order],
-            np.concatenate([slopes, rates[other]])[order],
         )
 
     # -- pictures ---------------------------------------------------------------------------------
@@ -592,26 +432,7 @@ class Trajectory:
         ImportError
             xarray is not installed.
         """
-        derivatives, energy = flag(derivatives, "`derivatives`"), flag(energy, "`energy`")
-        columns = {
-            name: (kind, self.latex(name), self[name])
-            for kind in KINDS
-            for name in self.names_of(kind)
-        }
-        if derivatives:
-            for k, name in enumerate(self.names_of(*STATES)):
-                latex = self.latex_of_rate(name)
-                columns[f"{name}'"] = ("derivative", latex, self.derivatives[:, k])
-        if energy:
-            for k, name in enumerate(ENERGIES):
-                columns[name] = ("energy", rf"\text{{{name.replace('_', ' ')}}}", self.energy[:, k])
-        names = unique_names(list(self.constants))
-        constants = {
-            name: (latex_of(s), float(v))
-            for name, (s, v) in zip(names, self.constants.items(), strict=True)
-        }
-        xarray = require("xarray", "labels", "Trajectory.to_xarray")
-        return to_dataset(xarray, self.times, columns, constants, self._sensitivity)
+        return dataset_of(self, self._sensitivity, derivatives, energy)
 
     def to_dataframe(self) -> Any:
         """Return a `pandas.DataFrame` with one column for each quantity, indexed by ``time``.
@@ -621,9 +442,7 @@ class Trajectory:
         ImportError
             pandas is not installed.
         """
-        pandas = require("pandas", "labels", "Trajectory.to_dataframe")
-        index = pandas.Index(self.times, name="time")
-        return pandas.DataFrame({name: self[name] for name in self._names}, index=index)
+        return dataframe_of(self)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the trajectory to a NetCDF file.
@@ -667,43 +486,11 @@ class Trajectory:
         ValueError
             The file is damaged, or holds no trajectory.
         """
-        parts, statistics, events = read_netcdf(
-            require("xarray", "labels", "Trajectory.load"), path, EventRecord
-        )
-        m = len(parts.times)
-        table = {
-            kind: np.array(list(columns.values())).reshape(len(columns), m).T
-            for kind, columns in parts.columns.items()
-        }
-        empty = np.empty((m, 0))
-
-        def together(*kinds: str) -> np.ndarray:
-            return np.concatenate([table.get(kind, empty) for kind in kinds], axis=1)
-
-        loaded = cls(
-            parts.times,
-            together(*STATES),
-            {kind: tuple(parts.columns.get(kind, ())) for kind in KINDS},
-            outputs=together(*OUTPUTS),
-            specifieds=together("specified"),
-            constants=parts.constants,
-            events=events,
-            statistics=statistics,
-        )
-        if parts.sensitivity is not None:
-            loaded._take_sensitivity(*parts.sensitivity)
-        loaded._latex = parts.latex
-        loaded._derivatives = table.get("derivative")
-        loaded._energy = table.get("energy")
+        file = loaded_from(path, EventRecord)
+        loaded = cls(**file.arguments)
+        if file.sensitivity is not None:
+            loaded._take_sensitivity(*file.sensitivity)
+        loaded._columns.latex_by_name = file.latex
+        loaded._derivatives = file.derivatives
+        loaded._energy = file.energy
         return loaded
-
-
-def _table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
-    """Return an own copy with one row for each time and one column for each symbol."""
-    table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
-    if table.shape != (m, width):
-        raise ValueError(
-            f"`{argument}` must have the shape ({m}, {width}), one row for each time and one "
-            f"column for each symbol, got {table.shape}."
-        )
-    return table
