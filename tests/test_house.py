@@ -324,7 +324,6 @@ def test_importing_system_loads_no_optional_library():
 # and blank lines.
 LONG = {
     "pydy.system": (600, "the documented methods of System, each a few lines that call their task"),
-    "pydy.viz.scene": (350, "the documented methods of Scene"),
 }
 
 

@@ -20,6 +20,8 @@ __all__ = [
     "events_of",
     "ground_height",
     "in_notebook",
+    "playback",
+    "recorded",
     "series_of",
     "symbols_of",
     "units_of",
@@ -95,6 +97,20 @@ def columns_of(series: Mapping[str, Any] | None, count: int) -> dict[str, np.nda
     return columns
 
 
+def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, np.ndarray]:
+    """Return those of the series that a trajectory holds."""
+    columns = {}
+    for label, expression in series.items():
+        if hasattr(trajectory, "__contains__") and expression in trajectory:
+            columns[label] = np.asarray(trajectory[expression], dtype=float)
+        elif isinstance(expression, str):
+            raise ValueError(
+                f"`series` has '{expression}', which is none of the trajectory's quantities. "
+                "Give an expression, or the name of a state, output or specified."
+            )
+    return columns
+
+
 def symbols_of(visuals: Iterable[Visual], series: Mapping[str, Any]) -> set[Any]:
     """Return the symbols and derivatives in arrows and series."""
     expressions = [sm.sympify(e) for e in series.values() if not isinstance(e, str)]
@@ -117,6 +133,20 @@ def events_of(trajectory: Any, times: np.ndarray) -> tuple[tuple[float, str], ..
     events = [(float(e.time), str(e.name)) for e in getattr(trajectory, "events", ())]
     shown = [event for event in events if times[0] <= event[0] <= times[-1]]
     return tuple(shown[:: max(1, -(-len(shown) // 100))])
+
+
+def playback(fps: float | None, speed: float | None, duration: float) -> tuple[float, float | None]:
+    """Return the speed of a film and the time between its instants; None keeps all instants."""
+    if fps is not None:
+        fps = number(fps, "`fps`")
+        if not fps > 0:
+            raise ValueError(f"`fps` must be positive, or None for all instants, got {fps}.")
+    if speed is not None:
+        speed = number(speed, "`speed`", finite=True)
+        if not speed > 0:
+            raise ValueError(f"`speed` must be a positive number, got {speed}.")
+    chosen = speed or watchable_speed(duration)
+    return chosen, None if fps is None else chosen / fps
 
 
 def watchable_speed(duration: float) -> float:

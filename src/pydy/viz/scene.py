@@ -29,10 +29,11 @@ from pydy.viz.arguments import (
     events_of,
     ground_height,
     in_notebook,
+    playback,
+    recorded,
     series_of,
     symbols_of,
     units_of,
-    watchable_speed,
     within,
 )
 from pydy.viz.defaults import unit_vector
@@ -237,19 +238,11 @@ class Scene:
             motion = motion_of_trajectory(model.trajectory(*checked), model, constants)
         else:
             motion = motion_of_arrays(trajectory, states, symbols, constants, specifieds)
-        if fps is not None:
-            fps = number(fps, "`fps`")
-            if not fps > 0:
-                raise ValueError(f"`fps` must be positive, or None for all instants, got {fps}.")
-        if speed is not None:
-            speed = number(speed, "`speed`", finite=True)
-            if not speed > 0:
-                raise ValueError(f"`speed` must be a positive number, got {speed}.")
-        self._speed = speed or watchable_speed(float(motion.times[-1] - motion.times[0]))
+        self._speed, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
         rows = np.arange(len(motion.times))
-        if fps is not None:
-            rows = sampled(motion.times, self._speed / fps)
-        columns = self._recorded(trajectory if states is None else None)
+        if step is not None:
+            rows = sampled(motion.times, step)
+        columns = recorded(self.series, trajectory if states is None else None)
         columns.update(columns_of(series, len(motion.times)))
         formulas = tuple((k, e) for k, e in self.series.items() if k not in columns)
         animation = animate(
@@ -271,19 +264,6 @@ class Scene:
         )
         self._motion = motion.taken(rows)
         return self
-
-    def _recorded(self, trajectory: Any) -> dict[str, np.ndarray]:
-        """Return those of the series that a trajectory holds."""
-        columns = {}
-        for label, expression in self.series.items():
-            if hasattr(trajectory, "__contains__") and expression in trajectory:
-                columns[label] = np.asarray(trajectory[expression], dtype=float)
-            elif isinstance(expression, str):
-                raise ValueError(
-                    f"`series` has '{expression}', which is none of the trajectory's quantities. "
-                    "Give an expression, or the name of a state, output or specified."
-                )
-        return columns
 
     @property
     def times(self) -> np.ndarray:
