@@ -165,6 +165,28 @@ def test_samples_of_an_input(interpolation):
     assert found.names[-2:] == ("F[6]", "m0")
 
 
+@pytest.mark.parametrize("interpolation", ["linear", "previous"])
+def test_samples_in_a_line_have_the_derivatives_of_the_motion(interpolation):
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    system.ode_solver, system.constants = "dop853", {"k0": 4.0, "c0": 0.0}
+    system.times, knots, w = [0.0, 2.0], np.linspace(0.0, 2.0, 41), 2.0
+    system.specifieds = {"f0": SampledInput(knots, np.zeros(41), interpolation)}
+    # x(2) by a force at s is sin(w (2 − s)) / w; by a sample, its mean under the hat or the step.
+    rest, h = 2.0 - knots, knots[1]
+    if interpolation == "linear":
+        at, before, after = (np.sin(w * (rest + d)) for d in (0.0, h, -h))
+        exact = (2.0 * at - before - after) / (w**3 * h)
+        exact[0] = (at[0] - after[0]) / (w**3 * h) - np.cos(2.0 * w) / w**2
+        exact[-1] = (w * h - np.sin(w * h)) / (w**3 * h)
+    else:
+        exact = np.append(np.cos(w * rest[1:]) - np.cos(w * rest[:-1]), 0.0) / w**2
+    gradient = system.adjoint_gradient("f0", final="x0", rtol=1e-10, atol=1e-10)
+    forward = system.simulate(sensitivities=["f0"], rtol=1e-10, atol=1e-10).sensitivity
+    for found in (gradient["f0"], forward["x0", "f0"][-1]):
+        assert np.abs(found - exact).max() < 1e-4 * np.abs(exact).max()
+    assert gradient["f0[3]"] == gradient["f0"][3]
+
+
 def test_constants_in_expressions_for_specifieds():
     system = cart(1)
     a, w = sm.symbols("a, w")

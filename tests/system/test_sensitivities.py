@@ -203,6 +203,11 @@ def test_each_sample_of_an_input_is_a_parameter(interpolation):
         assert np.abs(found.values[:, :, k] - expected).max() < 1e-6
 
 
+def test_odeint_that_gives_up_says_so_with_sensitivities():
+    with pytest.raises(IntegrationError, match=r"in the state x0\(t\) = 1, v0\(t\) = 0.3"):
+        oscillator().simulate(sensitivities=["k0", "x0"], rtol=1e-13, atol=1e-13, mxstep=1)
+
+
 def test_outputs_have_sensitivities_too():
     system = oscillator()
     power, x0, k0 = sm.Symbol("P"), system.coordinates[0], sm.Symbol("k0")

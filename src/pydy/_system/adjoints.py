@@ -25,11 +25,13 @@ from pydy._kernel import Kernel, KernelCall
 from pydy._system.balance import GROUPS
 from pydy._system.causes import explain
 from pydy._system.projections import Projections
-from pydy._system.sensitivities import Parameter, Sensitive, by_samples, read_parameters
+from pydy._system.samples import by_samples, marker, mean_spacing
+from pydy._system.sensitivities import Parameter, Sensitive, read_parameters
 from pydy._system.simulation import begin
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.inputs import SampledInput
 from pydy.solvers.adjoint.backward import WayBack
 from pydy.solvers.adjoint.recording import Recording
 from pydy.solvers.events import Event, EventRecord
@@ -128,12 +130,14 @@ def _node(assembly: Assembly, term: Any, argument: str) -> int:
     return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
 
 
-def _with_integral(term: Any, assembly: Assembly) -> Assembly:
-    """Return the equations with an integral as their last state."""
+def _extended(term: Any, marked: bool, assembly: Assembly) -> Assembly:
+    """Return the equations with the integral and the marker of samples as their last states."""
     own = assembly.fork()
-    rates = [*own.rates, _node(own, term, "`integral`")]
     n, s, c = own.sizes
-    return replace(own, sizes=(n + 1, s, c), rates=rates)
+    more = [] if term is None else [_node(own, term, "`integral`")]
+    if marked:
+        more.append(own.graph.input("r", s))
+    return replace(own, sizes=(n + len(more), s + marked, c), rates=[*own.rates, *more])
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,12 +165,18 @@ class _Task:
 
     @cached_property
     def whole(self) -> CompiledModel:
-        """The equations, with the integral as their last state."""
-        if self.integral is None:
+        """The equations, with the integral and the marker of samples as their last states."""
+        marked = self.marker is not None
+        if self.integral is None and not marked:
             return self.model
         return self.model.changed(
-            ("integral", self.integral), partial(_with_integral, self.integral)
+            ("integral", self.integral, marked), partial(_extended, self.integral, marked)
         )
+
+    @cached_property
+    def marker(self) -> SampledInput | None:
+        """See `samples.marker`."""
+        return marker(self.parameters)
 
     @cached_property
     def sampled(self) -> list[Parameter]:
@@ -179,6 +189,14 @@ class _Task:
         groups = {"constants": "p", "specifieds": "r"}
         plain = [p for p in self.parameters if p.kind in groups and p.samples is None]
         return tuple((groups[p.kind], p.place) for p in (*plain, *self.sampled))
+
+    def call_whole(self, kernel: Kernel, further: int = 0) -> KernelCall:
+        """Return the call of a Kernel of `whole` with so many inputs after r."""
+        if self.marker is None:
+            return self.call(kernel, further)
+        call = self.call(kernel, further + 1)
+        place = np.array([len(self.plan.values)])
+        return replace(call, sampled=(*call.sampled, (place, self.marker)))
 
     def call(self, kernel: Kernel, further: int = 0) -> KernelCall:
         """Return the call of a Kernel with so many inputs after r."""
@@ -195,12 +213,15 @@ class _Task:
     ) -> _Run:
         """Integrate, and note the steps."""
         n, model = len(x0), self.whole
-        rates = self.call(model.compiled("rates"))
+        rates = self.call_whole(model.compiled("rates"))
         more = rates.kernel.program.num_states - n
         for name in options.keys() & {"rtol", "atol"}:
             if np.size(options[name]) == n > 1 and more:  # the integral as the strictest state
                 given = np.asarray(options[name], dtype=float)
                 options = {**options, name: np.append(given, given.min())}
+        spacing = mean_spacing(self.parameters)
+        if spacing is not None and solver.adaptive:
+            options = {"max_step": spacing, **options}
         recording = Recording(n, len(tableau_of(solver.name).stages))
         read = replace(read_options(solver.name, solver.adaptive, options), recording=recording)
 
@@ -233,7 +254,7 @@ class _Task:
             )  # fmt: skip
 
         key = ("adjoint of the rates", safe, self.wanted)
-        return self.call(model.compiled_by(key, make), n)
+        return self.call_whole(model.compiled_by(key, make), n)
 
     def objective(self) -> KernelCall:
         """Return `final`, and its derivatives by states, time, specifieds and what is wanted."""
@@ -313,10 +334,12 @@ class _Run:
         further, kept = len(task.wanted), len(task.sampled)
         self._back = WayBack(method, rates, task.turned, further, kept)
         self._kept = kept
-        self.value = float(self.last[n:].sum())
+        integrals = 0 if task.integral is None else 1
+        self.value = float(self.last[n : n + integrals].sum())
         self._seen: list[tuple[np.ndarray, np.ndarray]] = []  # derivatives by samples, with times
         self._totals = np.zeros(further)
-        self._adjoint = np.append(np.zeros(n), np.ones(len(self.last) - n))
+        self._adjoint = np.zeros(len(self.last))
+        self._adjoint[n : n + integrals] = 1.0
         self._slope = 0.0  # of the objective along the motion at its end
         if task.final is not None:
             self._finish()

@@ -73,8 +73,8 @@ def call_odeint(
     if not good and t <= left <= times[reached] and np.isfinite(states[reached]).all():
         t, x = left, states[reached].copy()  # the row of the time at which it gave up
     rows = {k: v[:reached] if isinstance(v, np.ndarray) else v for k, v in info.items()}
-    shown = ", ".join(f"{s} = {v:.6g}" for s, v in zip(names[:12], x[:12], strict=True))
-    more = f", and {len(x) - 12} more" if len(x) > 12 else ""
+    shown = ", ".join(f"{s} = {v:.6g}" for s, v in zip(names[:12], x, strict=False))
+    more = f", and {len(names) - 12} more" if len(names) > 12 else ""
     raise IntegrationError(
         f"`odeint` {what} at t = {t!r} in the state {shown}{more}. "
         f"{_MORE_STEPS if code == TOO_MANY_STEPS else OUTCOMES[code].remedy}",

@@ -25,6 +25,7 @@ from pydy._graph.columns import Columns
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy._system.samples import by_samples, mean_spacing
 from pydy._system.tuning import UNSOLVED_COLUMNS
 from pydy.analysis.tuning import FREE
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -33,7 +34,7 @@ from pydy.solvers.events import Event
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.solver import Solver
 
-__all__ = ["Parameter", "Sensitive", "Wanted", "by_samples", "read_parameters"]
+__all__ = ["Parameter", "Sensitive", "Wanted", "read_parameters"]
 
 
 @dataclass(frozen=True)
@@ -432,7 +433,12 @@ class Wanted:
         values = sensitive.start(*start, dependent)
         columns = sensitive.columns
         if isinstance(solver, Solver):
-            scales = self._scales(parameters, start[0], p) if self._controlled else None
+            # Samples in a line leave no mark in the motion: the states' error shows no kink there.
+            spacing = mean_spacing(parameters)
+            if spacing is not None and solver.adaptive:
+                options = {"max_step": spacing, **options}
+            controlled = self._controlled or spacing is not None
+            scales = self._scales(parameters, start[0], p) if controlled else None
             events = options.get("events")
             compiled = sensitive.compiled(scales, () if events is None else events.sources)
             options = {**options, "sensitivities": compiled}
@@ -477,16 +483,3 @@ class Wanted:
                 own = max(abs(x0[parameter.place]), 1.0)
             sizes += [own if own > 0.0 else 1.0] * parameter.count
         return np.array(sizes + [1.0] * (self.sensitive.columns.count - len(sizes)))
-
-
-def by_samples(parameter: Parameter) -> SampledInput:
-    """Return the derivatives of a sampled input by each of its samples."""
-    samples = parameter.samples
-    assert samples is not None
-    if samples.interpolation == "pchip":
-        raise ValueError(
-            f"`sensitivities` has `{parameter.symbol}`, whose samples are interpolated by 'pchip': "
-            "the cubic depends on them in a way that is not differentiated. Use the interpolation "
-            "'linear' or 'previous'."
-        )
-    return SampledInput(samples.times, np.eye(parameter.count), samples.interpolation)

@@ -73,6 +73,8 @@ class AdjointGradient:
                 part = self.values[start : start + count]
                 return part.copy() if count > 1 else float(part[0])
             start += count
+        if parameter in self.names:  # one sample
+            return float(self.values[self.names.index(parameter)])
         raise KeyError(f"`{parameter}` is none of the parameters: {', '.join(self.names)}.")
 
     def __str__(self) -> str:
