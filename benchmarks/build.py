@@ -19,7 +19,7 @@ os.environ["PYDY_CACHE_DIR"] = "off"
 
 import numpy as np
 from harness.report import save
-from trees import HUMANOID, definition, tree
+from trees import HUMANOID, definition, rods, tree
 
 from pydy._backends.registry import compile_program
 from pydy._graph.collector import collector_paused
@@ -39,6 +39,10 @@ def models() -> dict[str, Any]:
     return {
         "pendulum, 20 links": lambda: _definition(n_link_pendulum_on_cart, 20),
         "pendulum, 50 links": lambda: _definition(n_link_pendulum_on_cart, 50),
+        "pendulum, 100 links": lambda: _definition(n_link_pendulum_on_cart, 100),
+        "5 rods in space": lambda: rods(5),
+        "10 rods in space": lambda: rods(10),
+        "20 rods in space": lambda: rods(20),
         "100 springs": lambda: _definition(multi_mass_spring_damper, 100),
         "200 springs": lambda: _definition(multi_mass_spring_damper, 200),
         "arm of 7 joints, in space": lambda: definition(arm),
@@ -88,10 +92,13 @@ def main() -> None:
     """Print a table, and write it beside the other results."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--models", nargs="+", default=list(models()), choices=list(models()))
     options = parser.parse_args()
     print(f"{'':26}" + "".join(f"{stage:>10}" for stage in (*STAGES, "all", "operations")))
     found = {}
-    for name, set_up in models().items():
+    every = models()
+    for name in options.models:
+        set_up = every[name]
         runs = [timed(set_up) for _ in range(options.repeats)]
         times = {stage: median(run[0][stage] for run in runs) for stage in STAGES}
         found[name] = {**times, "operations": runs[0][1]}

@@ -123,6 +123,47 @@ def definition(made: dict[str, Any]) -> Definition:
     )
 
 
+def rods(n: int) -> Definition:
+    """Return a chain of rods in space: a universal joint, then ball joints.
+
+    Angles are body-fixed x-y-z against the rod before, speeds the relative angular velocity in the
+    outer rod's axes.
+    """
+    frame = above = me.ReferenceFrame("N")
+    joint = me.Point("O")
+    joint.set_vel(frame, 0)
+    g = sm.Symbol("g")
+    q, u, rates, bodies, loads = [], [], [], [], []
+    for k in range(n):
+        m, length, *inertias = sm.symbols(f"m{k} l{k} A{k} B{k} C{k}")
+        own = me.ReferenceFrame(f"B{k}")
+        a, b, c = me.dynamicsymbols(f"a{k} b{k} c{k}")
+        x, y, z = me.dynamicsymbols(f"u{k} v{k} w{k}")
+        if k:
+            own.orient_body_fixed(above, (a, b, c), "123")
+            own.set_ang_vel(above, x * own.x + y * own.y + z * own.z)
+            across = (x * sm.cos(c) - y * sm.sin(c)) / sm.cos(b)
+            rates += [across, x * sm.sin(c) + y * sm.cos(c), z - sm.sin(b) * across]
+            q += [a, b, c]
+            u += [x, y, z]
+        else:
+            fork = me.ReferenceFrame("F")
+            fork.orient_axis(above, above.x, a)
+            fork.set_ang_vel(above, x * above.x)
+            own.orient_axis(fork, fork.y, b)
+            own.set_ang_vel(fork, y * fork.y)
+            rates += [x, y]
+            q += [a, b]
+            u += [x, y]
+        centre = joint.locatenew(f"C{k}", -length / 2 * own.z)
+        joint = joint.locatenew(f"O{k}", -length * own.z)
+        bodies.append(me.RigidBody(f"rod{k}", centre, own, m, (me.inertia(own, *inertias), centre)))
+        loads.append((centre, -m * g * frame.z))
+        above = own
+    kinematic = [i.diff() - rate for i, rate in zip(q, rates, strict=True)]
+    return Definition(frame, q, u, bodies=bodies, loads=loads, kinematic_equations=kinematic)
+
+
 def vector(components: Any, frame: me.ReferenceFrame) -> me.Vector:
     """Return a vector from its components."""
     return sum((c * e for c, e in zip(components, frame, strict=True) if c != 0), me.Vector(0))

@@ -15,7 +15,7 @@ from pydy._graph.simplify import simplify
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._graph.solve.differences import difference_basis
 from pydy._graph.switches import Passes
-from pydy._mechanics.form import Formed, forms
+from pydy._mechanics.form import Formed, forms, in_a_plane
 from pydy._mechanics.reader import Multibody
 
 __all__ = ["chosen", "counted", "estimated"]
@@ -23,26 +23,36 @@ __all__ = ["chosen", "counted", "estimated"]
 
 # Estimates for the two kinds of forms that differ by less are too near to decide.
 _NEAR = 1.15
+# Speeds beyond which forms are not counted, and axes not tried: that would take longer than all the
+# rest, and what many bodies cost is estimated well.
+_MANY = 12
 
 
 @collector_paused()
 def chosen(body: Multibody) -> Formed:
-    """Return the equations of motion in the form that takes fewest operations."""
-    in_bodies = forms(body, in_bodies=True)
-    in_ground = in_bodies if in_bodies[0].in_one_frame else forms(body, in_bodies=False)
+    """Return the equations of motion in the form that takes fewest operations.
+
+    Beyond a dozen speeds vectors are in the inertial frame where all bodies turn about one axis,
+    else in the bodies' axes, and estimates decide between articulated and composite bodies.
+    """
+    many = len(body.speeds) > _MANY
+    tried = [not in_a_plane(body)] if many else [True, False]
+    found = [forms(body, in_bodies=tried[0])]
+    if len(tried) > 1 and not found[0][0].in_one_frame:
+        found.append(forms(body, in_bodies=tried[1]))
     best: list[Formed] = []
     costs: list[int] = []
-    for pair in zip(in_bodies, in_ground, strict=True):  # of each kind
-        own = [estimated(formed) for formed in dict.fromkeys(pair)]
+    for same in zip(*found, strict=True):  # of each kind
+        own = [estimated(formed, merged=not many) for formed in same]
         costs.append(min(own))
-        best.append(pair[own.index(costs[-1])])
-    if len(best) == 2 and max(costs) < _NEAR * min(costs):
+        best.append(same[own.index(costs[-1])])
+    if len(best) == 2 and not many and max(costs) < _NEAR * min(costs):
         costs = [counted(formed) for formed in best]
     return best[costs.index(min(costs))]
 
 
-def estimated(formed: Formed, kind: str = "ldl") -> int:
-    """Estimate the operations of q' and u': those of a graph in which equal nodes are one."""
+def estimated(formed: Formed, kind: str = "ldl", *, merged: bool = True) -> int:
+    """Estimate the operations of q' and u': those of a graph, in which equal nodes may be one."""
     graph, n = formed.graph, len(formed.forcing)
     if formed.accelerations is not None:
         roots, solving = list(formed.accelerations), 0
@@ -64,7 +74,8 @@ def estimated(formed: Formed, kind: str = "ldl") -> int:
         # What LDLᵀ takes of a matrix with so many entries, less what its structure saves: half.
         solving = filled * (filled // n + 9) // 3
         roots = [*lower, *column]
-    return operations(graph, merge_equal(graph, [*formed.rates, *roots])) + solving
+    roots = [*formed.rates, *roots]
+    return operations(graph, merge_equal(graph, roots) if merged else roots) + solving
 
 
 def counted(formed: Formed, kind: str = "ldl") -> int:

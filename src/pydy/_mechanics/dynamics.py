@@ -7,6 +7,7 @@ u' = 0, m a or I α + ω × I ω.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,12 +17,20 @@ from pydy._graph.identities import signatures
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid
 
-__all__ = ["Inertia", "Load", "inertia_seen", "loads_and_inertias", "points_of"]
+__all__ = [
+    "Inertia",
+    "Load",
+    "contributions",
+    "inertia_seen",
+    "loads_and_inertias",
+    "points_of",
+    "without_rest",
+]
 
 
 @dataclass(frozen=True)
 class Inertia:
-    """The form v·I·v: components of a velocity, and a symmetric matrix of nodes."""
+    """The form v·I·v: components of a velocity, or of two, and a symmetric matrix of nodes."""
 
     velocity: Vec
     matrix: list[Vec]
@@ -45,19 +54,26 @@ def points_of(kinematics: Kinematics) -> list[Any]:
 
 def loads_and_inertias(kinematics: Kinematics) -> tuple[list[Inertia], list[Load]]:
     """Return what bodies and loads contribute."""
+    return without_rest(kinematics, *contributions(kinematics, kinematics.body.bodies))
+
+
+def contributions(
+    kinematics: Kinematics, bodies: Iterable[Any]
+) -> tuple[list[Inertia], list[Load]]:
+    """Return what these bodies contribute, and all loads."""
     inertias: list[Inertia] = []
     loads: list[Load] = []
-    for body in kinematics.body.bodies:
+    for body in bodies:
         _translation(kinematics, body, inertias, loads)
         if is_rigid(body):
             _rotation(kinematics, body, inertias, loads)
-    for where, vector in kinematics.body.loads:
+    for where, vector in kinematics.loads:
         home, v = kinematics.at(where)
         loads.append(Load(v, kinematics.vector(vector, home)))
-    return _without_rest(kinematics, inertias, loads)
+    return inertias, loads
 
 
-def _without_rest(
+def without_rest(
     kinematics: Kinematics, inertias: list[Inertia], loads: list[Load]
 ) -> tuple[list[Inertia], list[Load]]:
     """Write 0 for velocities that vanish: what acts there, at a contact say, does no work."""

@@ -15,7 +15,7 @@ the order in which the speeds go.
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
@@ -25,6 +25,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.tuning import SINGULAR
 from pydy._mechanics.dynamics import Inertia, Load
+from pydy._mechanics.turns import joined_turns, turn_of
 
 __all__ = ["Solution", "composite", "eliminated"]
 
@@ -74,7 +75,9 @@ def composite(
     push = _Push(graph, rows, groups, speeds, inertias, loads)
     for group in push.order:
         push.pass_on(group)
-    m = [[push.entry(a, b) for b in speeds] for a in speeds]
+    lower = [[push.entry(a, b) for b in speeds[: i + 1]] for i, a in enumerate(speeds)]
+    n = range(len(speeds))
+    m = [[lower[max(i, j)][min(i, j)] for j in n] for i in n]
     return m, [graph.sum(push.forces[s]) for s in speeds]
 
 
@@ -85,9 +88,13 @@ def eliminated(
     speeds: Sequence[int],
     inertias: Sequence[Inertia],
     loads: Sequence[Load],
+    plain: Sequence[Inertia],
 ) -> Solution:
-    """Return the accelerations by articulated-body elimination."""
-    push = _Push(graph, rows, groups, speeds, inertias, loads)
+    """Return the accelerations by articulated-body elimination.
+
+    `plain` are the inertias of whole bodies, where `inertias` are divided up in another way.
+    """
+    push = _Push(graph, rows, groups, speeds, inertias, loads, plain)
     sizes = _Sizes(push)
     left = dict.fromkeys(speeds)
     done: list[_Passed | _Gone] = []
@@ -138,6 +145,7 @@ class _Push:
         speeds: Sequence[int],
         inertias: Sequence[Inertia],
         loads: Sequence[Load],
+        plain: Sequence[Inertia] = (),
     ) -> None:
         self.graph, self.speeds = graph, list(speeds)
         self.own = {k: rows.through(k) for group in groups for k in group}
@@ -148,14 +156,20 @@ class _Push:
         self.weights: list[tuple[list[int], int]] = []
         # What of a speed's diagonal entry comes from there, and a bit for each speed in it.
         self.floors: dict[int, list[tuple[int, float, int]]] = {s: [] for s in speeds}
+        self.first: dict[tuple[int, int], list[tuple[int, float]]] = defaultdict(list)
         for inertia in inertias:
-            self._place(inertia, [rows(n) for n in inertia.velocity])
-        self.first = {key: list(cell) for key, cell in self.cells.items()}
+            for a, b, node, size in self._products(inertia, [rows(n) for n in inertia.velocity]):
+                self.add(a, b, node, size)
+        for inertia in plain:
+            own = [rows(n) for n in inertia.velocity]
+            for a, b, node, size in self._products(inertia, own):
+                self.first[_key(a, b)].append((node, size))
+            self._weigh(inertia, own)
         for load in loads:
             for n, force in zip(load.velocity, load.force, strict=True):
                 for a, d in rows(n).items():
                     self.forces[a].append((graph.mul(d, force), 1.0))
-        wanted = {a for key in self.cells for a in key} | set(self.forces)
+        wanted = {a for key in (*self.cells, *self.first) for a in key} | set(self.forces)
         order = _sorted_groups([list(group) for group in groups], self.own)[::-1]
         self._moves(order)
         self.order: list[list[int]] = []
@@ -168,13 +182,13 @@ class _Push:
                 for c in self.own[k]:
                     wanted.add(c)
                     self.waiting[c] += 1
+        self.groups = self.order
+        self.order = joined_turns(graph, self.groups, self.own)
 
-    def _place(self, inertia: Inertia, rows: list[Row]) -> None:
+    def _products(self, inertia: Inertia, rows: list[Row]) -> Iterator[tuple[int, int, int, float]]:
+        """Give the entries that an inertia has at the anchors."""
         graph, matrix = self.graph, inertia.matrix
-        trace: list[tuple[int, float]] = []
-        for i in range(3):
-            if rows[i]:
-                trace.append((matrix[i][i], 1.0))
+        for i in range(len(rows)):
             for j in range(i + 1):
                 if matrix[i][j] == graph.zero:
                     continue
@@ -182,12 +196,18 @@ class _Push:
                     for b, y in rows[j].items():
                         if i != j:
                             twice = 2.0 if a == b else 1.0
-                            self.add(a, b, graph.mul(x, y, matrix[i][j]), twice)
+                            yield a, b, graph.mul(x, y, matrix[i][j]), twice
                         elif a >= b:
-                            self.add(a, b, graph.mul(x, y, matrix[i][j]))
-        anchors = list(dict.fromkeys(a for row in rows for a in row))
-        if anchors:
-            self.weights.append((anchors, graph.sum(trace)))
+                            yield a, b, graph.mul(x, y, matrix[i][j]), 1.0
+
+    def _weigh(self, inertia: Inertia, rows: list[Row]) -> None:
+        """Note what a velocity weighs, of two each by itself."""
+        for start in range(0, len(rows), 3):
+            own = range(start, start + 3)
+            trace = [(inertia.matrix[i][i], 1.0) for i in own if rows[i]]
+            anchors = list(dict.fromkeys(a for i in own for a in rows[i]))
+            if anchors:
+                self.weights.append((anchors, self.graph.sum(trace)))
 
     def add(self, a: int, b: int, node: int, size: float = 1.0) -> None:
         """Add to an entry of the form; the entries (a, b) and (b, a) are one."""
@@ -215,19 +235,11 @@ class _Push:
         columns = sorted({c for row in rows.values() for c in row})
         forces = [graph.sum(self.forces[k]) for k in group]
         places = range(len(group))
+        turned = self._turn(group, within)
         for c in columns:
             slope = [rows[k].get(c, graph.zero) for k in group]
-            image = [
-                graph.sum([(graph.mul(within[j][i], slope[i]), 1.0) for i in places])
-                for j in places
-            ]
-            for d in columns:
-                if d <= c:
-                    terms = [
-                        (graph.mul(rows[group[j]].get(d, graph.zero), image[j]), 1.0)
-                        for j in places
-                    ]
-                    self.add(c, d, graph.sum(terms))
+            if not turned:
+                self._reduce(c, columns, [rows[k] for k in group], within)
             for j, s in enumerate(others):
                 terms = [(graph.mul(slope[i], across[i][j]), 1.0) for i in places]
                 self.add(c, s, graph.sum(terms), 2.0 if c == s else 1.0)
@@ -240,6 +252,40 @@ class _Push:
             for c in rows[k]:
                 self.waiting[c] -= 1
         return _Passed(rows)
+
+    def _reduce(self, c: int, columns: list[int], rows: list[Row], within: list[list[int]]) -> None:
+        """Add the column c, up to the diagonal, of Rᵀ K R."""
+        graph = self.graph
+        slope = [row.get(c, graph.zero) for row in rows]
+        image = [
+            graph.sum([(graph.mul(a, b), 1.0) for a, b in zip(line, slope, strict=True)])
+            for line in within
+        ]
+        for d in columns:
+            if d <= c:
+                own = [row.get(d, graph.zero) for row in rows]
+                terms = [(graph.mul(a, b), 1.0) for a, b in zip(own, image, strict=True)]
+                self.add(c, d, graph.sum(terms))
+
+    def _turn(self, group: list[int], within: list[list[int]]) -> bool:
+        """Add Rᵀ K R where all anchors turn by one angle; say whether they do."""
+        pairs = [group[k : k + 2] for k in range(0, len(group), 2)]
+        turns = [turn_of(self.graph, self.own, pair) for pair in pairs]
+        used = {c for turn in turns if turn for c in turn.columns}
+        same = {turn and (turn.cosine, turn.sine) for turn in turns}
+        if None in same or len(same) > 1 or len(used) < len(group):
+            return False
+        for i, one in enumerate(turns):
+            for j, two in enumerate(turns[: i + 1]):
+                if one is None or two is None:
+                    continue
+                block = [line[2 * j : 2 * j + 2] for line in within[2 * i : 2 * i + 2]]
+                image = one.of(self.graph, block, two)
+                for r, a in enumerate(one.columns):
+                    for c, b in enumerate(two.columns):
+                        if i != j or c <= r:
+                            self.add(a, b, image[r][c])
+        return True
 
     def _moves(self, order: list[list[int]]) -> None:
         """Find out which speeds move each anchor, and those that weigh together with it."""
@@ -336,7 +382,7 @@ class _Sizes:
     """
 
     def __init__(self, push: _Push) -> None:
-        self.graph, self.own, self.order = push.graph, push.own, [list(g) for g in push.order]
+        self.graph, self.own, self.order = push.graph, push.own, push.groups
         self.weights = push.weights
 
     def of(self, speeds: Iterable[int]) -> dict[int, int]:

@@ -10,13 +10,24 @@ from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._mechanics.dynamics import Inertia, loads_and_inertias, points_of
+from pydy._mechanics.axes import move_along_axes
+from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
+from pydy._mechanics.gravity import take_gravity_off
 from pydy._mechanics.kinematics import Kinematics
+from pydy._mechanics.lumps import lumped
 from pydy._mechanics.multipliers import accelerations_of_held
 from pydy._mechanics.reader import Multibody
 
-__all__ = ["Formed", "auxiliary_equations", "form", "forms", "moving", "reduced"]
+__all__ = [
+    "Formed",
+    "auxiliary_equations",
+    "form",
+    "forms",
+    "in_a_plane",
+    "moving",
+    "reduced",
+]
 
 
 @dataclass(eq=False)
@@ -42,6 +53,9 @@ class Formed:
         Those with a velocity of the user's that is not the rate of their place.
     in_one_frame : bool
         Whether no vector had to be expressed in another frame: the choice of axes is none.
+    measures : tuple of nodes
+        What speeds move, and where: its constants are some of the equations', whether the form
+        needs them or not.
     """
 
     graph: Graph
@@ -54,13 +68,16 @@ class Formed:
     kinetic: int
     honoured: tuple[Any, ...] = ()
     in_one_frame: bool = False
+    measures: tuple[int, ...] = ()
 
     def inputs(self) -> set[tuple[str, int]]:
-        """Return the inputs that q', M, F and u' depend on."""
+        """Return the inputs that q', M, F and u' depend on, and the constants of what moves."""
         graph = self.graph
         roots = [*self.rates, *(n for row in self.matrix for n in row), *self.forcing]
         roots += self.accelerations or []
-        return {graph.args[n] for n in graph.reachable(roots) if graph.ops[n] == "input"}
+        found = {graph.args[n] for n in graph.reachable(roots) if graph.ops[n] == "input"}
+        measured = [n for n in graph.reachable(self.measures) if graph.ops[n] == "input"]
+        return found | {graph.args[n] for n in measured if graph.constant[n]}
 
     def symbols(self, speed_rates: Sequence[Any]) -> list[Any]:
         """Return the constants, specifieds and derivatives of speeds that occur."""
@@ -128,9 +145,9 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
         Whether velocities of points are written in the frames of the bodies; else in the inertial
         frame.
     """
-    kinematics = moving(body, in_bodies)
-    inertias, loads = loads_and_inertias(kinematics)
+    kinematics = moving(body, in_bodies, falling=in_bodies)
     g, speeds, read = kinematics.graph, kinematics.speeds, kinematics.read
+    inertias, loads, plain = lumped(kinematics) if in_bodies else _as_they_are(kinematics)
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
     matrix, forcing = composite(*parts)
     moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
@@ -152,16 +169,24 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
             matrix,
             forcing,
             accelerations,
-            _kinetic(kinematics, inertias),
+            _kinetic(kinematics, plain),
             tuple(sorted(kinematics.honoured, key=str)),
             kinematics.in_one_frame,
+            tuple(_measures(kinematics, plain)) if in_bodies else (),
         )
     ]
     if not body.velocity and not moved:
-        solution = eliminated(*parts)
+        solution = eliminated(*parts, plain)
         solved = g.guard(matrix, forcing, solution.sound, solution.accelerations)
         found.append(replace(found[0], accelerations=solved))
     return found
+
+
+def in_a_plane(body: Multibody) -> bool:
+    """Return whether all frames turn about one axis."""
+    kinematics = Kinematics(body, in_bodies=False)
+    kinematics.place(points_of(kinematics))
+    return kinematics.in_a_plane()
 
 
 def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
@@ -211,19 +236,50 @@ def _kinetic(kinematics: Kinematics, inertias: Sequence[Inertia]) -> int:
     terms = [
         (g.mul(part.matrix[i][j], part.velocity[i], part.velocity[j]), 0.5)
         for part in inertias
-        for i in range(3)
-        for j in range(3)
+        for i in range(len(part.velocity))
+        for j in range(len(part.velocity))
     ]
     return g.sum(terms)
 
 
-def moving(body: Multibody, in_bodies: bool, *, auxiliary: bool = False) -> Kinematics:
-    """Return the kinematics with all points placed and velocities of the user's honoured."""
+def _measures(kinematics: Kinematics, inertias: Sequence[Inertia]) -> list[int]:
+    """Return the inertias and the velocities of mass centres that depend on speeds."""
+    rows = kinematics.rows
+    found = [
+        n
+        for body in kinematics.body.bodies
+        for n in kinematics.motion(body.masscenter)[1]
+        if rows(n)
+    ]
+    for part in inertias:
+        moved = [bool(rows(n)) for n in part.velocity]
+        for line, one in zip(part.matrix, moved, strict=True):
+            found += [n for n, two in zip(line, moved, strict=True) if one and two]
+    return found
+
+
+def _as_they_are(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Inertia]]:
+    inertias, loads = loads_and_inertias(kinematics)
+    return inertias, loads, inertias
+
+
+def moving(
+    body: Multibody, in_bodies: bool, *, auxiliary: bool = False, falling: bool = False
+) -> Kinematics:
+    """Return the kinematics with all points placed and velocities of the user's honoured.
+
+    `falling` takes gravity for an acceleration where it can, and refers bodies on hinges to other
+    points of their axes.
+    """
     honoured: set[Any] = set()
     while True:
         kinematics = Kinematics(body, in_bodies=in_bodies, auxiliary=auxiliary, honoured=honoured)
+        if falling:
+            take_gravity_off(kinematics)
         points = points_of(kinematics)
         kinematics.place(points)
+        if falling:
+            move_along_axes(kinematics)
         for point in points:
             kinematics.motion(point)
         wrong = kinematics.disagreeing()

@@ -19,7 +19,7 @@ from sympy.physics.mechanics import Point
 from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
-from pydy._mechanics.reader import InputReader, Multibody, Tree
+from pydy._mechanics.reader import InputReader, Multibody, Tree, is_rigid
 
 __all__ = ["Kinematics", "Motion", "Vec"]
 
@@ -41,6 +41,13 @@ class Kinematics:
         Whether the auxiliary speeds are inputs; else they are zero.
     honoured : iterable of points
         Those with a velocity that is not the derivative of their place: the user's holds.
+
+    Attributes
+    ----------
+    loads : tuple of (Point or ReferenceFrame, Vector)
+    pull : list of nodes or None
+        What is taken off the accelerations of points, in the inertial frame, in place of loads
+        (`pydy._mechanics.gravity`).
     """
 
     def __init__(
@@ -86,6 +93,9 @@ class Kinematics:
         self._motions: dict[Any, Motion] = {}
         self._moved: dict[Any, tuple[Vec, Vec]] = {}
         self._ways: dict[Any, tuple[Any, tuple[Any, ...]]] = {}
+        self._turnings: dict[Any, list[Vec]] = {}
+        self.loads: tuple[tuple[Any, Any], ...] = body.loads
+        self.pull: Vec | None = None
 
     # -- time -------------------------------------------------------------------------------------
 
@@ -259,6 +269,20 @@ class Kinematics:
         alpha = self.plus(self.expressed(alpha, base, home), self.dt(own), self.cross(turning, own))
         return self.anchored(whole), alpha
 
+    def turning(self, frame: Any) -> list[Vec]:
+        """Return [α] + [ω][ω] in a frame's axes: what a place there is to be multiplied by."""
+        if frame not in self._turnings:
+            g, (w, alpha) = self.graph, self.spin(frame)
+            matrix = [[g.zero] * 3 for _ in range(3)]
+            for i in range(3):
+                j, m = (i + 1) % 3, (i + 2) % 3
+                matrix[i][i] = g.sum([(g.powi(w[j], 2), -1.0), (g.powi(w[m], 2), -1.0)])
+                both = g.mul(w[j], w[m])
+                matrix[j][m] = g.sub(both, alpha[i])
+                matrix[m][j] = g.add(both, alpha[i])
+            self._turnings[frame] = matrix
+        return self._turnings[frame]
+
     def angular_acceleration(self, frame: Any, home: Any) -> Vec:
         """Return a frame's angular acceleration, the user's own where it is set."""
         alpha = self.spin(frame, home)[1]
@@ -270,13 +294,20 @@ class Kinematics:
         As in SymPy, that of other points does not follow from it.
         """
         home, _, a = self.motion(point)
-        return self._users(self.tree.acceleration(point), a, home)
+        return self._users(self.tree.acceleration(point), a, home, self.pull)
 
-    def _users(self, given: Any, derived: Vec, home: Any) -> Vec:
+    def _users(self, given: Any, derived: Vec, home: Any, pull: Vec | None = None) -> Vec:
         if given is None:
             return derived
-        theirs = self._accelerating(given, home)
+        theirs = self._falling(self._accelerating(given, home), home, pull)
         return derived if self.equal(derived, theirs) else theirs
+
+    def _falling(self, a: Vec, home: Any, pull: Vec | None) -> Vec:
+        """Return an acceleration as it is seen by what falls."""
+        if pull is None:
+            return a
+        own = self.expressed(pull, self.inertial, home)
+        return [self.graph.sub(x, y) for x, y in zip(a, own, strict=True)]
 
     def _accelerating(self, vector: Any, home: Any) -> Vec:
         """Return an acceleration that the user wrote, at u' = 0."""
@@ -301,6 +332,50 @@ class Kinematics:
         roles |= {b.masscenter: f"the mass centre of the body {b.name}" for b in self.body.bodies}
         self._ways = self.tree.paths(points, roles)
 
+    def placed(self) -> list[Any]:
+        """Return the points whose ways are known."""
+        return list(self._ways)
+
+    def way(self, point: Any) -> tuple[Any, tuple[Any, ...]]:
+        """Return the point from which another is reached, None for a root, and the vectors."""
+        return self._ways[point]
+
+    def lead(self, point: Any, base: Any, step: Any) -> None:
+        """Let a point be reached in another way."""
+        self._ways[point] = base, (step,)
+
+    def at_rest(self, point: Any, frame: Any) -> bool:
+        """Return whether a point does not move, nor the frame that it is fixed in."""
+        zero = self.graph.zero
+        return frame is self.inertial and all(n == zero for n in self.motion(point)[1])
+
+    def axis(self, frame: Any, before: Any) -> int | None:
+        """Return which axis a frame has in common at all times with the one that it turns in."""
+        g = self.graph
+        tree = self.tree
+        if frame not in tree.oriented or frame is self.inertial:
+            return None
+        if tree.parent(frame) is not before or tree.turns_in(frame) is not before:
+            return None
+        turn = self.step(frame)
+        spin = self.vector(self.tree.relative_spin(frame, before), frame)
+        for i in range(3):
+            unit = [g.one if j == i else g.zero for j in range(3)]
+            others = {n for j, n in enumerate(spin) if j != i}
+            if turn[i] == unit and [row[i] for row in turn] == unit and others == {g.zero}:
+                return i
+        return None
+
+    def in_a_plane(self) -> bool:
+        """Return whether all frames that occur turn about one axis."""
+        frames = {frame for _, steps in self._ways.values() for s in steps for _, frame in s.args}
+        frames |= {body.frame for body in self.body.bodies if is_rigid(body)}
+        if not frames <= self.tree.oriented.keys():
+            return False
+        turning = {f for frame in frames for f in self._way_in(frame)} - {self.inertial}
+        axes = {self.axis(f, self.tree.parent(f)) for f in turning}
+        return len(axes) <= 1 and None not in axes
+
     def motion(self, point: Any) -> Motion:
         """Return the frame of the components, velocity and acceleration of a point."""
         chain = [point]
@@ -324,8 +399,12 @@ class Kinematics:
                 r, (w, alpha) = self.read.all(part), self.spin(frame)
                 rate = self.dt(r)
                 own_v = self.plus(self.cross(w, r), rate)
-                own_a = self.plus(
-                    self.cross(alpha, r), self.dt(rate), self.cross(w, self.plus(own_v, rate))
+                own_a = (
+                    self.plus(
+                        self.cross(alpha, r), self.dt(rate), self.cross(w, self.plus(own_v, rate))
+                    )
+                    if any(n != self.graph.zero for n in rate)
+                    else self.turned(self.turning(frame), r)
                 )
                 to = frame if self.in_bodies else self.inertial
                 v, a = self._carried(base, home, v, a, to)
@@ -345,6 +424,35 @@ class Kinematics:
             self._moved[key] = moved
         return self._moved[key]
 
+    def motion_in(self, point: Any, frame: Any) -> tuple[Vec, Vec]:
+        """Return a point's velocity and acceleration in the axes of a body's frame."""
+        home, v, a = self.motion(point)
+        return self._carried(point, home, v, a, frame)
+
+    def first_there(self, point: Any) -> Any:
+        """Return the first of the points that are at one place at all times."""
+        while (base := self._base(point)) is not None and not any(
+            step.args for step in self._ways[point][1]
+        ):
+            point = base
+        return point
+
+    def fixed_step(self, point: Any) -> tuple[Any, Any, Vec] | None:
+        """Return a point, the frame in which another is fixed beside it, and the way from there.
+
+        None where the point's own velocity is given, or the way is none of constants in one frame.
+        """
+        base = self._base(point)
+        parts = [part for step in self._ways[point][1] for part in step.args]
+        frames = list(dict.fromkeys(frame for _, frame in parts))
+        if base is None or len(frames) != 1:
+            return None
+        place = [self.graph.zero] * 3
+        for part, _ in parts:
+            place = self.plus(place, self.read.all(part))
+        constant = all(self.graph.constant[n] for n in place)
+        return (base, frames[0], place) if constant else None
+
     def _given(self, point: Any) -> Motion:
         """Return the motion of a point by the velocity that the user set."""
         velocity = self.tree.velocity(point)
@@ -352,7 +460,7 @@ class Kinematics:
         home = frames[-1] if self.in_bodies and frames else self.inertial
         v = self.vector(velocity, home)
         a = self.plus(self.dt(v), self.cross(self.spin(home)[0], v))
-        return home, self.anchored(v), a
+        return home, self.anchored(v), self._falling(a, home, self.pull)
 
     def disagreeing(self) -> list[Any]:
         """Return the points whose given velocity is not that of their place, innermost ones."""

@@ -1,0 +1,273 @@
+"""Bodies whose motion is that of one frame, joined, and handed on to the body before.
+
+What moves with a frame has a mass m, a first moment h and an inertia I about a point P that is
+fixed there: constants, which add up in the set-up stage. With the frame's angular velocity and
+acceleration in U = [α] + [ω][ω], a mass at r from P needs a + U r, so that
+
+    force  m a + U h,        torque about P  h × a + Σ m r × U r.
+
+A joint lets some of that move with the body before too, as constants: a mass at the point P that
+both bodies share; where the joint turns about an axis e through P, all that lies on the axis. For
+a revolute joint three of ten parameters are left out in this way at every body (the base inertial
+parameters: Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, ch. 9). What is
+left of a body is no body: its mass is zero. Sums with the body before are what they were.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from pydy._mechanics.dynamics import Inertia, Load, contributions, inertia_seen, without_rest
+from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.reader import is_rigid
+
+__all__ = ["lumped"]
+
+
+@dataclass
+class _Lump:
+    """Mass, first moment, second moments Σ m r rᵀ and inertia about a point, in a frame's axes.
+
+    Inertia and second moments follow from each other, but sums do not cancel by themselves.
+    """
+
+    mass: int
+    first: Vec
+    second: list[Vec]
+    tensor: list[Vec]
+
+
+# A frame, and the point fixed in it to which a lump is referred.
+_Key = tuple[Any, Any]
+
+
+def lumped(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Inertia]]:
+    """Return what bodies and loads contribute, and the inertias as bodies have them.
+
+    The last are what pivots are judged by. Vectors are in the axes of bodies.
+    """
+    return _Lumps(kinematics).contributions()
+
+
+class _Lumps:
+    def __init__(self, kinematics: Kinematics) -> None:
+        self.kinematics, self.graph = kinematics, kinematics.graph
+        self.lumps: dict[_Key, _Lump] = {}
+        self.inertias: list[Inertia] = []
+        self.loads: list[Load] = []
+        self.plain: list[Inertia] = []
+
+    def contributions(self) -> tuple[list[Inertia], list[Load], list[Inertia]]:
+        k = self.kinematics
+        rest = [body for body in k.body.bodies if not self._joined(body)]
+        inertias, loads = contributions(k, rest)
+        self.plain += inertias
+        self.inertias += inertias
+        self.loads += loads
+        for (frame, point), lump in self.lumps.items():
+            self.plain.append(self._inertia(frame, point, lump))
+        for key in sorted(self.lumps, key=lambda key: -k.tree.oriented.get(key[0], 0)):
+            self._hand_on(*key)
+        for (frame, point), lump in self.lumps.items():
+            self._place(frame, point, lump)
+        inertias, self.loads = without_rest(k, self.inertias, self.loads)
+        return inertias, self.loads, without_rest(k, self.plain, [])[0]
+
+    # -- bodies -----------------------------------------------------------------------------------
+
+    def _joined(self, body: Any) -> bool:
+        """Add a body to what moves with its frame, unless it must be seen by itself."""
+        k, g = self.kinematics, self.graph
+        if not is_rigid(body) or body.frame is k.inertial:
+            return False
+        mass = k.read(body.mass)
+        terms = tuple(body.central_inertia.args)
+        home, tensor, change = inertia_seen(k, body.frame, terms)
+        cells = [n for row in tensor for n in row]
+        a = k.acceleration(body.masscenter)
+        if (
+            not all(g.constant[n] for n in (mass, *cells))
+            or any(n != g.zero for row in change for n in row)
+            or a is not k.motion(body.masscenter)[2]
+            or k.angular_acceleration(body.frame, home) is not k.spin(body.frame, home)[1]
+            or home is k.inertial
+        ):
+            return False
+        if home is not body.frame and not self._spins(body.frame, home, tensor):
+            return False
+        point, place = self._root(body.masscenter, home)
+        lump = self._at(home, point)
+        self._add(lump, _Lump(mass, [g.zero] * 3, self._second(tensor), tensor), place)
+        return True
+
+    def _spins(self, frame: Any, home: Any, tensor: list[Vec]) -> bool:
+        """Place what a wheel has beyond a body that does not spin; `tensor` becomes that body's."""
+        k, g = self.kinematics, self.graph
+        own, alpha = k.spin(frame, home)
+        relative = [g.sub(a, b) for a, b in zip(own, k.spin(home)[0], strict=True)]
+        moved = [i for i in range(3) if relative[i] != g.zero]
+        if len(moved) != 1:
+            return False
+        (i,) = moved
+        j, m = (i + 1) % 3, (i + 2) % 3
+        even = tensor[j][j] == tensor[m][m]
+        if not even or any(tensor[r][c] != g.zero for r in range(3) for c in range(3) if r != c):
+            return False
+        size = tensor[i][i]
+        momentum = g.mul(size, own[i])
+        torque = [g.zero] * 3
+        torque[i] = g.mul(size, alpha[i])
+        torque[j] = g.mul(momentum, own[m])
+        torque[m] = g.neg(g.mul(momentum, own[j]))
+        matrix = [[g.zero] * 3 for _ in range(3)]
+        matrix[i][i] = size
+        part = Inertia(own, matrix)
+        self.inertias.append(part)
+        self.plain.append(part)
+        self.loads.append(Load(own, [g.neg(x) for x in torque]))
+        tensor[i] = [g.zero] * 3
+        return True
+
+    def _root(self, point: Any, frame: Any) -> tuple[Any, Vec]:
+        """Return the innermost point that is fixed in a frame with another, and the way from it."""
+        k, g = self.kinematics, self.graph
+        place = [g.zero] * 3
+        point = k.first_there(point)
+        while (step := k.fixed_step(point)) is not None and step[1] is frame:
+            point, place = k.first_there(step[0]), k.plus(place, step[2])
+        return point, place
+
+    def _at(self, frame: Any, point: Any) -> _Lump:
+        zero = self.graph.zero
+        return self.lumps.setdefault((frame, point), _Lump(zero, [zero] * 3, *_empty(zero)))
+
+    def _second(self, tensor: list[Vec]) -> list[Vec]:
+        """Return Σ m r rᵀ of an inertia: half its trace, less itself."""
+        g = self.graph
+        trace = [(tensor[i][i], 0.5) for i in range(3)]
+        return [
+            [g.sum([*(trace if i == j else ()), (tensor[i][j], -1.0)]) for j in range(3)]
+            for i in range(3)
+        ]
+
+    def _add(self, lump: _Lump, part: _Lump, place: Vec) -> None:
+        """Add what is referred to a point at `place`."""
+        g, axes = self.graph, range(3)
+        moved = [g.sum([(part.first[i], 1.0), (g.mul(part.mass, place[i]), 1.0)]) for i in axes]
+        lump.second = [
+            [
+                g.add(
+                    lump.second[i][j],
+                    part.second[i][j],
+                    g.mul(place[i], part.first[j]),
+                    g.mul(moved[i], place[j]),
+                )
+                for j in axes
+            ]
+            for i in axes
+        ]
+        lump.tensor = [
+            [
+                g.add(lump.tensor[i][j], part.tensor[i][j], self._steiner(part, moved, place, i, j))
+                for j in axes
+            ]
+            for i in axes
+        ]
+        lump.first = [g.add(a, b) for a, b in zip(lump.first, moved, strict=True)]
+        lump.mass = g.add(lump.mass, part.mass)
+
+    def _steiner(self, part: _Lump, moved: Vec, place: Vec, i: int, j: int) -> int:
+        """Return what an inertia has more about a point from which its own is at `place`."""
+        g = self.graph
+
+        def moment(a: int, b: int) -> int:
+            return g.add(g.mul(place[a], part.first[b]), g.mul(moved[a], place[b]))
+
+        if i != j:
+            return g.neg(moment(i, j))
+        return g.add(*(moment(a, a) for a in range(3) if a != i))
+
+    # -- joints -----------------------------------------------------------------------------------
+
+    def _hand_on(self, frame: Any, point: Any) -> None:
+        """Let what a joint leaves in place move with the body before."""
+        k, g = self.kinematics, self.graph
+        before = k.tree.parent(frame) if frame in k.tree.oriented else None
+        if (before, point) in self.lumps:
+            origin, place = point, [g.zero] * 3
+        elif before is not k.inertial or not k.at_rest(point, before):
+            step = k.fixed_step(point)
+            if step is None:
+                return
+            before = step[1]
+            origin, place = self._root(point, before)
+            if (before, origin) not in self.lumps and not k.at_rest(origin, before):
+                return
+        else:
+            origin = point
+        target = self.lumps.get((before, origin))
+        lump, zero = self.lumps[frame, point], g.zero
+        part = _Lump(lump.mass, [zero] * 3, *_empty(zero))
+        lump.mass = zero
+        axis = k.axis(frame, before)
+        if axis is not None:
+            part.first[axis], lump.first[axis] = lump.first[axis], zero
+            size = lump.second[axis][axis]
+            part.second[axis][axis], lump.second[axis][axis] = size, zero
+            for i in {0, 1, 2} - {axis}:
+                part.tensor[i][i] = size
+                lump.tensor[i][i] = g.sub(lump.tensor[i][i], size)
+        if target is not None:
+            self._add(target, part, place)
+
+    # -- contributions ----------------------------------------------------------------------------
+
+    def _inertia(self, frame: Any, point: Any, lump: _Lump) -> Inertia:
+        """Return the form of the point's velocity and the frame's angular velocity."""
+        k, g, axes, zero = self.kinematics, self.graph, range(3), self.graph.zero
+        v, _ = k.motion_in(point, frame)
+        matrix = [[zero] * 6 for _ in range(6)]
+        for i in axes:
+            j, m = (i + 1) % 3, (i + 2) % 3
+            matrix[i][i] = lump.mass
+            for r, c, n in ((j, m, g.neg(lump.first[i])), (m, j, lump.first[i])):
+                matrix[3 + r][c] = matrix[c][3 + r] = n
+            matrix[3 + i][3:] = lump.tensor[i]
+        return Inertia([*v, *k.spin(frame)[0]], matrix)
+
+    def _place(self, frame: Any, point: Any, lump: _Lump) -> None:
+        k, g, axes = self.kinematics, self.graph, range(3)
+        self.inertias.append(self._inertia(frame, point, lump))
+        v, a = k.motion_in(point, frame)
+        turning = k.turning(frame)
+        force = [
+            g.sum(
+                [(g.mul(lump.mass, a[i]), -1.0)]
+                + [(g.mul(turning[i][j], lump.first[j]), -1.0) for j in axes]
+            )
+            for i in axes
+        ]
+        torque = [g.neg(self._torque(turning, lump.second, i)) for i in axes]
+        torque = k.plus(torque, k.cross(a, lump.first))
+        self.loads.append(Load(v, force))
+        self.loads.append(Load(k.spin(frame)[0], torque))
+
+    def _torque(self, turning: Sequence[Vec], second: Sequence[Vec], i: int) -> int:
+        """Return a component of Σ m r × U r."""
+        g = self.graph
+        j, m = (i + 1) % 3, (i + 2) % 3
+        return g.sum(
+            [
+                (g.mul(second[i][j], turning[m][i]), 1.0),
+                (g.mul(second[i][m], turning[j][i]), -1.0),
+                (g.mul(second[j][j], turning[m][j]), 1.0),
+                (g.mul(second[m][m], turning[j][m]), -1.0),
+                (g.mul(second[j][m], g.sub(turning[m][m], turning[j][j])), 1.0),
+            ]
+        )
+
+
+def _empty(zero: int) -> tuple[list[Vec], list[Vec]]:
+    return [[zero] * 3 for _ in range(3)], [[zero] * 3 for _ in range(3)]
