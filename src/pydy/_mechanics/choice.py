@@ -17,15 +17,9 @@ from pydy._graph.solve.differences import difference_basis
 from pydy._graph.switches import Passes
 from pydy._mechanics.form import Formed, forms, in_a_plane
 from pydy._mechanics.reader import Multibody
+from pydy._mechanics.tuning import FORMS_COUNTED_UP_TO, NEAR_ESTIMATES
 
 __all__ = ["chosen", "counted", "estimated"]
-
-
-# Estimates for the two kinds of forms that differ by less are too near to decide.
-_NEAR = 1.15
-# Speeds beyond which forms are not counted, and axes not tried: that would take longer than all the
-# rest, and what many bodies cost is estimated well.
-_MANY = 12
 
 
 @collector_paused()
@@ -35,7 +29,7 @@ def chosen(body: Multibody) -> Formed:
     Beyond a dozen speeds vectors are in the inertial frame where all bodies turn about one axis,
     else in the bodies' axes, and estimates decide between articulated and composite bodies.
     """
-    many = len(body.speeds) > _MANY
+    many = len(body.speeds) > FORMS_COUNTED_UP_TO
     tried = [not in_a_plane(body)] if many else [True, False]
     found = [forms(body, in_bodies=tried[0])]
     if len(tried) > 1 and not found[0][0].in_one_frame:
@@ -46,7 +40,7 @@ def chosen(body: Multibody) -> Formed:
         own = [estimated(formed, merged=not many) for formed in same]
         costs.append(min(own))
         best.append(same[own.index(costs[-1])])
-    if len(best) == 2 and not many and max(costs) < _NEAR * min(costs):
+    if len(best) == 2 and not many and max(costs) < NEAR_ESTIMATES * min(costs):
         costs = [counted(formed) for formed in best]
     return best[costs.index(min(costs))]
 

@@ -10,11 +10,9 @@ from typing import Any
 
 from pydy._graph.node import Graph
 from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.tuning import ALIKE
 
 __all__ = ["take_gravity_off"]
-
-# The accelerations of gravity of two bodies, weights over masses, differ by rounding up to this.
-_ROUNDED = 1e-15
 
 
 def take_gravity_off(kinematics: Kinematics) -> None:
@@ -54,7 +52,7 @@ def _alike(graph: Graph, a: Vec, b: Vec) -> bool:
     """Return whether vectors are equal, but for the rounding of numbers."""
     for x, y in zip(a, b, strict=True):
         one, two = _split(graph, x), _split(graph, y)
-        if one[1] != two[1] or abs(one[0] - two[0]) > _ROUNDED * abs(one[0]):
+        if one[1] != two[1] or abs(one[0] - two[0]) > ALIKE * abs(one[0]):
             return False
     return True
 

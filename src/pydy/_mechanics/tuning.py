@@ -8,9 +8,12 @@ from __future__ import annotations
 
 __all__ = [
     "AGREEING",
+    "ALIKE",
     "CLOSED",
+    "FORMS_COUNTED_UP_TO",
     "FULL_STEPS",
     "NEARLY_DEPENDENT",
+    "NEAR_ESTIMATES",
     "OPEN",
     "SHIFT",
     "SMALL_PIVOT",
@@ -23,6 +26,16 @@ AGREEING = 1e-8
 
 WITHIN_SPAN = 1e-8
 """What is left of a unit row that lies in the span of others."""
+
+ALIKE = 1e-15
+"""The difference of two bodies' weights over their masses, in units of one: that of rounding."""
+
+FORMS_COUNTED_UP_TO = 12
+"""Speeds beyond which forms are estimated, and one set of axes is tried: to count them takes longer
+than all the rest (three fifths of the time of forming a tree of 29 joints)."""
+
+NEAR_ESTIMATES = 1.15
+"""The ratio of two forms' estimates below which they are counted: too near to decide."""
 
 CLOSED, OPEN = 1e-13, 1e-7
 """Residuals of constraints up to which they hold, and above which they certainly do not."""
