@@ -50,7 +50,8 @@ def _combinations(method, step, stages, x, y, rows, size, count):  # type: ignor
                 address_of(stages, 0),
                 address_of(method.offsets, first),
                 address_of(method.weights, first),
-                method.rows[row + 1] - first,
+                method.rows[row + 1] - first - 1,
+                1,
                 size,
             )
 

@@ -8,10 +8,12 @@ from pydy.solvers.loop.vectors import (
     absolute,
     bits,
     ceiling,
+    item,
     load,
     mask_of,
     maximum,
     minimum,
+    number,
     power,
     root,
     store,
@@ -74,6 +76,29 @@ def test_operations_agree_with_numpy(function, expected):
 def test_a_bound_takes_the_place_of_nan():
     expected = [1.0, 1.0, -1.0, 2.0, 1.0, 0.0, 2.0, -1.0]
     np.testing.assert_array_equal(over(_bounds)(X), expected)
+
+
+def test_functions_give_floats_the_same_bits():
+    @numba.njit
+    def of_floats(x, out):
+        for k in range(x.size):
+            e = item(x, k, 0.0)
+            bounded = minimum(maximum(absolute(e), 1e-3), number(1e3, e))
+            store(out, k, where(e > 0.0, power(bounded, -0.2), root(ceiling(bounded))))
+
+    @numba.njit
+    def of_blocks(x, out):
+        for k in range(x.size // 8):
+            e = item(x, k, load(x, 0))
+            bounded = minimum(maximum(absolute(e), 1e-3), number(1e3, e))
+            store(out, k, where(e > 0.0, power(bounded, -0.2), root(ceiling(bounded))))
+
+    x = np.concatenate([X, np.random.default_rng(0).normal(scale=10.0, size=800)])
+    floats, blocks = np.empty_like(x), np.empty_like(x)
+    of_floats(x, floats)
+    of_blocks(x, blocks)
+    np.testing.assert_array_equal(floats, blocks)
+    assert len(np.unique(floats)) > 400
 
 
 def test_masks_are_integers_and_back():

@@ -2,7 +2,35 @@
 
 from __future__ import annotations
 
-__all__ = ["BLOCK", "LANES", "NEARLY_SINGULAR", "ROUNDINGS"]
+__all__ = [
+    "AFTER_FAILURE",
+    "BLOCK",
+    "CROWD",
+    "CROWDED",
+    "DEPENDENT",
+    "DIFFERENCE",
+    "DIFFERENCE_SCALE",
+    "FIRST_ERROR",
+    "GROW",
+    "LANES",
+    "LEAST_ERROR",
+    "LEAST_TOLERANCE",
+    "NEARLY_SINGULAR",
+    "NEGLIGIBLE",
+    "NEGLIGIBLE_SLOPE",
+    "RESOLVED",
+    "ROUNDING",
+    "ROUNDINGS",
+    "SAFETY",
+    "SHORTEST",
+    "SHRINK",
+    "SLIVER",
+    "SLOW",
+    "STARTING_MOVE",
+    "TRIAL_PART",
+    "TRIAL_SIZE",
+    "WHOLE",
+]
 
 BLOCK = 8
 """Numbers that the compiled loops work on side by side; vectors are padded to whole blocks."""
@@ -10,8 +38,24 @@ BLOCK = 8
 LANES = BLOCK
 """Trajectories of an ensemble that are integrated side by side, on every processor."""
 
+ROUNDING = 2.0**-52
+"""The distance from 1.0 to the next float."""
+
 ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
+
+DEPENDENT = 1e-10
+"""A constraint's row that is this much shorter without the others' directions is redundant.
+
+Rows that are redundant by the mechanism come out at some 1e-15 of their length.
+"""
+
+STARTING_MOVE = 1e-3
+"""How far beside the constraints, in units of 1 + |x|, an initial state is moved onto them unasked:
+further, a value is more likely mistaken than rounded."""
+
+CROWD, CROWDED = 100, 1e-9
+"""So many events within so much of the time span are Zeno behaviour."""
 
 NEARLY_SINGULAR = 1e-5
 """How near to losing rank the rows of velocity constraints no longer tell the way on.
@@ -19,3 +63,51 @@ NEARLY_SINGULAR = 1e-5
 Positions, which are known to a rounding, tell two branches that cross apart down to its square
 root, about 1e-8.
 """
+
+# -- step-size control, after Hairer, Nørsett, Wanner, Solving ODEs I, II.4, unless stated ---------
+
+SAFETY, SHRINK, GROW = 0.9, 0.2, 6.0
+"""The part of the ideal step that is taken, and how much shorter or longer the next may be.
+
+HNW take 0.8 or 0.9, 0.2 to 0.5, and 1.5 to 5; their DOP853 lets it grow six times.
+"""
+
+AFTER_FAILURE = 0.25
+"""What is left of a step whose error cannot be measured, as of one without a solution."""
+
+LEAST_ERROR = 1e-10
+"""Smaller errors count as this one: to any power in use it is beyond `GROW`."""
+
+FIRST_ERROR = 1e-4
+"""The error before the first step, and the least one that counts as the last (DOPRI5's FACOLD)."""
+
+NEGLIGIBLE, TRIAL_SIZE, TRIAL_PART = 1e-5, 1e-6, 0.01
+"""States or derivatives so small in units of the tolerance say nothing: the first trial step is
+then `TRIAL_SIZE`, else `TRIAL_PART` of the time in which the state changes by itself."""
+
+NEGLIGIBLE_SLOPE = 1e-15
+"""First and second derivatives so small leave the first step as it is."""
+
+SHORTEST = 2.0**-44
+"""The first step, in units of the time: 256 roundings, so that it can be shortened if need be."""
+
+SLIVER = 1e-3
+"""The part of a step by which it may grow to reach its goal: a step of that length would follow."""
+
+RESOLVED = 0.0625
+"""The part of a step that must change the time: tableaus have nodes about so near to 0."""
+
+WHOLE = 1.0 - 1e-12
+"""What rounding may add to a whole number of steps, up to 10 000 roundings."""
+
+LEAST_TOLERANCE = 1e-300
+"""In place of an absolute tolerance of zero: 0 / 0 would be no error."""
+
+# -- Newton's iterations of Radau IIA, after Hairer and Wanner, Solving ODEs II, IV.8 --------------
+
+DIFFERENCE, DIFFERENCE_SCALE = 1.5e-8, 1e-5
+"""The step of a finite difference, the square root of a rounding, in units of the state's size or
+of this (RADAU5 does the same)."""
+
+SLOW = 1e-3
+"""The rate of convergence above which the Jacobian is evaluated anew (RADAU5's THET)."""

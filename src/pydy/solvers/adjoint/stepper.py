@@ -51,6 +51,7 @@ def step_back(table):
         known = address_of(back.stages, k * stages * length)
         for stage in range(stages - 1, -1, -1):
             first = back.rows[stage]
+            count = back.rows[stage + 1] - first
             combine(
                 state,
                 before,
@@ -58,7 +59,8 @@ def step_back(table):
                 known,
                 address_of(back.offsets, first),
                 address_of(back.coefficients, first),
-                back.rows[stage + 1] - first,
+                max(count - 1, 0),
+                min(count, 1),
                 blocks,
             )
             first = back.rows[stages + stage]
@@ -70,6 +72,7 @@ def step_back(table):
                 address_of(back.offsets, first),
                 address_of(back.coefficients, first),
                 back.rows[stages + stage + 1] - first,
+                0,
                 blocks,
             )
             for i in range(n):

@@ -1,4 +1,4 @@
-; sources 5b1aa47c708eaf9f1be68575a66cade00d01ce08f350f0eb5ccbab246ce14953
+; sources 3426c7ad3bdcb120ba2e438aca93bcaa32ea9c7a201525355e103f36708be434
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0
@@ -7,9 +7,9 @@ define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 
   %13 = call i64 @llvm.smax.i64(i64 %4, i64 0)
   br label %14
 
-14:                                               ; preds = %95, %12
-  %15 = phi i64 [ 0, %12 ], [ %21, %95 ]
-  %16 = phi i64 [ %13, %12 ], [ %20, %95 ]
+14:                                               ; preds = %93, %12
+  %15 = phi i64 [ 0, %12 ], [ %120, %93 ]
+  %16 = phi i64 [ %13, %12 ], [ %121, %93 ]
   %17 = icmp sgt i64 %16, 0
   br i1 %17, label %19, label %18
 
@@ -18,141 +18,141 @@ define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 
   ret i32 0
 
 19:                                               ; preds = %14
-  %20 = add nsw i64 %16, -1
-  %21 = add i64 %15, 1
-  %22 = icmp slt i64 %15, 0
-  %23 = select i1 %22, i64 %4, i64 0
-  %24 = add i64 %15, %23
-  %25 = mul i64 %24, %5
-  %26 = getelementptr i64, ptr %3, i64 %25
-  %27 = getelementptr i8, ptr %26, i64 8
-  %28 = load i64, ptr %27, align 8
-  %29 = getelementptr i8, ptr %26, i64 16
-  %30 = load i64, ptr %29, align 8
+  %20 = icmp slt i64 %15, 0
+  %21 = select i1 %20, i64 %4, i64 0
+  %22 = add i64 %15, %21
+  %23 = mul i64 %22, %5
+  %24 = getelementptr i64, ptr %3, i64 %23
+  %25 = getelementptr i8, ptr %24, i64 24
+  %26 = load i64, ptr %25, align 8
+  %27 = getelementptr i8, ptr %24, i64 8
+  %28 = load i64, ptr %27, align 8, !noalias !0
+  %29 = getelementptr i8, ptr %24, i64 16
+  %30 = load i64, ptr %29, align 8, !noalias !0
   %31 = add nsw i64 %28, %30
   %32 = icmp slt i64 %28, 0
   %33 = select i1 %32, i64 %7, i64 0
   %34 = add i64 %28, %33
   %35 = icmp slt i64 %34, 0
-  br i1 %35, label %52, label %53, !prof !0
+  br i1 %35, label %50, label %51, !prof !4
 
-36:                                               ; preds = %67, %64
-  %37 = phi i64 [ %7, %67 ], [ %65, %64 ]
-  %38 = sub i64 %37, %58
+36:                                               ; preds = %65, %62
+  %37 = phi i64 [ %7, %65 ], [ %63, %62 ]
+  %38 = sub i64 %37, %56
   %39 = call i64 @llvm.smax.i64(i64 %38, i64 0)
-  %40 = getelementptr double, ptr %6, i64 %58
-  %41 = load double, ptr %40, align 8
+  %40 = getelementptr double, ptr %6, i64 %56
+  %41 = load double, ptr %40, align 8, !noalias !0
   %42 = fcmp ogt double %41, %11
   %43 = select i1 %42, double %41, double %11
-  %44 = getelementptr i8, ptr %26, i64 24
-  %45 = load i64, ptr %44, align 8
-  %46 = icmp slt i64 %45, 0
-  %47 = select i1 %46, i64 %39, i64 0
-  %48 = getelementptr double, ptr %40, i64 %45
-  %49 = getelementptr double, ptr %48, i64 %47
-  %50 = load double, ptr %49, align 8, !noalias !1
-  %51 = fcmp ugt double %50, %43
-  br i1 %51, label %78, label %68
+  %44 = icmp slt i64 %26, 0
+  %45 = select i1 %44, i64 %39, i64 0
+  %46 = getelementptr double, ptr %40, i64 %26
+  %47 = getelementptr double, ptr %46, i64 %45
+  %48 = load double, ptr %47, align 8, !noalias !5
+  %49 = fcmp ugt double %48, %43
+  br i1 %49, label %76, label %66
 
-52:                                               ; preds = %19
-  br label %53
+50:                                               ; preds = %19
+  br label %51
 
-53:                                               ; preds = %52, %19
-  %54 = phi i64 [ 0, %52 ], [ %34, %19 ]
-  %55 = icmp slt i64 %34, %7
-  br i1 %55, label %57, label %56, !prof !4
+51:                                               ; preds = %50, %19
+  %52 = phi i64 [ 0, %50 ], [ %34, %19 ]
+  %53 = icmp slt i64 %34, %7
+  br i1 %53, label %55, label %54, !prof !8
 
-56:                                               ; preds = %53
-  br label %57
+54:                                               ; preds = %51
+  br label %55
 
-57:                                               ; preds = %56, %53
-  %58 = phi i64 [ %7, %56 ], [ %54, %53 ]
-  %59 = icmp slt i64 %31, 0
-  %60 = select i1 %59, i64 %7, i64 0
-  %61 = add i64 %31, %60
-  %62 = icmp slt i64 %61, 0
-  br i1 %62, label %63, label %64, !prof !0
+55:                                               ; preds = %54, %51
+  %56 = phi i64 [ %7, %54 ], [ %52, %51 ]
+  %57 = icmp slt i64 %31, 0
+  %58 = select i1 %57, i64 %7, i64 0
+  %59 = add i64 %31, %58
+  %60 = icmp slt i64 %59, 0
+  br i1 %60, label %61, label %62, !prof !4
 
-63:                                               ; preds = %57
-  br label %64
+61:                                               ; preds = %55
+  br label %62
 
-64:                                               ; preds = %63, %57
-  %65 = phi i64 [ 0, %63 ], [ %61, %57 ]
-  %66 = icmp slt i64 %61, %7
-  br i1 %66, label %36, label %67, !prof !4
+62:                                               ; preds = %61, %55
+  %63 = phi i64 [ 0, %61 ], [ %59, %55 ]
+  %64 = icmp slt i64 %59, %7
+  br i1 %64, label %36, label %65, !prof !8
 
-67:                                               ; preds = %64
+65:                                               ; preds = %62
   br label %36
 
-68:                                               ; preds = %36
-  %69 = add nsw i64 %39, -1
-  %70 = icmp eq i64 %45, %69
-  br i1 %70, label %95, label %71
+66:                                               ; preds = %36
+  %67 = add nsw i64 %39, -1
+  %68 = icmp eq i64 %26, %67
+  br i1 %68, label %93, label %69
 
-71:                                               ; preds = %68
-  %72 = icmp slt i64 %45, -1
-  %73 = select i1 %72, i64 %39, i64 0
-  %74 = getelementptr i8, ptr %48, i64 8
-  %75 = getelementptr double, ptr %74, i64 %73
-  %76 = load double, ptr %75, align 8, !noalias !1
-  %77 = fcmp olt double %43, %76
-  br i1 %77, label %95, label %78
+69:                                               ; preds = %66
+  %70 = icmp slt i64 %26, -1
+  %71 = select i1 %70, i64 %39, i64 0
+  %72 = getelementptr i8, ptr %46, i64 8
+  %73 = getelementptr double, ptr %72, i64 %71
+  %74 = load double, ptr %73, align 8, !noalias !5
+  %75 = fcmp olt double %43, %74
+  br i1 %75, label %93, label %76
 
-78:                                               ; preds = %71, %36
-  %79 = icmp sgt i64 %38, 1
-  br i1 %79, label %80, label %95
+76:                                               ; preds = %69, %36
+  %77 = icmp sgt i64 %38, 1
+  br i1 %77, label %78, label %93
 
-80:                                               ; preds = %80, %78
-  %81 = phi i64 [ %91, %80 ], [ %39, %78 ]
-  %82 = phi i64 [ %92, %80 ], [ 0, %78 ]
-  %83 = add nsw i64 %82, %81
-  %84 = ashr i64 %83, 1
-  %85 = icmp slt i64 %84, 0
-  %86 = select i1 %85, i64 %39, i64 0
-  %87 = getelementptr double, ptr %40, i64 %84
-  %88 = getelementptr double, ptr %87, i64 %86
-  %89 = load double, ptr %88, align 8, !noalias !1
-  %90 = fcmp ole double %89, %43
-  %91 = select i1 %90, i64 %81, i64 %84
-  %92 = select i1 %90, i64 %84, i64 %82
-  %93 = sub nsw i64 %91, %92
-  %94 = icmp sgt i64 %93, 1
-  br i1 %94, label %80, label %95
+78:                                               ; preds = %78, %76
+  %79 = phi i64 [ %89, %78 ], [ %39, %76 ]
+  %80 = phi i64 [ %90, %78 ], [ 0, %76 ]
+  %81 = add nsw i64 %80, %79
+  %82 = ashr i64 %81, 1
+  %83 = icmp slt i64 %82, 0
+  %84 = select i1 %83, i64 %39, i64 0
+  %85 = getelementptr double, ptr %40, i64 %82
+  %86 = getelementptr double, ptr %85, i64 %84
+  %87 = load double, ptr %86, align 8, !noalias !5
+  %88 = fcmp ole double %87, %43
+  %89 = select i1 %88, i64 %79, i64 %82
+  %90 = select i1 %88, i64 %82, i64 %80
+  %91 = sub nsw i64 %89, %90
+  %92 = icmp sgt i64 %91, 1
+  br i1 %92, label %78, label %93
 
-95:                                               ; preds = %80, %78, %71, %68
-  %96 = phi i64 [ %45, %68 ], [ %45, %71 ], [ %92, %80 ], [ 0, %78 ]
-  store i64 %96, ptr %44, align 8
-  %97 = icmp slt i64 %96, 0
-  %98 = select i1 %97, i64 %39, i64 0
-  %99 = getelementptr double, ptr %40, i64 %96
-  %100 = getelementptr double, ptr %99, i64 %98
-  %101 = load double, ptr %100, align 8
-  %102 = fsub double %43, %101
-  %103 = add nsw i64 %28, %96
-  %104 = icmp slt i64 %103, 0
-  %105 = select i1 %104, i64 %9, i64 0
-  %106 = add i64 %103, %105
-  %107 = mul i64 %106, %10
-  %108 = getelementptr double, ptr %8, i64 %107
-  %109 = load double, ptr %108, align 8
-  %110 = getelementptr i8, ptr %108, i64 8
-  %111 = load double, ptr %110, align 8
-  %112 = getelementptr i8, ptr %108, i64 16
-  %113 = load double, ptr %112, align 8
-  %114 = getelementptr i8, ptr %108, i64 24
-  %115 = load double, ptr %114, align 8
-  %116 = fmul double %102, %115
-  %117 = fadd double %113, %116
-  %118 = fmul double %102, %117
-  %119 = fadd double %111, %118
-  %120 = fmul double %102, %119
-  %121 = fadd double %109, %120
-  %122 = load i64, ptr %26, align 8
+93:                                               ; preds = %78, %76, %69, %66
+  %94 = phi i64 [ %26, %66 ], [ %26, %69 ], [ %90, %78 ], [ 0, %76 ]
+  %95 = icmp slt i64 %94, 0
+  %96 = select i1 %95, i64 %39, i64 0
+  %97 = getelementptr double, ptr %40, i64 %94
+  %98 = getelementptr double, ptr %97, i64 %96
+  %99 = load double, ptr %98, align 8, !noalias !0
+  %100 = fsub double %43, %99
+  %101 = add nsw i64 %28, %94
+  %102 = icmp slt i64 %101, 0
+  %103 = select i1 %102, i64 %9, i64 0
+  %104 = add i64 %101, %103
+  %105 = mul i64 %104, %10
+  %106 = getelementptr double, ptr %8, i64 %105
+  %107 = load double, ptr %106, align 8, !noalias !0
+  %108 = getelementptr i8, ptr %106, i64 8
+  %109 = load double, ptr %108, align 8, !noalias !0
+  %110 = getelementptr i8, ptr %106, i64 16
+  %111 = load double, ptr %110, align 8, !noalias !0
+  %112 = getelementptr i8, ptr %106, i64 24
+  %113 = load double, ptr %112, align 8, !noalias !0
+  %114 = fmul double %100, %113
+  %115 = fadd double %111, %114
+  %116 = fmul double %100, %115
+  %117 = fadd double %109, %116
+  %118 = fmul double %100, %117
+  %119 = fadd double %107, %118
+  %120 = add i64 %15, 1
+  %121 = add nsw i64 %16, -1
+  %122 = load i64, ptr %24, align 8
   %123 = icmp slt i64 %122, 0
   %124 = select i1 %123, i64 %2, i64 0
   %125 = getelementptr double, ptr %1, i64 %122
   %126 = getelementptr double, ptr %125, i64 %124
-  store double %121, ptr %126, align 8
+  store double %119, ptr %126, align 8
+  store i64 %94, ptr %25, align 8
   br label %14
 }
 
@@ -809,134 +809,134 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %12 = alloca ptr, align 8
   %13 = alloca ptr, align 8
   %14 = alloca ptr, align 8
-  store ptr null, ptr %6, align 8, !noalias !5
-  store ptr null, ptr %7, align 8, !noalias !5
-  store ptr null, ptr %8, align 8, !noalias !5
-  store ptr null, ptr %9, align 8, !noalias !5
-  store ptr null, ptr %10, align 8, !noalias !5
-  store ptr null, ptr %11, align 8, !noalias !5
-  store ptr null, ptr %12, align 8, !noalias !5
-  store ptr null, ptr %13, align 8, !noalias !5
-  store ptr null, ptr %14, align 8, !noalias !5
+  store ptr null, ptr %6, align 8, !noalias !9
+  store ptr null, ptr %7, align 8, !noalias !9
+  store ptr null, ptr %8, align 8, !noalias !9
+  store ptr null, ptr %9, align 8, !noalias !9
+  store ptr null, ptr %10, align 8, !noalias !9
+  store ptr null, ptr %11, align 8, !noalias !9
+  store ptr null, ptr %12, align 8, !noalias !9
+  store ptr null, ptr %13, align 8, !noalias !9
+  store ptr null, ptr %14, align 8, !noalias !9
   %15 = inttoptr i64 %0 to ptr
   %16 = getelementptr i8, ptr %15, i64 144
-  %17 = load i64, ptr %16, align 8, !noalias !5
+  %17 = load i64, ptr %16, align 8, !noalias !9
   %18 = inttoptr i64 %17 to ptr
   %19 = getelementptr i8, ptr %15, i64 168
-  %20 = load i64, ptr %19, align 8, !noalias !5
+  %20 = load i64, ptr %19, align 8, !noalias !9
   %21 = inttoptr i64 %20 to ptr
   %22 = getelementptr i8, ptr %15, i64 192
-  %23 = load i64, ptr %22, align 8, !noalias !5
+  %23 = load i64, ptr %22, align 8, !noalias !9
   %24 = getelementptr i8, ptr %15, i64 200
-  %25 = load i64, ptr %24, align 8, !noalias !5
+  %25 = load i64, ptr %24, align 8, !noalias !9
   %26 = inttoptr i64 %23 to ptr
   %27 = getelementptr i8, ptr %15, i64 240
-  %28 = load i64, ptr %27, align 8, !noalias !5
+  %28 = load i64, ptr %27, align 8, !noalias !9
   %29 = getelementptr i8, ptr %15, i64 248
-  %30 = load i64, ptr %29, align 8, !noalias !5
+  %30 = load i64, ptr %29, align 8, !noalias !9
   %31 = getelementptr i8, ptr %15, i64 256
-  %32 = load i64, ptr %31, align 8, !noalias !5
+  %32 = load i64, ptr %31, align 8, !noalias !9
   %33 = getelementptr i8, ptr %15, i64 264
-  %34 = load i64, ptr %33, align 8, !noalias !5
+  %34 = load i64, ptr %33, align 8, !noalias !9
   %35 = getelementptr i8, ptr %15, i64 272
-  %36 = load i64, ptr %35, align 8, !noalias !5
+  %36 = load i64, ptr %35, align 8, !noalias !9
   %37 = getelementptr i8, ptr %15, i64 288
-  %38 = load i64, ptr %37, align 8, !noalias !5
+  %38 = load i64, ptr %37, align 8, !noalias !9
   %39 = getelementptr i8, ptr %15, i64 296
-  %40 = load i64, ptr %39, align 8, !noalias !5
+  %40 = load i64, ptr %39, align 8, !noalias !9
   %41 = getelementptr i8, ptr %15, i64 304
-  %42 = load i64, ptr %41, align 8, !noalias !5
+  %42 = load i64, ptr %41, align 8, !noalias !9
   %43 = getelementptr i8, ptr %15, i64 648
-  %44 = load i64, ptr %43, align 8, !noalias !5
+  %44 = load i64, ptr %43, align 8, !noalias !9
   %45 = inttoptr i64 %44 to ptr
   %46 = getelementptr i8, ptr %15, i64 672
-  %47 = load i64, ptr %46, align 8, !noalias !5
+  %47 = load i64, ptr %46, align 8, !noalias !9
   %48 = inttoptr i64 %47 to ptr
   %49 = getelementptr i8, ptr %15, i64 696
-  %50 = load i64, ptr %49, align 8, !noalias !5
+  %50 = load i64, ptr %49, align 8, !noalias !9
   %51 = getelementptr i8, ptr %15, i64 704
-  %52 = load i64, ptr %51, align 8, !noalias !5
+  %52 = load i64, ptr %51, align 8, !noalias !9
   %53 = inttoptr i64 %50 to ptr
   %54 = getelementptr i8, ptr %15, i64 600
-  %55 = load i64, ptr %54, align 8, !noalias !5
+  %55 = load i64, ptr %54, align 8, !noalias !9
   %56 = getelementptr i8, ptr %18, i64 8
-  %57 = load i64, ptr %56, align 8, !noalias !5
+  %57 = load i64, ptr %56, align 8, !noalias !9
   %58 = inttoptr i64 %2 to ptr
   %59 = getelementptr i8, ptr %45, i64 64
-  %60 = load i64, ptr %59, align 8, !noalias !5
+  %60 = load i64, ptr %59, align 8, !noalias !9
   %61 = inttoptr i64 %60 to ptr
-  %62 = load i64, ptr %61, align 8, !noalias !5
+  %62 = load i64, ptr %61, align 8, !noalias !9
   %63 = getelementptr i8, ptr %61, i64 8
-  %64 = load i64, ptr %63, align 8, !noalias !5
+  %64 = load i64, ptr %63, align 8, !noalias !9
   %65 = getelementptr i8, ptr %61, i64 16
-  %66 = load i64, ptr %65, align 8, !noalias !5
+  %66 = load i64, ptr %65, align 8, !noalias !9
   %67 = inttoptr i64 %62 to ptr
   %68 = getelementptr i8, ptr %61, i64 24
-  %69 = load i64, ptr %68, align 8, !noalias !5
+  %69 = load i64, ptr %68, align 8, !noalias !9
   %70 = getelementptr i8, ptr %61, i64 32
-  %71 = load i64, ptr %70, align 8, !noalias !5
+  %71 = load i64, ptr %70, align 8, !noalias !9
   %72 = getelementptr i8, ptr %61, i64 40
-  %73 = load i64, ptr %72, align 8, !noalias !5
+  %73 = load i64, ptr %72, align 8, !noalias !9
   %74 = inttoptr i64 %69 to ptr
   %75 = getelementptr i8, ptr %61, i64 48
-  %76 = load i64, ptr %75, align 8, !noalias !5
+  %76 = load i64, ptr %75, align 8, !noalias !9
   %77 = getelementptr i8, ptr %61, i64 56
-  %78 = load i64, ptr %77, align 8, !noalias !5
+  %78 = load i64, ptr %77, align 8, !noalias !9
   %79 = getelementptr i8, ptr %61, i64 64
-  %80 = load i64, ptr %79, align 8, !noalias !5
+  %80 = load i64, ptr %79, align 8, !noalias !9
   %81 = inttoptr i64 %76 to ptr
   %82 = getelementptr i8, ptr %61, i64 72
-  %83 = load i64, ptr %82, align 8, !noalias !5
+  %83 = load i64, ptr %82, align 8, !noalias !9
   %84 = getelementptr i8, ptr %61, i64 80
-  %85 = load i64, ptr %84, align 8, !noalias !5
+  %85 = load i64, ptr %84, align 8, !noalias !9
   %86 = getelementptr i8, ptr %61, i64 88
-  %87 = load i64, ptr %86, align 8, !noalias !5
+  %87 = load i64, ptr %86, align 8, !noalias !9
   %88 = inttoptr i64 %83 to ptr
   %89 = getelementptr i8, ptr %61, i64 96
-  %90 = load i64, ptr %89, align 8, !noalias !5
+  %90 = load i64, ptr %89, align 8, !noalias !9
   %91 = getelementptr i8, ptr %61, i64 104
-  %92 = load i64, ptr %91, align 8, !noalias !5
+  %92 = load i64, ptr %91, align 8, !noalias !9
   %93 = getelementptr i8, ptr %61, i64 112
-  %94 = load i64, ptr %93, align 8, !noalias !5
+  %94 = load i64, ptr %93, align 8, !noalias !9
   %95 = inttoptr i64 %90 to ptr
   %96 = getelementptr i8, ptr %61, i64 120
-  %97 = load i64, ptr %96, align 8, !noalias !5
+  %97 = load i64, ptr %96, align 8, !noalias !9
   %98 = getelementptr i8, ptr %61, i64 128
-  %99 = load i64, ptr %98, align 8, !noalias !5
+  %99 = load i64, ptr %98, align 8, !noalias !9
   %100 = inttoptr i64 %97 to ptr
   %101 = getelementptr i8, ptr %61, i64 144
-  %102 = load i64, ptr %101, align 8, !noalias !5
+  %102 = load i64, ptr %101, align 8, !noalias !9
   %103 = getelementptr i8, ptr %61, i64 152
-  %104 = load i64, ptr %103, align 8, !noalias !5
+  %104 = load i64, ptr %103, align 8, !noalias !9
   %105 = inttoptr i64 %102 to ptr
   %106 = getelementptr i8, ptr %61, i64 168
-  %107 = load i64, ptr %106, align 8, !noalias !5
+  %107 = load i64, ptr %106, align 8, !noalias !9
   %108 = getelementptr i8, ptr %61, i64 176
-  %109 = load i64, ptr %108, align 8, !noalias !5
+  %109 = load i64, ptr %108, align 8, !noalias !9
   %110 = inttoptr i64 %107 to ptr
   %111 = getelementptr i8, ptr %61, i64 192
-  %112 = load i64, ptr %111, align 8, !noalias !5
+  %112 = load i64, ptr %111, align 8, !noalias !9
   %113 = getelementptr i8, ptr %61, i64 200
-  %114 = load i64, ptr %113, align 8, !noalias !5
+  %114 = load i64, ptr %113, align 8, !noalias !9
   %115 = inttoptr i64 %112 to ptr
   %116 = getelementptr i8, ptr %61, i64 216
-  %117 = load i64, ptr %116, align 8, !noalias !5
+  %117 = load i64, ptr %116, align 8, !noalias !9
   %118 = getelementptr i8, ptr %61, i64 224
-  %119 = load i64, ptr %118, align 8, !noalias !5
+  %119 = load i64, ptr %118, align 8, !noalias !9
   %120 = inttoptr i64 %117 to ptr
   %121 = getelementptr i8, ptr %61, i64 240
-  %122 = load i64, ptr %121, align 8, !noalias !5
+  %122 = load i64, ptr %121, align 8, !noalias !9
   %123 = getelementptr i8, ptr %61, i64 248
-  %124 = load i64, ptr %123, align 8, !noalias !5
+  %124 = load i64, ptr %123, align 8, !noalias !9
   %125 = inttoptr i64 %122 to ptr
   %126 = getelementptr i8, ptr %45, i64 16
-  %127 = load i64, ptr %126, align 8, !noalias !5
+  %127 = load i64, ptr %126, align 8, !noalias !9
   %128 = getelementptr i8, ptr %45, i64 24
-  %129 = load i64, ptr %128, align 8, !noalias !5
+  %129 = load i64, ptr %128, align 8, !noalias !9
   %130 = getelementptr i8, ptr %45, i64 32
-  %131 = load i64, ptr %130, align 8, !noalias !5
+  %131 = load i64, ptr %130, align 8, !noalias !9
   %132 = getelementptr i8, ptr %45, i64 40
-  %133 = load i64, ptr %132, align 8, !noalias !5
+  %133 = load i64, ptr %132, align 8, !noalias !9
   %134 = add nsw i64 %127, %129
   %135 = mul nsw i64 %127, %131
   %136 = add nsw i64 %134, %135
@@ -945,14 +945,14 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %139 = mul nsw i64 %129, %133
   %140 = add nsw i64 %138, %139
   %141 = getelementptr i8, ptr %45, i64 48
-  %142 = load i64, ptr %141, align 8, !noalias !5
+  %142 = load i64, ptr %141, align 8, !noalias !9
   %143 = mul nsw i64 %142, %133
   %144 = mul nsw i64 %143, %133
   %145 = add nsw i64 %140, %144
   %146 = add nsw i64 %145, %127
-  store ptr null, ptr %4, align 8, !noalias !9
-  store ptr null, ptr %5, align 8, !noalias !9
-  store double %1, ptr %21, align 8, !noalias !9
+  store ptr null, ptr %4, align 8, !noalias !13
+  store ptr null, ptr %5, align 8, !noalias !13
+  store double %1, ptr %21, align 8, !noalias !13
   %147 = icmp sgt i64 %30, 0
   br i1 %147, label %148, label %154
 
@@ -960,12 +960,12 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %149 = inttoptr i64 %38 to ptr
   %150 = inttoptr i64 %34 to ptr
   %151 = inttoptr i64 %28 to ptr
-  store ptr null, ptr %4, align 8, !noalias !9
+  store ptr null, ptr %4, align 8, !noalias !13
   %152 = call fastcc i32 @_sample(ptr nonnull %4, ptr %26, i64 %25, ptr %151, i64 %30, i64 %32, ptr %150, i64 %36, ptr %149, i64 %40, i64 %42, double %1) #3
   switch i32 %152, label %153 [
     i32 -2, label %154
     i32 0, label %154
-  ], !prof !13
+  ], !prof !17
 
 153:                                              ; preds = %148
   br label %154
@@ -975,7 +975,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   switch i32 %155, label %416 [
     i32 -2, label %410
     i32 0, label %410
-  ], !prof !13
+  ], !prof !17
 
 156:                                              ; preds = %160, %410
   %157 = phi i64 [ 0, %410 ], [ %419, %160 ]
@@ -1017,7 +1017,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %181 = select i1 %180, i64 %52, i64 0
   %182 = getelementptr double, ptr %53, i64 %179
   %183 = getelementptr double, ptr %182, i64 %181
-  %184 = load double, ptr %183, align 8, !noalias !5
+  %184 = load double, ptr %183, align 8, !noalias !9
   %185 = fmul double %184, 0x3CB0000000000000
   %186 = fdiv double %178, %185
   %187 = fcmp ogt double %186, %175
@@ -1050,7 +1050,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   br label %733
 
 202:                                              ; preds = %200
-  %203 = load i64, ptr %141, align 8, !noalias !5
+  %203 = load i64, ptr %141, align 8, !noalias !9
   %204 = icmp eq i64 %203, 1
   br i1 %204, label %205, label %239
 
@@ -1086,7 +1086,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %226 = select i1 %225, i64 %52, i64 0
   %227 = getelementptr double, ptr %53, i64 %224
   %228 = getelementptr double, ptr %227, i64 %226
-  %229 = load double, ptr %228, align 8, !noalias !14
+  %229 = load double, ptr %228, align 8, !noalias !18
   %230 = icmp slt i64 %208, 0
   %231 = select i1 %230, i64 %64, i64 0
   %232 = add i64 %208, %231
@@ -1096,7 +1096,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %236 = getelementptr double, ptr %67, i64 %235
   %237 = getelementptr double, ptr %236, i64 %212
   %238 = getelementptr double, ptr %237, i64 %234
-  store double %229, ptr %238, align 8, !noalias !14
+  store double %229, ptr %238, align 8, !noalias !18
   br label %211
 
 239:                                              ; preds = %452, %452, %202
@@ -1131,7 +1131,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %260 = select i1 %259, i64 %52, i64 0
   %261 = getelementptr double, ptr %53, i64 %258
   %262 = getelementptr double, ptr %261, i64 %260
-  %263 = load double, ptr %262, align 8, !noalias !17
+  %263 = load double, ptr %262, align 8, !noalias !21
   %264 = icmp slt i64 %242, 0
   %265 = select i1 %264, i64 %71, i64 0
   %266 = add i64 %242, %265
@@ -1141,7 +1141,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %270 = getelementptr double, ptr %74, i64 %269
   %271 = getelementptr double, ptr %270, i64 %246
   %272 = getelementptr double, ptr %271, i64 %268
-  store double %263, ptr %272, align 8, !noalias !17
+  store double %263, ptr %272, align 8, !noalias !21
   br label %245
 
 273:                                              ; preds = %277, %581
@@ -1168,12 +1168,12 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   br i1 %287, label %288, label %294
 
 288:                                              ; preds = %286
-  store ptr null, ptr %10, align 8, !noalias !5
+  store ptr null, ptr %10, align 8, !noalias !9
   %289 = call fastcc i32 @_minimum_norm(ptr nonnull %10, ptr %81, i64 %78, i64 %80, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
   switch i32 %289, label %622 [
     i32 -2, label %621
     i32 0, label %621
-  ], !prof !13
+  ], !prof !17
 
 290:                                              ; preds = %621, %623
   %291 = phi i64 [ 0, %621 ], [ %625, %623 ]
@@ -1189,7 +1189,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   br i1 %296, label %297, label %409
 
 297:                                              ; preds = %295
-  %298 = load i64, ptr %141, align 8, !noalias !5
+  %298 = load i64, ptr %141, align 8, !noalias !9
   %299 = icmp eq i64 %298, 1
   br i1 %299, label %300, label %334
 
@@ -1225,7 +1225,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %321 = select i1 %320, i64 %52, i64 0
   %322 = getelementptr double, ptr %53, i64 %319
   %323 = getelementptr double, ptr %322, i64 %321
-  %324 = load double, ptr %323, align 8, !noalias !20
+  %324 = load double, ptr %323, align 8, !noalias !24
   %325 = icmp slt i64 %303, 0
   %326 = select i1 %325, i64 %64, i64 0
   %327 = add i64 %303, %326
@@ -1235,7 +1235,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %331 = getelementptr double, ptr %67, i64 %330
   %332 = getelementptr double, ptr %331, i64 %307
   %333 = getelementptr double, ptr %332, i64 %329
-  store double %324, ptr %333, align 8, !noalias !20
+  store double %324, ptr %333, align 8, !noalias !24
   br label %306
 
 334:                                              ; preds = %636, %636, %297
@@ -1270,7 +1270,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %355 = select i1 %354, i64 %52, i64 0
   %356 = getelementptr double, ptr %53, i64 %353
   %357 = getelementptr double, ptr %356, i64 %355
-  %358 = load double, ptr %357, align 8, !noalias !23
+  %358 = load double, ptr %357, align 8, !noalias !27
   %359 = icmp slt i64 %337, 0
   %360 = select i1 %359, i64 %92, i64 0
   %361 = add i64 %337, %360
@@ -1280,7 +1280,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %365 = getelementptr double, ptr %95, i64 %364
   %366 = getelementptr double, ptr %365, i64 %341
   %367 = getelementptr double, ptr %366, i64 %363
-  store double %358, ptr %367, align 8, !noalias !23
+  store double %358, ptr %367, align 8, !noalias !27
   br label %340
 
 368:                                              ; preds = %666, %668
@@ -1310,15 +1310,15 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   br label %372
 
 386:                                              ; preds = %372
-  %387 = load double, ptr %697, align 8, !noalias !5
+  %387 = load double, ptr %697, align 8, !noalias !9
   %388 = sitofp i64 %375 to double
   %389 = fcmp olt double %387, %388
   br i1 %389, label %390, label %392
 
 390:                                              ; preds = %386
-  store double %388, ptr %697, align 8, !noalias !5
+  store double %388, ptr %697, align 8, !noalias !9
   %391 = getelementptr i8, ptr %697, i64 8
-  store double 1.000000e+00, ptr %391, align 8, !noalias !5
+  store double 1.000000e+00, ptr %391, align 8, !noalias !9
   br label %395
 
 392:                                              ; preds = %386
@@ -1331,16 +1331,16 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
 395:                                              ; preds = %394, %392, %390
   %396 = phi double [ %376, %390 ], [ 0.000000e+00, %394 ], [ %376, %392 ]
   %397 = getelementptr i8, ptr %697, i64 8
-  %398 = load double, ptr %397, align 8, !noalias !5
+  %398 = load double, ptr %397, align 8, !noalias !9
   %399 = fcmp olt double %396, %398
   %400 = fcmp ogt double %398, 1.000000e-05
   %401 = and i1 %399, %400
   br i1 %401, label %402, label %409
 
 402:                                              ; preds = %395
-  store double %396, ptr %397, align 8, !noalias !5
+  store double %396, ptr %397, align 8, !noalias !9
   %403 = getelementptr i8, ptr %697, i64 16
-  store double %1, ptr %403, align 8, !noalias !5
+  store double %1, ptr %403, align 8, !noalias !9
   %404 = call i64 @llvm.smax.i64(i64 %57, i64 0)
   br label %405
 
@@ -1356,9 +1356,9 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
 410:                                              ; preds = %154, %154
   %411 = inttoptr i64 %55 to ptr
   %412 = getelementptr i8, ptr %411, i64 88
-  %413 = load i64, ptr %412, align 8, !noalias !5
+  %413 = load i64, ptr %412, align 8, !noalias !9
   %414 = add nsw i64 %413, 1
-  store i64 %414, ptr %412, align 8, !noalias !5
+  store i64 %414, ptr %412, align 8, !noalias !9
   %415 = call i64 @llvm.smax.i64(i64 %133, i64 0)
   br label %156
 
@@ -1384,7 +1384,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %431 = getelementptr double, ptr %67, i64 %430
   %432 = getelementptr double, ptr %431, i64 %161
   %433 = getelementptr double, ptr %432, i64 %429
-  store double %424, ptr %433, align 8, !noalias !5
+  store double %424, ptr %433, align 8, !noalias !9
   br label %160
 
 434:                                              ; preds = %164
@@ -1392,9 +1392,9 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %436 = add i64 %165, 1
   %437 = icmp eq i64 %165, 9
   %438 = getelementptr i8, ptr %45, i64 8
-  %439 = load i64, ptr %438, align 8, !noalias !5
+  %439 = load i64, ptr %438, align 8, !noalias !9
   %440 = inttoptr i64 %439 to ptr
-  %441 = call i32 %440(ptr nonnull %21, ptr %58, ptr %26, ptr %48, ptr %53) #3, !noalias !5
+  %441 = call i32 %440(ptr nonnull %21, ptr %58, ptr %26, ptr %48, ptr %53) #3, !noalias !9
   %442 = icmp slt i32 %441, 0
   br i1 %442, label %169, label %170
 
@@ -1405,17 +1405,17 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %447 = select i1 %446, i64 %52, i64 0
   %448 = getelementptr double, ptr %53, i64 %173
   %449 = getelementptr double, ptr %448, i64 %447
-  %450 = load double, ptr %449, align 8, !noalias !5
+  %450 = load double, ptr %449, align 8, !noalias !9
   %451 = fcmp une double %450, 0.000000e+00
   br i1 %451, label %177, label %189
 
 452:                                              ; preds = %207
-  store ptr null, ptr %6, align 8, !noalias !5
+  store ptr null, ptr %6, align 8, !noalias !9
   %453 = call fastcc i32 @_factor(ptr nonnull %6, ptr %67, i64 %64, i64 %66) #3
   switch i32 %453, label %454 [
     i32 -2, label %239
     i32 0, label %239
-  ], !prof !13
+  ], !prof !17
 
 454:                                              ; preds = %452
   br label %733
@@ -1452,7 +1452,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %476 = select i1 %475, i64 %52, i64 0
   %477 = getelementptr double, ptr %53, i64 %474
   %478 = getelementptr double, ptr %477, i64 %476
-  %479 = load double, ptr %478, align 8, !noalias !26
+  %479 = load double, ptr %478, align 8, !noalias !30
   %480 = icmp slt i64 %458, 0
   %481 = select i1 %480, i64 %78, i64 0
   %482 = add i64 %458, %481
@@ -1462,7 +1462,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %486 = getelementptr double, ptr %81, i64 %485
   %487 = getelementptr double, ptr %486, i64 %462
   %488 = getelementptr double, ptr %487, i64 %484
-  store double %479, ptr %488, align 8, !noalias !26
+  store double %479, ptr %488, align 8, !noalias !30
   br label %461
 
 489:                                              ; preds = %457
@@ -1489,7 +1489,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   br i1 %503, label %530, label %504
 
 504:                                              ; preds = %499
-  %505 = load double, ptr %529, align 8, !noalias !29
+  %505 = load double, ptr %529, align 8, !noalias !33
   %506 = call double @llvm.fabs.f64(double %505)
   %507 = sitofp i64 %71 to double
   %508 = fmul double %507, 4.000000e+00
@@ -1499,7 +1499,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   br i1 %511, label %513, label %512
 
 512:                                              ; preds = %504
-  store double 0.000000e+00, ptr %529, align 8, !noalias !29
+  store double 0.000000e+00, ptr %529, align 8, !noalias !33
   br label %513
 
 513:                                              ; preds = %512, %504
@@ -1523,7 +1523,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %527 = getelementptr double, ptr %88, i64 %526
   %528 = getelementptr double, ptr %527, i64 %496
   %529 = getelementptr double, ptr %528, i64 %525
-  store double 0.000000e+00, ptr %529, align 8, !noalias !29
+  store double 0.000000e+00, ptr %529, align 8, !noalias !33
   br label %499
 
 530:                                              ; preds = %499
@@ -1537,7 +1537,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %538 = getelementptr double, ptr %81, i64 %537
   %539 = getelementptr double, ptr %538, i64 %500
   %540 = getelementptr double, ptr %539, i64 %536
-  %541 = load double, ptr %540, align 8, !noalias !29
+  %541 = load double, ptr %540, align 8, !noalias !33
   %542 = select i1 %535, i64 %71, i64 0
   %543 = add i64 %500, %542
   %544 = select i1 %524, i64 %73, i64 0
@@ -1545,22 +1545,22 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %546 = getelementptr double, ptr %74, i64 %545
   %547 = getelementptr double, ptr %546, i64 %496
   %548 = getelementptr double, ptr %547, i64 %544
-  %549 = load double, ptr %548, align 8, !noalias !29
+  %549 = load double, ptr %548, align 8, !noalias !33
   %550 = fmul double %541, %549
-  %551 = load double, ptr %529, align 8, !noalias !29
+  %551 = load double, ptr %529, align 8, !noalias !33
   %552 = fadd double %551, %550
-  store double %552, ptr %529, align 8, !noalias !29
+  store double %552, ptr %529, align 8, !noalias !33
   %553 = call double @llvm.fabs.f64(double %550)
   %554 = fadd double %502, %553
   br label %499
 
 555:                                              ; preds = %491
-  store ptr null, ptr %7, align 8, !noalias !5
+  store ptr null, ptr %7, align 8, !noalias !9
   %556 = call fastcc i32 @_divide_rows(ptr nonnull %7, ptr %88, i64 %85, i64 %87, ptr %67, i64 %64, i64 %66) #3
   switch i32 %556, label %575 [
     i32 -2, label %557
     i32 0, label %557
-  ], !prof !13
+  ], !prof !17
 
 557:                                              ; preds = %555, %555
   %558 = call i64 @llvm.smax.i64(i64 %127, i64 0)
@@ -1579,32 +1579,32 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %567 = select i1 %566, i64 %52, i64 0
   %568 = getelementptr double, ptr %53, i64 %560
   %569 = getelementptr double, ptr %568, i64 %567
-  %570 = load double, ptr %569, align 8, !noalias !32
+  %570 = load double, ptr %569, align 8, !noalias !36
   %571 = fneg double %570
   %572 = select i1 %566, i64 %104, i64 0
   %573 = getelementptr double, ptr %105, i64 %560
   %574 = getelementptr double, ptr %573, i64 %572
-  store double %571, ptr %574, align 8, !noalias !32
+  store double %571, ptr %574, align 8, !noalias !36
   br label %559
 
 575:                                              ; preds = %555
   br label %733
 
 576:                                              ; preds = %559
-  store ptr null, ptr %8, align 8, !noalias !5
+  store ptr null, ptr %8, align 8, !noalias !9
   %577 = call fastcc i32 @_minimum_norm(ptr nonnull %8, ptr %88, i64 %85, i64 %87, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
   switch i32 %577, label %580 [
     i32 -2, label %578
     i32 0, label %578
-  ], !prof !13
+  ], !prof !17
 
 578:                                              ; preds = %576, %576
-  store ptr null, ptr %9, align 8, !noalias !5
+  store ptr null, ptr %9, align 8, !noalias !9
   %579 = call fastcc i32 @_divide_transposed(ptr nonnull %9, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
   switch i32 %579, label %583 [
     i32 -2, label %581
     i32 0, label %581
-  ], !prof !13
+  ], !prof !17
 
 580:                                              ; preds = %576
   br label %733
@@ -1628,7 +1628,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %591 = select i1 %590, i64 %57, i64 0
   %592 = getelementptr double, ptr %58, i64 %274
   %593 = getelementptr double, ptr %592, i64 %591
-  %594 = load double, ptr %593, align 8, !noalias !5
+  %594 = load double, ptr %593, align 8, !noalias !9
   %595 = select i1 %590, i64 %71, i64 0
   %596 = add i64 %274, %595
   %597 = icmp slt i64 %278, 0
@@ -1637,14 +1637,14 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %600 = getelementptr double, ptr %74, i64 %599
   %601 = getelementptr double, ptr %600, i64 %278
   %602 = getelementptr double, ptr %601, i64 %598
-  %603 = load double, ptr %602, align 8, !noalias !5
+  %603 = load double, ptr %602, align 8, !noalias !9
   %604 = select i1 %597, i64 %99, i64 0
   %605 = getelementptr double, ptr %100, i64 %278
   %606 = getelementptr double, ptr %605, i64 %604
-  %607 = load double, ptr %606, align 8, !noalias !5
+  %607 = load double, ptr %606, align 8, !noalias !9
   %608 = fmul double %603, %607
   %609 = fadd double %594, %608
-  store double %609, ptr %593, align 8, !noalias !5
+  store double %609, ptr %593, align 8, !noalias !9
   br label %277
 
 610:                                              ; preds = %281
@@ -1652,7 +1652,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %612 = select i1 %611, i64 %104, i64 0
   %613 = getelementptr double, ptr %105, i64 %282
   %614 = getelementptr double, ptr %613, i64 %612
-  %615 = load double, ptr %614, align 8, !noalias !5
+  %615 = load double, ptr %614, align 8, !noalias !9
   %616 = call double @llvm.fabs.f64(double %615)
   %617 = fcmp ogt double %616, %284
   %618 = select i1 %617, double %616, double %284
@@ -1673,33 +1673,33 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %627 = select i1 %626, i64 %57, i64 0
   %628 = getelementptr double, ptr %58, i64 %291
   %629 = getelementptr double, ptr %628, i64 %627
-  %630 = load double, ptr %629, align 8, !noalias !5
+  %630 = load double, ptr %629, align 8, !noalias !9
   %631 = select i1 %626, i64 %99, i64 0
   %632 = getelementptr double, ptr %100, i64 %291
   %633 = getelementptr double, ptr %632, i64 %631
-  %634 = load double, ptr %633, align 8, !noalias !5
+  %634 = load double, ptr %633, align 8, !noalias !9
   %635 = fadd double %630, %634
-  store double %635, ptr %629, align 8, !noalias !5
+  store double %635, ptr %629, align 8, !noalias !9
   br label %290
 
 636:                                              ; preds = %302
-  store ptr null, ptr %11, align 8, !noalias !5
+  store ptr null, ptr %11, align 8, !noalias !9
   %637 = call fastcc i32 @_factor(ptr nonnull %11, ptr %67, i64 %64, i64 %66) #3
   switch i32 %637, label %638 [
     i32 -2, label %334
     i32 0, label %334
-  ], !prof !13
+  ], !prof !17
 
 638:                                              ; preds = %636
   br label %733
 
 639:                                              ; preds = %336
-  store ptr null, ptr %12, align 8, !noalias !5
+  store ptr null, ptr %12, align 8, !noalias !9
   %640 = call fastcc i32 @_divide_rows(ptr nonnull %12, ptr %95, i64 %92, i64 %94, ptr %67, i64 %64, i64 %66) #3
   switch i32 %640, label %660 [
     i32 -2, label %641
     i32 0, label %641
-  ], !prof !13
+  ], !prof !17
 
 641:                                              ; preds = %639, %639
   br label %642
@@ -1718,33 +1718,33 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %651 = select i1 %650, i64 %52, i64 0
   %652 = getelementptr double, ptr %53, i64 %649
   %653 = getelementptr double, ptr %652, i64 %651
-  %654 = load double, ptr %653, align 8, !noalias !35
+  %654 = load double, ptr %653, align 8, !noalias !39
   %655 = fneg double %654
   %656 = icmp slt i64 %643, 0
   %657 = select i1 %656, i64 %104, i64 0
   %658 = getelementptr double, ptr %105, i64 %643
   %659 = getelementptr double, ptr %658, i64 %657
-  store double %655, ptr %659, align 8, !noalias !35
+  store double %655, ptr %659, align 8, !noalias !39
   br label %642
 
 660:                                              ; preds = %639
   br label %733
 
 661:                                              ; preds = %642
-  store ptr null, ptr %13, align 8, !noalias !5
+  store ptr null, ptr %13, align 8, !noalias !9
   %662 = call fastcc i32 @_minimum_norm(ptr nonnull %13, ptr %95, i64 %92, i64 %94, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
   switch i32 %662, label %665 [
     i32 -2, label %663
     i32 0, label %663
-  ], !prof !13
+  ], !prof !17
 
 663:                                              ; preds = %661, %661
-  store ptr null, ptr %14, align 8, !noalias !5
+  store ptr null, ptr %14, align 8, !noalias !9
   %664 = call fastcc i32 @_divide_transposed(ptr nonnull %14, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
   switch i32 %664, label %667 [
     i32 -2, label %666
     i32 0, label %666
-  ], !prof !13
+  ], !prof !17
 
 665:                                              ; preds = %661
   br label %733
@@ -1763,14 +1763,14 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %673 = select i1 %672, i64 %57, i64 0
   %674 = getelementptr double, ptr %58, i64 %671
   %675 = getelementptr double, ptr %674, i64 %673
-  %676 = load double, ptr %675, align 8, !noalias !5
+  %676 = load double, ptr %675, align 8, !noalias !9
   %677 = icmp slt i64 %369, 0
   %678 = select i1 %677, i64 %99, i64 0
   %679 = getelementptr double, ptr %100, i64 %369
   %680 = getelementptr double, ptr %679, i64 %678
-  %681 = load double, ptr %680, align 8, !noalias !5
+  %681 = load double, ptr %680, align 8, !noalias !9
   %682 = fadd double %676, %681
-  store double %682, ptr %675, align 8, !noalias !5
+  store double %682, ptr %675, align 8, !noalias !9
   br label %368
 
 683:                                              ; preds = %368
@@ -1778,7 +1778,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %685 = select i1 %684, i64 %52, i64 0
   %686 = add i64 %146, %685
   %687 = icmp slt i64 %686, 0
-  br i1 %687, label %688, label %689, !prof !0
+  br i1 %687, label %688, label %689, !prof !4
 
 688:                                              ; preds = %683
   br label %689
@@ -1786,7 +1786,7 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
 689:                                              ; preds = %688, %683
   %690 = phi i64 [ 0, %688 ], [ %686, %683 ]
   %691 = icmp slt i64 %686, %52
-  br i1 %691, label %693, label %692, !prof !4
+  br i1 %691, label %693, label %692, !prof !8
 
 692:                                              ; preds = %689
   br label %693
@@ -1807,19 +1807,19 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %704 = select i1 %703, i64 %696, i64 0
   %705 = getelementptr double, ptr %697, i64 %702
   %706 = getelementptr double, ptr %705, i64 %704
-  %707 = load double, ptr %706, align 8, !noalias !5
+  %707 = load double, ptr %706, align 8, !noalias !9
   %708 = icmp slt i64 %373, 0
   %709 = select i1 %708, i64 %119, i64 0
   %710 = getelementptr double, ptr %120, i64 %373
   %711 = getelementptr double, ptr %710, i64 %709
-  %712 = load double, ptr %711, align 8, !noalias !5
+  %712 = load double, ptr %711, align 8, !noalias !9
   %713 = fcmp ogt double %712, %707
   %714 = select i1 %713, double %712, double %707
-  store double %714, ptr %706, align 8, !noalias !5
+  store double %714, ptr %706, align 8, !noalias !9
   %715 = select i1 %708, i64 %124, i64 0
   %716 = getelementptr double, ptr %125, i64 %373
   %717 = getelementptr double, ptr %716, i64 %715
-  %718 = load double, ptr %717, align 8, !noalias !5
+  %718 = load double, ptr %717, align 8, !noalias !9
   %719 = fcmp ogt double %718, 0.000000e+00
   br i1 %719, label %378, label %383
 
@@ -1830,13 +1830,13 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %724 = select i1 %723, i64 %57, i64 0
   %725 = getelementptr double, ptr %58, i64 %406
   %726 = getelementptr double, ptr %725, i64 %724
-  %727 = load double, ptr %726, align 8, !noalias !5
+  %727 = load double, ptr %726, align 8, !noalias !9
   %728 = icmp slt i64 %406, -3
   %729 = select i1 %728, i64 %696, i64 0
   %730 = getelementptr double, ptr %697, i64 %406
   %731 = getelementptr i8, ptr %730, i64 24
   %732 = getelementptr double, ptr %731, i64 %729
-  store double %727, ptr %732, align 8, !noalias !5
+  store double %727, ptr %732, align 8, !noalias !9
   br label %405
 
 733:                                              ; preds = %667, %665, %660, %638, %622, %583, %580, %575, %454, %416, %409, %201, %192, %169
@@ -1854,41 +1854,45 @@ attributes #2 = { nounwind memory(read) }
 attributes #3 = { nounwind }
 attributes #4 = { nounwind willreturn }
 
-!0 = !{!"branch_weights", i32 1, i32 99}
-!1 = !{!2}
-!2 = distinct !{!2, !3}
-!3 = distinct !{!3}
-!4 = !{!"branch_weights", i32 99, i32 1}
-!5 = !{!6, !8}
+!0 = !{!1, !3}
+!1 = distinct !{!1, !2}
+!2 = distinct !{!2}
+!3 = distinct !{!3, !2}
+!4 = !{!"branch_weights", i32 1, i32 99}
+!5 = !{!6, !1, !3}
 !6 = distinct !{!6, !7}
 !7 = distinct !{!7}
-!8 = distinct !{!8, !7}
+!8 = !{!"branch_weights", i32 99, i32 1}
 !9 = !{!10, !12}
 !10 = distinct !{!10, !11}
 !11 = distinct !{!11}
 !12 = distinct !{!12, !11}
-!13 = !{!"branch_weights", i32 1, i32 49, i32 49}
-!14 = !{!15}
-!15 = distinct !{!15, !16}
-!16 = distinct !{!16}
-!17 = !{!18}
-!18 = distinct !{!18, !19}
-!19 = distinct !{!19}
-!20 = !{!21}
-!21 = distinct !{!21, !22}
-!22 = distinct !{!22}
-!23 = !{!24}
-!24 = distinct !{!24, !25}
-!25 = distinct !{!25}
-!26 = !{!27}
-!27 = distinct !{!27, !28}
-!28 = distinct !{!28}
-!29 = !{!30}
-!30 = distinct !{!30, !31}
-!31 = distinct !{!31}
-!32 = !{!33}
-!33 = distinct !{!33, !34}
-!34 = distinct !{!34}
-!35 = !{!36}
-!36 = distinct !{!36, !37}
-!37 = distinct !{!37}
+!13 = !{!14, !16}
+!14 = distinct !{!14, !15}
+!15 = distinct !{!15}
+!16 = distinct !{!16, !15}
+!17 = !{!"branch_weights", i32 1, i32 49, i32 49}
+!18 = !{!19}
+!19 = distinct !{!19, !20}
+!20 = distinct !{!20}
+!21 = !{!22}
+!22 = distinct !{!22, !23}
+!23 = distinct !{!23}
+!24 = !{!25}
+!25 = distinct !{!25, !26}
+!26 = distinct !{!26}
+!27 = !{!28}
+!28 = distinct !{!28, !29}
+!29 = distinct !{!29}
+!30 = !{!31}
+!31 = distinct !{!31, !32}
+!32 = distinct !{!32}
+!33 = !{!34}
+!34 = distinct !{!34, !35}
+!35 = distinct !{!35}
+!36 = !{!37}
+!37 = distinct !{!37, !38}
+!38 = distinct !{!38}
+!39 = !{!40}
+!40 = distinct !{!40, !41}
+!41 = distinct !{!41}

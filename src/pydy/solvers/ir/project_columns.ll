@@ -1,4 +1,4 @@
-; sources 5b1aa47c708eaf9f1be68575a66cade00d01ce08f350f0eb5ccbab246ce14953
+; sources 3426c7ad3bdcb120ba2e438aca93bcaa32ea9c7a201525355e103f36708be434
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

@@ -1,11 +1,5 @@
-; sources bc095f0dae153b65d72a0a1b23f9ba988efda6331652bb62975f0e5d481ba0f2
+; sources d27a92b6197e5ece879d0de043d00e7179cd1c4f6f51f6c1cfe1590026361d2c
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
-
-declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0
-
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #0
-
-declare <8 x double> @llvm.rint.v8f64(<8 x double>) #0
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #0
 
@@ -19,11 +13,11 @@ define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, 
   %21 = icmp sgt i64 %20, 0
   br i1 %21, label %27, label %26
 
-22:                                               ; preds = %118, %45
-  %23 = phi i64 [ 0, %45 ], [ %68, %118 ]
-  %24 = phi i64 [ 8, %45 ], [ %67, %118 ]
+22:                                               ; preds = %115, %27
+  %23 = phi i64 [ 0, %27 ], [ %142, %115 ]
+  %24 = phi i64 [ 8, %27 ], [ %143, %115 ]
   %25 = icmp sgt i64 %24, 0
-  br i1 %25, label %66, label %18
+  br i1 %25, label %30, label %18
 
 26:                                               ; preds = %18
   store ptr null, ptr %0, align 8
@@ -32,296 +26,422 @@ define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, 
 27:                                               ; preds = %18
   %28 = add nsw i64 %20, -1
   %29 = add i64 %19, 1
-  %30 = icmp slt i64 %19, 0
-  %31 = select i1 %30, i64 %6, i64 0
-  %32 = add i64 %19, %31
-  %33 = mul i64 %32, %7
-  %34 = getelementptr i64, ptr %5, i64 %33
-  %35 = load i64, ptr %34, align 8
-  %36 = getelementptr i8, ptr %34, i64 8
-  %37 = load i64, ptr %36, align 8
-  %38 = getelementptr i8, ptr %34, i64 16
-  %39 = load i64, ptr %38, align 8
-  %40 = add nsw i64 %37, %39
-  %41 = icmp slt i64 %37, 0
-  %42 = select i1 %41, i64 %12, i64 0
-  %43 = add i64 %37, %42
-  %44 = icmp slt i64 %43, 0
-  br i1 %44, label %50, label %51, !prof !0
-
-45:                                               ; preds = %65, %62
-  %46 = phi i64 [ %12, %65 ], [ %63, %62 ]
-  %47 = sub i64 %46, %56
-  %48 = call i64 @llvm.smax.i64(i64 %47, i64 0)
-  %49 = getelementptr double, ptr %11, i64 %56
   br label %22
 
-50:                                               ; preds = %27
-  br label %51
+30:                                               ; preds = %22
+  %31 = icmp slt i64 %23, 0
+  %32 = select i1 %31, i64 %2, i64 0
+  %33 = getelementptr double, ptr %1, i64 %23
+  %34 = getelementptr double, ptr %33, i64 %32
+  %35 = load double, ptr %34, align 8
+  %36 = icmp slt i64 %19, 0
+  %37 = select i1 %36, i64 %9, i64 0
+  %38 = add i64 %19, %37
+  %39 = select i1 %31, i64 %10, i64 0
+  %40 = mul i64 %38, %10
+  %41 = getelementptr i64, ptr %8, i64 %40
+  %42 = getelementptr i64, ptr %41, i64 %23
+  %43 = getelementptr i64, ptr %42, i64 %39
+  %44 = load i64, ptr %43, align 8
+  %45 = select i1 %36, i64 %6, i64 0
+  %46 = add i64 %19, %45
+  %47 = mul i64 %46, %7
+  %48 = getelementptr i64, ptr %5, i64 %47
+  %49 = getelementptr i8, ptr %48, i64 8
+  %50 = load i64, ptr %49, align 8, !noalias !0
+  %51 = getelementptr i8, ptr %48, i64 16
+  %52 = load i64, ptr %51, align 8, !noalias !0
+  %53 = add nsw i64 %50, %52
+  %54 = icmp slt i64 %50, 0
+  %55 = select i1 %54, i64 %12, i64 0
+  %56 = add i64 %50, %55
+  %57 = icmp slt i64 %56, 0
+  br i1 %57, label %72, label %73, !prof !4
 
-51:                                               ; preds = %50, %27
-  %52 = phi i64 [ 0, %50 ], [ %43, %27 ]
-  %53 = icmp slt i64 %43, %12
-  br i1 %53, label %55, label %54, !prof !1
+58:                                               ; preds = %87, %84
+  %59 = phi i64 [ %12, %87 ], [ %85, %84 ]
+  %60 = sub i64 %59, %78
+  %61 = call i64 @llvm.smax.i64(i64 %60, i64 0)
+  %62 = getelementptr double, ptr %11, i64 %78
+  %63 = load double, ptr %62, align 8, !noalias !0
+  %64 = fcmp ogt double %63, %35
+  %65 = select i1 %64, double %63, double %35
+  %66 = icmp slt i64 %44, 0
+  %67 = select i1 %66, i64 %61, i64 0
+  %68 = getelementptr double, ptr %62, i64 %44
+  %69 = getelementptr double, ptr %68, i64 %67
+  %70 = load double, ptr %69, align 8, !noalias !5
+  %71 = fcmp ugt double %70, %65
+  br i1 %71, label %98, label %88
 
-54:                                               ; preds = %51
-  br label %55
+72:                                               ; preds = %30
+  br label %73
 
-55:                                               ; preds = %54, %51
-  %56 = phi i64 [ %12, %54 ], [ %52, %51 ]
-  %57 = icmp slt i64 %40, 0
-  %58 = select i1 %57, i64 %12, i64 0
-  %59 = add i64 %40, %58
-  %60 = icmp slt i64 %59, 0
-  br i1 %60, label %61, label %62, !prof !0
+73:                                               ; preds = %72, %30
+  %74 = phi i64 [ 0, %72 ], [ %56, %30 ]
+  %75 = icmp slt i64 %56, %12
+  br i1 %75, label %77, label %76, !prof !8
 
-61:                                               ; preds = %55
-  br label %62
+76:                                               ; preds = %73
+  br label %77
 
-62:                                               ; preds = %61, %55
-  %63 = phi i64 [ 0, %61 ], [ %59, %55 ]
-  %64 = icmp slt i64 %59, %12
-  br i1 %64, label %45, label %65, !prof !1
+77:                                               ; preds = %76, %73
+  %78 = phi i64 [ %12, %76 ], [ %74, %73 ]
+  %79 = icmp slt i64 %53, 0
+  %80 = select i1 %79, i64 %12, i64 0
+  %81 = add i64 %53, %80
+  %82 = icmp slt i64 %81, 0
+  br i1 %82, label %83, label %84, !prof !4
 
-65:                                               ; preds = %62
-  br label %45
+83:                                               ; preds = %77
+  br label %84
 
-66:                                               ; preds = %22
-  %67 = add nsw i64 %24, -1
-  %68 = add i64 %23, 1
-  %69 = icmp slt i64 %23, 0
-  %70 = select i1 %69, i64 %2, i64 0
-  %71 = getelementptr double, ptr %1, i64 %23
-  %72 = getelementptr double, ptr %71, i64 %70
-  %73 = load double, ptr %72, align 8
-  %74 = load double, ptr %49, align 8
-  %75 = fcmp ogt double %74, %73
-  %76 = select i1 %75, double %74, double %73
-  %77 = select i1 %30, i64 %9, i64 0
-  %78 = add i64 %19, %77
-  %79 = select i1 %69, i64 %10, i64 0
-  %80 = mul i64 %78, %10
-  %81 = getelementptr i64, ptr %8, i64 %80
-  %82 = getelementptr i64, ptr %81, i64 %23
-  %83 = getelementptr i64, ptr %82, i64 %79
-  %84 = load i64, ptr %83, align 8
-  %85 = icmp slt i64 %84, 0
-  %86 = select i1 %85, i64 %48, i64 0
-  %87 = getelementptr double, ptr %49, i64 %84
-  %88 = getelementptr double, ptr %87, i64 %86
-  %89 = load double, ptr %88, align 8, !noalias !2
-  %90 = fcmp ugt double %89, %76
-  br i1 %90, label %101, label %91
+84:                                               ; preds = %83, %77
+  %85 = phi i64 [ 0, %83 ], [ %81, %77 ]
+  %86 = icmp slt i64 %81, %12
+  br i1 %86, label %58, label %87, !prof !8
 
-91:                                               ; preds = %66
-  %92 = add nsw i64 %48, -1
-  %93 = icmp eq i64 %84, %92
-  br i1 %93, label %118, label %94
+87:                                               ; preds = %84
+  br label %58
 
-94:                                               ; preds = %91
-  %95 = icmp slt i64 %84, -1
-  %96 = select i1 %95, i64 %48, i64 0
-  %97 = getelementptr i8, ptr %87, i64 8
-  %98 = getelementptr double, ptr %97, i64 %96
-  %99 = load double, ptr %98, align 8, !noalias !2
-  %100 = fcmp olt double %76, %99
-  br i1 %100, label %118, label %101
+88:                                               ; preds = %58
+  %89 = add nsw i64 %61, -1
+  %90 = icmp eq i64 %44, %89
+  br i1 %90, label %115, label %91
 
-101:                                              ; preds = %94, %66
-  %102 = icmp sgt i64 %47, 1
-  br i1 %102, label %103, label %118
+91:                                               ; preds = %88
+  %92 = icmp slt i64 %44, -1
+  %93 = select i1 %92, i64 %61, i64 0
+  %94 = getelementptr i8, ptr %68, i64 8
+  %95 = getelementptr double, ptr %94, i64 %93
+  %96 = load double, ptr %95, align 8, !noalias !5
+  %97 = fcmp olt double %65, %96
+  br i1 %97, label %115, label %98
 
-103:                                              ; preds = %103, %101
-  %104 = phi i64 [ %114, %103 ], [ %48, %101 ]
-  %105 = phi i64 [ %115, %103 ], [ 0, %101 ]
-  %106 = add nsw i64 %105, %104
-  %107 = ashr i64 %106, 1
-  %108 = icmp slt i64 %107, 0
-  %109 = select i1 %108, i64 %48, i64 0
-  %110 = getelementptr double, ptr %49, i64 %107
-  %111 = getelementptr double, ptr %110, i64 %109
-  %112 = load double, ptr %111, align 8, !noalias !2
-  %113 = fcmp ole double %112, %76
-  %114 = select i1 %113, i64 %104, i64 %107
-  %115 = select i1 %113, i64 %107, i64 %105
-  %116 = sub nsw i64 %114, %115
-  %117 = icmp sgt i64 %116, 1
-  br i1 %117, label %103, label %118
+98:                                               ; preds = %91, %58
+  %99 = icmp sgt i64 %60, 1
+  br i1 %99, label %100, label %115
 
-118:                                              ; preds = %103, %101, %94, %91
-  %119 = phi i64 [ %84, %91 ], [ %84, %94 ], [ %115, %103 ], [ 0, %101 ]
-  store i64 %119, ptr %83, align 8
-  %120 = icmp slt i64 %119, 0
-  %121 = select i1 %120, i64 %48, i64 0
-  %122 = getelementptr double, ptr %49, i64 %119
-  %123 = getelementptr double, ptr %122, i64 %121
-  %124 = load double, ptr %123, align 8
-  %125 = fsub double %76, %124
-  %126 = add nsw i64 %37, %119
-  %127 = icmp slt i64 %126, 0
-  %128 = select i1 %127, i64 %14, i64 0
-  %129 = add i64 %126, %128
-  %130 = mul i64 %129, %15
-  %131 = getelementptr double, ptr %13, i64 %130
-  %132 = load double, ptr %131, align 8
-  %133 = getelementptr i8, ptr %131, i64 8
-  %134 = load double, ptr %133, align 8
-  %135 = getelementptr i8, ptr %131, i64 16
-  %136 = load double, ptr %135, align 8
-  %137 = getelementptr i8, ptr %131, i64 24
-  %138 = load double, ptr %137, align 8
-  %139 = fmul double %125, %138
-  %140 = fadd double %136, %139
-  %141 = fmul double %125, %140
-  %142 = fadd double %134, %141
-  %143 = fmul double %125, %142
-  %144 = fadd double %132, %143
-  %145 = shl nsw i64 %35, 3
+100:                                              ; preds = %100, %98
+  %101 = phi i64 [ %111, %100 ], [ %61, %98 ]
+  %102 = phi i64 [ %112, %100 ], [ 0, %98 ]
+  %103 = add nsw i64 %102, %101
+  %104 = ashr i64 %103, 1
+  %105 = icmp slt i64 %104, 0
+  %106 = select i1 %105, i64 %61, i64 0
+  %107 = getelementptr double, ptr %62, i64 %104
+  %108 = getelementptr double, ptr %107, i64 %106
+  %109 = load double, ptr %108, align 8, !noalias !5
+  %110 = fcmp ole double %109, %65
+  %111 = select i1 %110, i64 %101, i64 %104
+  %112 = select i1 %110, i64 %104, i64 %102
+  %113 = sub nsw i64 %111, %112
+  %114 = icmp sgt i64 %113, 1
+  br i1 %114, label %100, label %115
+
+115:                                              ; preds = %100, %98, %91, %88
+  %116 = phi i64 [ %44, %88 ], [ %44, %91 ], [ %112, %100 ], [ 0, %98 ]
+  %117 = icmp slt i64 %116, 0
+  %118 = select i1 %117, i64 %61, i64 0
+  %119 = getelementptr double, ptr %62, i64 %116
+  %120 = getelementptr double, ptr %119, i64 %118
+  %121 = load double, ptr %120, align 8, !noalias !0
+  %122 = fsub double %65, %121
+  %123 = add nsw i64 %50, %116
+  %124 = icmp slt i64 %123, 0
+  %125 = select i1 %124, i64 %14, i64 0
+  %126 = add i64 %123, %125
+  %127 = mul i64 %126, %15
+  %128 = getelementptr double, ptr %13, i64 %127
+  %129 = load double, ptr %128, align 8, !noalias !0
+  %130 = getelementptr i8, ptr %128, i64 8
+  %131 = load double, ptr %130, align 8, !noalias !0
+  %132 = getelementptr i8, ptr %128, i64 16
+  %133 = load double, ptr %132, align 8, !noalias !0
+  %134 = getelementptr i8, ptr %128, i64 24
+  %135 = load double, ptr %134, align 8, !noalias !0
+  %136 = fmul double %122, %135
+  %137 = fadd double %133, %136
+  %138 = fmul double %122, %137
+  %139 = fadd double %131, %138
+  %140 = fmul double %122, %139
+  %141 = fadd double %129, %140
+  %142 = add i64 %23, 1
+  %143 = add nsw i64 %24, -1
+  store i64 %116, ptr %43, align 8
+  %144 = load i64, ptr %48, align 8
+  %145 = shl nsw i64 %144, 3
   %146 = add nsw i64 %145, %23
   %147 = icmp slt i64 %146, 0
   %148 = select i1 %147, i64 %4, i64 0
   %149 = getelementptr double, ptr %3, i64 %146
   %150 = getelementptr double, ptr %149, i64 %148
-  store double %144, ptr %150, align 8
+  store double %141, ptr %150, align 8
   br label %22
 }
 
-declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #0
+define internal fastcc i32 @norm(ptr noalias %0, ptr %1, ptr %2, ptr %3, ptr %4, i64 %5, ptr %6, i64 %7, i64 %8) unnamed_addr #1 {
+  %10 = call i64 @llvm.smax.i64(i64 %8, i64 0)
+  br label %11
+
+11:                                               ; preds = %22, %9
+  %12 = phi i64 [ 0, %9 ], [ %24, %22 ]
+  %13 = phi i64 [ %10, %9 ], [ %23, %22 ]
+  %14 = phi <8 x double> [ zeroinitializer, %9 ], [ %53, %22 ]
+  %15 = icmp sgt i64 %13, 0
+  br i1 %15, label %22, label %16
+
+16:                                               ; preds = %11
+  %17 = sitofp i64 %8 to double
+  %18 = insertelement <8 x double> poison, double %17, i64 0
+  %19 = shufflevector <8 x double> %18, <8 x double> poison, <8 x i32> zeroinitializer
+  %20 = fdiv <8 x double> %14, %19
+  %21 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %20)
+  store <8 x double> %21, ptr %0, align 64
+  ret i32 0
+
+22:                                               ; preds = %11
+  %23 = add nsw i64 %13, -1
+  %24 = add i64 %12, 1
+  %25 = shl i64 %12, 6
+  %26 = getelementptr i8, ptr %1, i64 %25
+  %27 = load <8 x double>, ptr %26, align 8
+  %28 = getelementptr i8, ptr %3, i64 %25
+  %29 = load <8 x double>, ptr %28, align 8
+  %30 = getelementptr i8, ptr %2, i64 %25
+  %31 = load <8 x double>, ptr %30, align 8
+  %32 = icmp slt i64 %12, 0
+  %33 = select i1 %32, i64 %7, i64 0
+  %34 = getelementptr double, ptr %6, i64 %12
+  %35 = getelementptr double, ptr %34, i64 %33
+  %36 = load double, ptr %35, align 8, !noalias !9
+  %37 = select i1 %32, i64 %5, i64 0
+  %38 = getelementptr double, ptr %4, i64 %12
+  %39 = getelementptr double, ptr %38, i64 %37
+  %40 = load double, ptr %39, align 8, !noalias !9
+  %41 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %29)
+  %42 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %31)
+  %43 = fcmp ogt <8 x double> %41, %42
+  %44 = select <8 x i1> %43, <8 x double> %41, <8 x double> %42
+  %45 = insertelement <8 x double> poison, double %40, i64 0
+  %46 = shufflevector <8 x double> %45, <8 x double> poison, <8 x i32> zeroinitializer
+  %47 = fmul <8 x double> %46, %44
+  %48 = insertelement <8 x double> poison, double %36, i64 0
+  %49 = shufflevector <8 x double> %48, <8 x double> poison, <8 x i32> zeroinitializer
+  %50 = fadd <8 x double> %49, %47
+  %51 = fdiv <8 x double> %27, %50
+  %52 = fmul <8 x double> %51, %51
+  %53 = fadd <8 x double> %14, %52
+  br label %11
+}
+
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #0
+
+declare <8 x double> @llvm.rint.v8f64(<8 x double>) #0
 
 declare i64 @llvm.cttz.i64(i64, i1 immarg) #2
 
-define internal fastcc void @pydy_combine(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7) unnamed_addr #1 {
-  %9 = inttoptr i64 %2 to ptr
-  %10 = load <8 x double>, ptr %9, align 8
-  %11 = lshr i64 %7, 2
-  %12 = and i64 %7, 2305843009213693948
-  br label %13
+declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #0
 
-13:                                               ; preds = %55, %8
-  %14 = phi i64 [ 0, %8 ], [ %74, %55 ]
-  %15 = icmp samesign ult i64 %14, %11
-  br i1 %15, label %16, label %21
+declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0
 
-16:                                               ; preds = %13
-  %17 = shl i64 %14, 5
-  %18 = or disjoint i64 %17, 8
-  %19 = or disjoint i64 %17, 16
-  %20 = or disjoint i64 %17, 24
-  br label %23
+define internal fastcc void @pydy_combine(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr #1 {
+  %10 = inttoptr i64 %2 to ptr
+  %11 = load <8 x double>, ptr %10, align 8
+  %12 = inttoptr i64 %4 to ptr
+  %13 = inttoptr i64 %5 to ptr
+  %14 = lshr i64 %8, 2
+  %15 = and i64 %8, 2305843009213693948
+  %16 = shl i64 %6, 3
+  %17 = getelementptr i8, ptr %12, i64 %16
+  %18 = getelementptr i8, ptr %13, i64 %16
+  br label %19
 
-21:                                               ; preds = %13
-  %22 = and i64 %7, 3
-  br label %75
+19:                                               ; preds = %104, %9
+  %20 = phi i64 [ 0, %9 ], [ %110, %104 ]
+  %21 = icmp samesign ult i64 %20, %14
+  br i1 %21, label %22, label %27
 
-23:                                               ; preds = %30, %16
-  %24 = phi <8 x double> [ zeroinitializer, %16 ], [ %44, %30 ]
-  %25 = phi <8 x double> [ zeroinitializer, %16 ], [ %47, %30 ]
-  %26 = phi <8 x double> [ zeroinitializer, %16 ], [ %50, %30 ]
-  %27 = phi <8 x double> [ zeroinitializer, %16 ], [ %53, %30 ]
-  %28 = phi i64 [ 0, %16 ], [ %54, %30 ]
-  %29 = icmp slt i64 %28, %6
-  br i1 %29, label %30, label %55
+22:                                               ; preds = %19
+  %23 = shl i64 %20, 5
+  %24 = or disjoint i64 %23, 8
+  %25 = or disjoint i64 %23, 16
+  %26 = or disjoint i64 %23, 24
+  br label %29
 
-30:                                               ; preds = %23
-  %31 = inttoptr i64 %3 to ptr
-  %32 = inttoptr i64 %5 to ptr
-  %33 = inttoptr i64 %4 to ptr
-  %34 = shl i64 %28, 3
-  %35 = getelementptr i8, ptr %32, i64 %34
-  %36 = load double, ptr %35, align 8
-  %37 = insertelement <8 x double> poison, double %36, i64 0
-  %38 = shufflevector <8 x double> %37, <8 x double> poison, <8 x i32> zeroinitializer
-  %39 = getelementptr i8, ptr %33, i64 %34
-  %40 = load i64, ptr %39, align 8
-  %41 = getelementptr double, ptr %31, i64 %40
-  %42 = getelementptr double, ptr %41, i64 %17
-  %43 = load <8 x double>, ptr %42, align 8
-  %44 = call <8 x double> @llvm.fma.v8f64(<8 x double> %38, <8 x double> %43, <8 x double> %24)
-  %45 = getelementptr i8, ptr %42, i64 64
-  %46 = load <8 x double>, ptr %45, align 8
-  %47 = call <8 x double> @llvm.fma.v8f64(<8 x double> %38, <8 x double> %46, <8 x double> %25)
-  %48 = getelementptr i8, ptr %42, i64 128
-  %49 = load <8 x double>, ptr %48, align 8
-  %50 = call <8 x double> @llvm.fma.v8f64(<8 x double> %38, <8 x double> %49, <8 x double> %26)
-  %51 = getelementptr i8, ptr %42, i64 192
-  %52 = load <8 x double>, ptr %51, align 8
-  %53 = call <8 x double> @llvm.fma.v8f64(<8 x double> %38, <8 x double> %52, <8 x double> %27)
-  %54 = add nuw nsw i64 %28, 1
-  br label %23
+27:                                               ; preds = %19
+  %28 = and i64 %8, 3
+  br label %111
 
-55:                                               ; preds = %23
-  %56 = inttoptr i64 %1 to ptr
-  %57 = getelementptr double, ptr %56, i64 %17
-  %58 = load <8 x double>, ptr %57, align 8
-  %59 = call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %24, <8 x double> %58)
-  %60 = inttoptr i64 %0 to ptr
-  %61 = getelementptr double, ptr %60, i64 %17
-  store <8 x double> %59, ptr %61, align 8
-  %62 = getelementptr double, ptr %56, i64 %18
-  %63 = load <8 x double>, ptr %62, align 8
-  %64 = call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %25, <8 x double> %63)
-  %65 = getelementptr double, ptr %60, i64 %18
-  store <8 x double> %64, ptr %65, align 8
-  %66 = getelementptr double, ptr %56, i64 %19
-  %67 = load <8 x double>, ptr %66, align 8
-  %68 = call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %26, <8 x double> %67)
-  %69 = getelementptr double, ptr %60, i64 %19
-  store <8 x double> %68, ptr %69, align 8
-  %70 = getelementptr double, ptr %56, i64 %20
+29:                                               ; preds = %36, %22
+  %30 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %36 ]
+  %31 = phi <8 x double> [ zeroinitializer, %22 ], [ %51, %36 ]
+  %32 = phi <8 x double> [ zeroinitializer, %22 ], [ %54, %36 ]
+  %33 = phi <8 x double> [ zeroinitializer, %22 ], [ %57, %36 ]
+  %34 = phi i64 [ 0, %22 ], [ %58, %36 ]
+  %35 = icmp slt i64 %34, %6
+  br i1 %35, label %36, label %59
+
+36:                                               ; preds = %29
+  %37 = inttoptr i64 %3 to ptr
+  %38 = shl i64 %34, 3
+  %39 = getelementptr i8, ptr %13, i64 %38
+  %40 = load double, ptr %39, align 8
+  %41 = insertelement <8 x double> poison, double %40, i64 0
+  %42 = shufflevector <8 x double> %41, <8 x double> poison, <8 x i32> zeroinitializer
+  %43 = getelementptr i8, ptr %12, i64 %38
+  %44 = load i64, ptr %43, align 8
+  %45 = getelementptr double, ptr %37, i64 %44
+  %46 = getelementptr double, ptr %45, i64 %23
+  %47 = load <8 x double>, ptr %46, align 8
+  %48 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %47, <8 x double> %30)
+  %49 = getelementptr i8, ptr %46, i64 64
+  %50 = load <8 x double>, ptr %49, align 8
+  %51 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %50, <8 x double> %31)
+  %52 = getelementptr i8, ptr %46, i64 128
+  %53 = load <8 x double>, ptr %52, align 8
+  %54 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %53, <8 x double> %32)
+  %55 = getelementptr i8, ptr %46, i64 192
+  %56 = load <8 x double>, ptr %55, align 8
+  %57 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %56, <8 x double> %33)
+  %58 = add nuw nsw i64 %34, 1
+  br label %29
+
+59:                                               ; preds = %29
+  %60 = inttoptr i64 %1 to ptr
+  %61 = getelementptr double, ptr %60, i64 %23
+  %62 = load <8 x double>, ptr %61, align 8
+  %63 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %30, <8 x double> %62)
+  %64 = getelementptr double, ptr %60, i64 %24
+  %65 = load <8 x double>, ptr %64, align 8
+  %66 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %31, <8 x double> %65)
+  %67 = getelementptr double, ptr %60, i64 %25
+  %68 = load <8 x double>, ptr %67, align 8
+  %69 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %32, <8 x double> %68)
+  %70 = getelementptr double, ptr %60, i64 %26
   %71 = load <8 x double>, ptr %70, align 8
-  %72 = call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %27, <8 x double> %71)
-  %73 = getelementptr double, ptr %60, i64 %20
-  store <8 x double> %72, ptr %73, align 8
-  %74 = add nuw nsw i64 %14, 1
-  br label %13
+  %72 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %33, <8 x double> %71)
+  br label %73
 
-75:                                               ; preds = %102, %21
-  %76 = phi i64 [ 0, %21 ], [ %109, %102 ]
-  %77 = icmp samesign ult i64 %76, %22
-  br i1 %77, label %78, label %81
+73:                                               ; preds = %80, %59
+  %74 = phi <8 x double> [ %63, %59 ], [ %93, %80 ]
+  %75 = phi <8 x double> [ %66, %59 ], [ %96, %80 ]
+  %76 = phi <8 x double> [ %69, %59 ], [ %99, %80 ]
+  %77 = phi <8 x double> [ %72, %59 ], [ %102, %80 ]
+  %78 = phi i64 [ 0, %59 ], [ %103, %80 ]
+  %79 = icmp slt i64 %78, %7
+  br i1 %79, label %80, label %104
 
-78:                                               ; preds = %75
-  %79 = add nuw i64 %12, %76
-  %80 = shl i64 %79, 3
-  br label %82
+80:                                               ; preds = %73
+  %81 = inttoptr i64 %3 to ptr
+  %82 = shl i64 %78, 3
+  %83 = getelementptr i8, ptr %18, i64 %82
+  %84 = load double, ptr %83, align 8
+  %85 = insertelement <8 x double> poison, double %84, i64 0
+  %86 = shufflevector <8 x double> %85, <8 x double> poison, <8 x i32> zeroinitializer
+  %87 = fmul <8 x double> %11, %86
+  %88 = getelementptr i8, ptr %17, i64 %82
+  %89 = load i64, ptr %88, align 8
+  %90 = getelementptr double, ptr %81, i64 %89
+  %91 = getelementptr double, ptr %90, i64 %23
+  %92 = load <8 x double>, ptr %91, align 8
+  %93 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %92, <8 x double> %74)
+  %94 = getelementptr i8, ptr %91, i64 64
+  %95 = load <8 x double>, ptr %94, align 8
+  %96 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %95, <8 x double> %75)
+  %97 = getelementptr i8, ptr %91, i64 128
+  %98 = load <8 x double>, ptr %97, align 8
+  %99 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %98, <8 x double> %76)
+  %100 = getelementptr i8, ptr %91, i64 192
+  %101 = load <8 x double>, ptr %100, align 8
+  %102 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %101, <8 x double> %77)
+  %103 = add nuw nsw i64 %78, 1
+  br label %73
 
-81:                                               ; preds = %75
+104:                                              ; preds = %73
+  %105 = inttoptr i64 %0 to ptr
+  %106 = getelementptr double, ptr %105, i64 %23
+  store <8 x double> %74, ptr %106, align 8
+  %107 = getelementptr double, ptr %105, i64 %24
+  store <8 x double> %75, ptr %107, align 8
+  %108 = getelementptr double, ptr %105, i64 %25
+  store <8 x double> %76, ptr %108, align 8
+  %109 = getelementptr double, ptr %105, i64 %26
+  store <8 x double> %77, ptr %109, align 8
+  %110 = add nuw nsw i64 %20, 1
+  br label %19
+
+111:                                              ; preds = %160, %27
+  %112 = phi i64 [ 0, %27 ], [ %163, %160 ]
+  %113 = icmp samesign ult i64 %112, %28
+  br i1 %113, label %114, label %117
+
+114:                                              ; preds = %111
+  %115 = add nuw i64 %15, %112
+  %116 = shl i64 %115, 3
+  br label %118
+
+117:                                              ; preds = %111
   ret void
 
-82:                                               ; preds = %86, %78
-  %83 = phi <8 x double> [ zeroinitializer, %78 ], [ %100, %86 ]
-  %84 = phi i64 [ 0, %78 ], [ %101, %86 ]
-  %85 = icmp slt i64 %84, %6
-  br i1 %85, label %86, label %102
+118:                                              ; preds = %122, %114
+  %119 = phi <8 x double> [ zeroinitializer, %114 ], [ %134, %122 ]
+  %120 = phi i64 [ 0, %114 ], [ %135, %122 ]
+  %121 = icmp slt i64 %120, %6
+  br i1 %121, label %122, label %136
 
-86:                                               ; preds = %82
-  %87 = inttoptr i64 %3 to ptr
-  %88 = inttoptr i64 %5 to ptr
-  %89 = inttoptr i64 %4 to ptr
-  %90 = shl i64 %84, 3
-  %91 = getelementptr i8, ptr %88, i64 %90
-  %92 = load double, ptr %91, align 8
-  %93 = insertelement <8 x double> poison, double %92, i64 0
-  %94 = shufflevector <8 x double> %93, <8 x double> poison, <8 x i32> zeroinitializer
-  %95 = getelementptr i8, ptr %89, i64 %90
-  %96 = load i64, ptr %95, align 8
-  %97 = getelementptr double, ptr %87, i64 %96
-  %98 = getelementptr double, ptr %97, i64 %80
-  %99 = load <8 x double>, ptr %98, align 8
-  %100 = call <8 x double> @llvm.fma.v8f64(<8 x double> %94, <8 x double> %99, <8 x double> %83)
-  %101 = add nuw nsw i64 %84, 1
-  br label %82
+122:                                              ; preds = %118
+  %123 = inttoptr i64 %3 to ptr
+  %124 = shl i64 %120, 3
+  %125 = getelementptr i8, ptr %13, i64 %124
+  %126 = load double, ptr %125, align 8
+  %127 = insertelement <8 x double> poison, double %126, i64 0
+  %128 = shufflevector <8 x double> %127, <8 x double> poison, <8 x i32> zeroinitializer
+  %129 = getelementptr i8, ptr %12, i64 %124
+  %130 = load i64, ptr %129, align 8
+  %131 = getelementptr double, ptr %123, i64 %130
+  %132 = getelementptr double, ptr %131, i64 %116
+  %133 = load <8 x double>, ptr %132, align 8
+  %134 = call <8 x double> @llvm.fma.v8f64(<8 x double> %128, <8 x double> %133, <8 x double> %119)
+  %135 = add nuw nsw i64 %120, 1
+  br label %118
 
-102:                                              ; preds = %82
-  %103 = inttoptr i64 %1 to ptr
-  %104 = getelementptr double, ptr %103, i64 %80
-  %105 = load <8 x double>, ptr %104, align 8
-  %106 = call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %83, <8 x double> %105)
-  %107 = inttoptr i64 %0 to ptr
-  %108 = getelementptr double, ptr %107, i64 %80
-  store <8 x double> %106, ptr %108, align 8
-  %109 = add nuw nsw i64 %76, 1
-  br label %75
+136:                                              ; preds = %118
+  %137 = inttoptr i64 %1 to ptr
+  %138 = getelementptr double, ptr %137, i64 %116
+  %139 = load <8 x double>, ptr %138, align 8
+  %140 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %119, <8 x double> %139)
+  br label %141
+
+141:                                              ; preds = %145, %136
+  %142 = phi <8 x double> [ %140, %136 ], [ %158, %145 ]
+  %143 = phi i64 [ 0, %136 ], [ %159, %145 ]
+  %144 = icmp slt i64 %143, %7
+  br i1 %144, label %145, label %160
+
+145:                                              ; preds = %141
+  %146 = inttoptr i64 %3 to ptr
+  %147 = shl i64 %143, 3
+  %148 = getelementptr i8, ptr %18, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = insertelement <8 x double> poison, double %149, i64 0
+  %151 = shufflevector <8 x double> %150, <8 x double> poison, <8 x i32> zeroinitializer
+  %152 = fmul <8 x double> %11, %151
+  %153 = getelementptr i8, ptr %17, i64 %147
+  %154 = load i64, ptr %153, align 8
+  %155 = getelementptr double, ptr %146, i64 %154
+  %156 = getelementptr double, ptr %155, i64 %116
+  %157 = load <8 x double>, ptr %156, align 8
+  %158 = call <8 x double> @llvm.fma.v8f64(<8 x double> %152, <8 x double> %157, <8 x double> %142)
+  %159 = add nuw nsw i64 %143, 1
+  br label %141
+
+160:                                              ; preds = %141
+  %161 = inttoptr i64 %0 to ptr
+  %162 = getelementptr double, ptr %161, i64 %116
+  store <8 x double> %142, ptr %162, align 8
+  %163 = add nuw nsw i64 %112, 1
+  br label %111
 }
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #1 {
@@ -485,1114 +605,1147 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
   %7 = alloca ptr, align 8
   %8 = alloca ptr, align 8
   %9 = alloca ptr, align 8
-  %10 = alloca ptr, align 8
+  %10 = alloca <8 x double>, align 64
   %11 = alloca ptr, align 8
   %12 = alloca ptr, align 8
-  %13 = alloca ptr, align 8
-  %14 = inttoptr i64 %0 to ptr
-  %15 = load i64, ptr %14, align 8, !noalias !5
-  %16 = inttoptr i64 %15 to ptr
-  %17 = getelementptr i8, ptr %14, i64 24
-  %18 = load i64, ptr %17, align 8, !noalias !5
-  %19 = getelementptr i8, ptr %14, i64 32
-  %20 = load i64, ptr %19, align 8, !noalias !5
-  %21 = inttoptr i64 %18 to ptr
-  %22 = getelementptr i8, ptr %14, i64 48
-  %23 = load i64, ptr %22, align 8, !noalias !5
-  %24 = getelementptr i8, ptr %14, i64 72
-  %25 = load i64, ptr %24, align 8, !noalias !5
-  %26 = getelementptr i8, ptr %14, i64 96
-  %27 = load i64, ptr %26, align 8, !noalias !5
-  %28 = getelementptr i8, ptr %14, i64 104
-  %29 = load i64, ptr %28, align 8, !noalias !5
-  %30 = inttoptr i64 %27 to ptr
-  %31 = getelementptr i8, ptr %14, i64 120
-  %32 = load i64, ptr %31, align 8, !noalias !5
-  %33 = inttoptr i64 %32 to ptr
-  %34 = getelementptr i8, ptr %14, i64 144
-  %35 = load i64, ptr %34, align 8, !noalias !5
+  %13 = alloca <8 x double>, align 64
+  %14 = alloca <8 x double>, align 64
+  %15 = alloca ptr, align 8
+  %16 = alloca ptr, align 8
+  %17 = inttoptr i64 %0 to ptr
+  %18 = load i64, ptr %17, align 8, !noalias !12
+  %19 = inttoptr i64 %18 to ptr
+  %20 = getelementptr i8, ptr %17, i64 24
+  %21 = load i64, ptr %20, align 8, !noalias !12
+  %22 = getelementptr i8, ptr %17, i64 32
+  %23 = load i64, ptr %22, align 8, !noalias !12
+  %24 = inttoptr i64 %21 to ptr
+  %25 = getelementptr i8, ptr %17, i64 48
+  %26 = load i64, ptr %25, align 8, !noalias !12
+  %27 = getelementptr i8, ptr %17, i64 72
+  %28 = load i64, ptr %27, align 8, !noalias !12
+  %29 = getelementptr i8, ptr %17, i64 96
+  %30 = load i64, ptr %29, align 8, !noalias !12
+  %31 = getelementptr i8, ptr %17, i64 104
+  %32 = load i64, ptr %31, align 8, !noalias !12
+  %33 = inttoptr i64 %30 to ptr
+  %34 = getelementptr i8, ptr %17, i64 120
+  %35 = load i64, ptr %34, align 8, !noalias !12
   %36 = inttoptr i64 %35 to ptr
-  %37 = getelementptr i8, ptr %14, i64 168
-  %38 = load i64, ptr %37, align 8, !noalias !5
-  %39 = getelementptr i8, ptr %14, i64 176
-  %40 = load i64, ptr %39, align 8, !noalias !5
-  %41 = inttoptr i64 %38 to ptr
-  %42 = getelementptr i8, ptr %14, i64 192
-  %43 = load i64, ptr %42, align 8, !noalias !5
-  %44 = getelementptr i8, ptr %14, i64 200
-  %45 = load i64, ptr %44, align 8, !noalias !5
-  %46 = inttoptr i64 %43 to ptr
-  %47 = getelementptr i8, ptr %14, i64 216
-  %48 = load i64, ptr %47, align 8, !noalias !5
-  %49 = getelementptr i8, ptr %14, i64 224
-  %50 = load i64, ptr %49, align 8, !noalias !5
-  %51 = inttoptr i64 %48 to ptr
-  %52 = getelementptr i8, ptr %14, i64 240
-  %53 = load i64, ptr %52, align 8, !noalias !5
-  %54 = inttoptr i64 %53 to ptr
-  %55 = getelementptr i8, ptr %14, i64 264
-  %56 = load i64, ptr %55, align 8, !noalias !5
-  %57 = getelementptr i8, ptr %14, i64 272
-  %58 = load i64, ptr %57, align 8, !noalias !5
-  %59 = getelementptr i8, ptr %14, i64 280
-  %60 = load i64, ptr %59, align 8, !noalias !5
-  %61 = inttoptr i64 %56 to ptr
-  %62 = getelementptr i8, ptr %14, i64 288
-  %63 = load i64, ptr %62, align 8, !noalias !5
-  %64 = getelementptr i8, ptr %14, i64 296
-  %65 = load i64, ptr %64, align 8, !noalias !5
-  %66 = getelementptr i8, ptr %14, i64 304
-  %67 = load i64, ptr %66, align 8, !noalias !5
-  %68 = inttoptr i64 %63 to ptr
-  %69 = getelementptr i8, ptr %14, i64 312
-  %70 = load i64, ptr %69, align 8, !noalias !5
-  %71 = getelementptr i8, ptr %14, i64 320
-  %72 = load i64, ptr %71, align 8, !noalias !5
-  %73 = inttoptr i64 %70 to ptr
-  %74 = getelementptr i8, ptr %14, i64 336
-  %75 = load i64, ptr %74, align 8, !noalias !5
-  %76 = getelementptr i8, ptr %14, i64 344
-  %77 = load i64, ptr %76, align 8, !noalias !5
-  %78 = getelementptr i8, ptr %14, i64 352
-  %79 = load i64, ptr %78, align 8, !noalias !5
-  %80 = inttoptr i64 %75 to ptr
-  %81 = getelementptr i8, ptr %14, i64 360
-  %82 = load i64, ptr %81, align 8, !noalias !5
-  %83 = getelementptr i8, ptr %14, i64 368
-  %84 = load i64, ptr %83, align 8, !noalias !5
-  %85 = inttoptr i64 %82 to ptr
-  %86 = getelementptr i8, ptr %14, i64 384
-  %87 = load i64, ptr %86, align 8, !noalias !5
-  %88 = getelementptr i8, ptr %14, i64 392
-  %89 = load i64, ptr %88, align 8, !noalias !5
-  %90 = inttoptr i64 %87 to ptr
-  %91 = getelementptr i8, ptr %14, i64 408
-  %92 = load i64, ptr %91, align 8, !noalias !5
-  %93 = getelementptr i8, ptr %14, i64 416
-  %94 = load i64, ptr %93, align 8, !noalias !5
-  %95 = inttoptr i64 %92 to ptr
-  %96 = getelementptr i8, ptr %14, i64 432
-  %97 = load i64, ptr %96, align 8, !noalias !5
-  %98 = inttoptr i64 %97 to ptr
-  %99 = getelementptr i8, ptr %14, i64 456
-  %100 = load i64, ptr %99, align 8, !noalias !5
+  %37 = getelementptr i8, ptr %17, i64 144
+  %38 = load i64, ptr %37, align 8, !noalias !12
+  %39 = inttoptr i64 %38 to ptr
+  %40 = getelementptr i8, ptr %17, i64 168
+  %41 = load i64, ptr %40, align 8, !noalias !12
+  %42 = getelementptr i8, ptr %17, i64 176
+  %43 = load i64, ptr %42, align 8, !noalias !12
+  %44 = inttoptr i64 %41 to ptr
+  %45 = getelementptr i8, ptr %17, i64 192
+  %46 = load i64, ptr %45, align 8, !noalias !12
+  %47 = getelementptr i8, ptr %17, i64 200
+  %48 = load i64, ptr %47, align 8, !noalias !12
+  %49 = inttoptr i64 %46 to ptr
+  %50 = getelementptr i8, ptr %17, i64 216
+  %51 = load i64, ptr %50, align 8, !noalias !12
+  %52 = getelementptr i8, ptr %17, i64 224
+  %53 = load i64, ptr %52, align 8, !noalias !12
+  %54 = inttoptr i64 %51 to ptr
+  %55 = getelementptr i8, ptr %17, i64 240
+  %56 = load i64, ptr %55, align 8, !noalias !12
+  %57 = inttoptr i64 %56 to ptr
+  %58 = getelementptr i8, ptr %17, i64 264
+  %59 = load i64, ptr %58, align 8, !noalias !12
+  %60 = getelementptr i8, ptr %17, i64 272
+  %61 = load i64, ptr %60, align 8, !noalias !12
+  %62 = getelementptr i8, ptr %17, i64 280
+  %63 = load i64, ptr %62, align 8, !noalias !12
+  %64 = inttoptr i64 %59 to ptr
+  %65 = getelementptr i8, ptr %17, i64 288
+  %66 = load i64, ptr %65, align 8, !noalias !12
+  %67 = getelementptr i8, ptr %17, i64 296
+  %68 = load i64, ptr %67, align 8, !noalias !12
+  %69 = getelementptr i8, ptr %17, i64 304
+  %70 = load i64, ptr %69, align 8, !noalias !12
+  %71 = inttoptr i64 %66 to ptr
+  %72 = getelementptr i8, ptr %17, i64 312
+  %73 = load i64, ptr %72, align 8, !noalias !12
+  %74 = getelementptr i8, ptr %17, i64 320
+  %75 = load i64, ptr %74, align 8, !noalias !12
+  %76 = inttoptr i64 %73 to ptr
+  %77 = getelementptr i8, ptr %17, i64 336
+  %78 = load i64, ptr %77, align 8, !noalias !12
+  %79 = getelementptr i8, ptr %17, i64 344
+  %80 = load i64, ptr %79, align 8, !noalias !12
+  %81 = getelementptr i8, ptr %17, i64 352
+  %82 = load i64, ptr %81, align 8, !noalias !12
+  %83 = inttoptr i64 %78 to ptr
+  %84 = getelementptr i8, ptr %17, i64 360
+  %85 = load i64, ptr %84, align 8, !noalias !12
+  %86 = getelementptr i8, ptr %17, i64 368
+  %87 = load i64, ptr %86, align 8, !noalias !12
+  %88 = inttoptr i64 %85 to ptr
+  %89 = getelementptr i8, ptr %17, i64 384
+  %90 = load i64, ptr %89, align 8, !noalias !12
+  %91 = getelementptr i8, ptr %17, i64 392
+  %92 = load i64, ptr %91, align 8, !noalias !12
+  %93 = inttoptr i64 %90 to ptr
+  %94 = getelementptr i8, ptr %17, i64 408
+  %95 = load i64, ptr %94, align 8, !noalias !12
+  %96 = getelementptr i8, ptr %17, i64 416
+  %97 = load i64, ptr %96, align 8, !noalias !12
+  %98 = inttoptr i64 %95 to ptr
+  %99 = getelementptr i8, ptr %17, i64 432
+  %100 = load i64, ptr %99, align 8, !noalias !12
   %101 = inttoptr i64 %100 to ptr
-  %102 = getelementptr i8, ptr %14, i64 480
-  %103 = load i64, ptr %102, align 8, !noalias !5
+  %102 = getelementptr i8, ptr %17, i64 456
+  %103 = load i64, ptr %102, align 8, !noalias !12
   %104 = inttoptr i64 %103 to ptr
-  %105 = getelementptr i8, ptr %14, i64 504
-  %106 = load i64, ptr %105, align 8, !noalias !5
-  %107 = inttoptr i64 %106 to ptr
-  %108 = getelementptr i8, ptr %14, i64 528
-  %109 = load i64, ptr %108, align 8, !noalias !5
-  %110 = getelementptr i8, ptr %14, i64 536
-  %111 = load i64, ptr %110, align 8, !noalias !5
-  %112 = inttoptr i64 %109 to ptr
-  %113 = getelementptr i8, ptr %14, i64 552
-  %114 = load i64, ptr %113, align 8, !noalias !5
-  %115 = inttoptr i64 %114 to ptr
-  %116 = getelementptr i8, ptr %14, i64 576
-  %117 = load i64, ptr %116, align 8, !noalias !5
-  %118 = getelementptr i8, ptr %14, i64 584
-  %119 = load i64, ptr %118, align 8, !noalias !5
-  %120 = inttoptr i64 %117 to ptr
-  %121 = getelementptr i8, ptr %14, i64 600
-  %122 = load i64, ptr %121, align 8, !noalias !5
-  %123 = getelementptr i8, ptr %14, i64 608
-  %124 = load i64, ptr %123, align 8, !noalias !5
-  %125 = inttoptr i64 %122 to ptr
-  %126 = getelementptr i8, ptr %14, i64 624
-  %127 = load i64, ptr %126, align 8, !noalias !5
-  %128 = getelementptr i8, ptr %14, i64 632
-  %129 = load i64, ptr %128, align 8, !noalias !5
-  %130 = inttoptr i64 %127 to ptr
-  %131 = getelementptr i8, ptr %14, i64 648
-  %132 = load i64, ptr %131, align 8, !noalias !5
-  %133 = getelementptr i8, ptr %14, i64 656
-  %134 = load i64, ptr %133, align 8, !noalias !5
-  %135 = inttoptr i64 %132 to ptr
-  %136 = getelementptr i8, ptr %14, i64 672
-  %137 = load i64, ptr %136, align 8, !noalias !5
-  %138 = inttoptr i64 %137 to ptr
-  %139 = getelementptr i8, ptr %14, i64 696
-  %140 = load i64, ptr %139, align 8, !noalias !5
-  %141 = inttoptr i64 %140 to ptr
-  %142 = getelementptr i8, ptr %14, i64 720
-  %143 = load i64, ptr %142, align 8, !noalias !5
-  %144 = getelementptr i8, ptr %14, i64 728
-  %145 = load i64, ptr %144, align 8, !noalias !5
-  %146 = inttoptr i64 %143 to ptr
-  %147 = getelementptr i8, ptr %14, i64 744
-  %148 = load i64, ptr %147, align 8, !noalias !5
-  %149 = getelementptr i8, ptr %14, i64 752
-  %150 = load i64, ptr %149, align 8, !noalias !5
-  %151 = inttoptr i64 %148 to ptr
-  %152 = getelementptr i8, ptr %14, i64 768
-  %153 = load i64, ptr %152, align 8, !noalias !5
-  %154 = getelementptr i8, ptr %14, i64 776
-  %155 = load i64, ptr %154, align 8, !noalias !5
-  %156 = inttoptr i64 %153 to ptr
-  %157 = getelementptr i8, ptr %14, i64 792
-  %158 = load i64, ptr %157, align 8, !noalias !5
-  %159 = getelementptr i8, ptr %14, i64 800
-  %160 = load i64, ptr %159, align 8, !noalias !5
-  %161 = inttoptr i64 %158 to ptr
-  %162 = getelementptr i8, ptr %14, i64 816
-  %163 = load i64, ptr %162, align 8, !noalias !5
-  %164 = getelementptr i8, ptr %14, i64 824
-  %165 = load i64, ptr %164, align 8, !noalias !5
-  %166 = inttoptr i64 %163 to ptr
-  %167 = getelementptr i8, ptr %14, i64 840
-  %168 = load i64, ptr %167, align 8, !noalias !5
-  %169 = getelementptr i8, ptr %14, i64 848
-  %170 = load i64, ptr %169, align 8, !noalias !5
-  %171 = inttoptr i64 %168 to ptr
-  %172 = getelementptr i8, ptr %14, i64 864
-  %173 = load i64, ptr %172, align 8, !noalias !5
-  %174 = getelementptr i8, ptr %14, i64 872
-  %175 = load i64, ptr %174, align 8, !noalias !5
-  %176 = inttoptr i64 %173 to ptr
-  %177 = getelementptr i8, ptr %14, i64 888
-  %178 = load i64, ptr %177, align 8, !noalias !5
-  %179 = getelementptr i8, ptr %14, i64 896
-  %180 = load i64, ptr %179, align 8, !noalias !5
-  %181 = inttoptr i64 %178 to ptr
-  %182 = getelementptr i8, ptr %14, i64 912
-  %183 = load i64, ptr %182, align 8, !noalias !5
-  %184 = inttoptr i64 %183 to ptr
-  %185 = getelementptr i8, ptr %14, i64 936
-  %186 = load i64, ptr %185, align 8, !noalias !5
-  %187 = inttoptr i64 %186 to ptr
-  %188 = getelementptr i8, ptr %14, i64 960
-  %189 = load i64, ptr %188, align 8, !noalias !5
-  %190 = getelementptr i8, ptr %14, i64 968
-  %191 = load i64, ptr %190, align 8, !noalias !5
-  %192 = inttoptr i64 %189 to ptr
-  %193 = getelementptr i8, ptr %14, i64 984
-  %194 = load i64, ptr %193, align 8, !noalias !5
-  %195 = getelementptr i8, ptr %14, i64 992
-  %196 = load i64, ptr %195, align 8, !noalias !5
-  %197 = getelementptr i8, ptr %14, i64 1000
-  %198 = load i64, ptr %197, align 8, !noalias !5
-  %199 = inttoptr i64 %194 to ptr
-  %200 = getelementptr i8, ptr %14, i64 1008
-  %201 = load i64, ptr %200, align 8, !noalias !5
-  %202 = getelementptr i8, ptr %14, i64 1016
-  %203 = load i64, ptr %202, align 8, !noalias !5
-  %204 = getelementptr i8, ptr %14, i64 1024
-  %205 = load i64, ptr %204, align 8, !noalias !5
-  %206 = inttoptr i64 %201 to ptr
-  %207 = getelementptr i8, ptr %14, i64 1032
-  %208 = load i64, ptr %207, align 8, !noalias !5
-  %209 = getelementptr i8, ptr %14, i64 1040
-  %210 = load i64, ptr %209, align 8, !noalias !5
-  %211 = getelementptr i8, ptr %14, i64 1048
-  %212 = load i64, ptr %211, align 8, !noalias !5
-  %213 = inttoptr i64 %208 to ptr
-  %214 = getelementptr i8, ptr %14, i64 1056
-  %215 = load i64, ptr %214, align 8, !noalias !5
-  %216 = getelementptr i8, ptr %14, i64 1064
-  %217 = load i64, ptr %216, align 8, !noalias !5
-  %218 = getelementptr i8, ptr %14, i64 1072
-  %219 = load i64, ptr %218, align 8, !noalias !5
-  %220 = inttoptr i64 %215 to ptr
-  %221 = getelementptr i8, ptr %14, i64 1080
-  %222 = load i64, ptr %221, align 8, !noalias !5
-  %223 = getelementptr i8, ptr %14, i64 1088
-  %224 = load i64, ptr %223, align 8, !noalias !5
-  %225 = inttoptr i64 %222 to ptr
-  %226 = getelementptr i8, ptr %36, i64 16
-  %227 = load i64, ptr %226, align 8, !noalias !5
-  %228 = icmp slt i64 %191, 2
-  %229 = select i1 %228, i64 %191, i64 0
-  %230 = getelementptr double, ptr %192, i64 %191
-  %231 = getelementptr i8, ptr %230, i64 -16
-  %232 = getelementptr double, ptr %231, i64 %229
-  %233 = load double, ptr %232, align 8, !noalias !5
-  %234 = load double, ptr %187, align 8, !noalias !5
-  %235 = load i64, ptr %16, align 8, !noalias !5
-  %236 = mul nsw i64 %235, %84
-  %237 = shl i64 %236, 3
-  %238 = add i64 %109, %237
-  %239 = mul nsw i64 %235, %227
-  %240 = getelementptr i8, ptr %16, i64 8
-  %241 = load i64, ptr %240, align 8, !noalias !5
-  %242 = icmp sgt i64 %241, 0
-  %243 = getelementptr i8, ptr %16, i64 32
-  %244 = load i64, ptr %243, align 8, !noalias !5
-  %245 = icmp ne i64 %244, 1
-  %246 = add nsw i64 %235, -1
-  %247 = add nsw i64 %246, %244
-  %248 = sitofp i64 %247 to double
-  %249 = sub nsw i64 1, %244
-  %250 = sitofp i64 %249 to double
-  %251 = getelementptr i8, ptr %184, i64 16
-  %252 = load i64, ptr %251, align 8, !noalias !5
-  %253 = sitofp i64 %252 to double
-  br label %254
+  %105 = getelementptr i8, ptr %17, i64 480
+  %106 = load i64, ptr %105, align 8, !noalias !12
+  %107 = getelementptr i8, ptr %17, i64 504
+  %108 = load i64, ptr %107, align 8, !noalias !12
+  %109 = getelementptr i8, ptr %17, i64 512
+  %110 = load i64, ptr %109, align 8, !noalias !12
+  %111 = inttoptr i64 %108 to ptr
+  %112 = getelementptr i8, ptr %17, i64 528
+  %113 = load i64, ptr %112, align 8, !noalias !12
+  %114 = getelementptr i8, ptr %17, i64 536
+  %115 = load i64, ptr %114, align 8, !noalias !12
+  %116 = inttoptr i64 %113 to ptr
+  %117 = getelementptr i8, ptr %17, i64 552
+  %118 = load i64, ptr %117, align 8, !noalias !12
+  %119 = getelementptr i8, ptr %17, i64 560
+  %120 = load i64, ptr %119, align 8, !noalias !12
+  %121 = inttoptr i64 %118 to ptr
+  %122 = getelementptr i8, ptr %17, i64 576
+  %123 = load i64, ptr %122, align 8, !noalias !12
+  %124 = getelementptr i8, ptr %17, i64 584
+  %125 = load i64, ptr %124, align 8, !noalias !12
+  %126 = inttoptr i64 %123 to ptr
+  %127 = getelementptr i8, ptr %17, i64 600
+  %128 = load i64, ptr %127, align 8, !noalias !12
+  %129 = getelementptr i8, ptr %17, i64 608
+  %130 = load i64, ptr %129, align 8, !noalias !12
+  %131 = inttoptr i64 %128 to ptr
+  %132 = getelementptr i8, ptr %17, i64 624
+  %133 = load i64, ptr %132, align 8, !noalias !12
+  %134 = getelementptr i8, ptr %17, i64 632
+  %135 = load i64, ptr %134, align 8, !noalias !12
+  %136 = inttoptr i64 %133 to ptr
+  %137 = getelementptr i8, ptr %17, i64 648
+  %138 = load i64, ptr %137, align 8, !noalias !12
+  %139 = getelementptr i8, ptr %17, i64 656
+  %140 = load i64, ptr %139, align 8, !noalias !12
+  %141 = inttoptr i64 %138 to ptr
+  %142 = getelementptr i8, ptr %17, i64 672
+  %143 = load i64, ptr %142, align 8, !noalias !12
+  %144 = inttoptr i64 %143 to ptr
+  %145 = getelementptr i8, ptr %17, i64 696
+  %146 = load i64, ptr %145, align 8, !noalias !12
+  %147 = inttoptr i64 %146 to ptr
+  %148 = getelementptr i8, ptr %17, i64 720
+  %149 = load i64, ptr %148, align 8, !noalias !12
+  %150 = getelementptr i8, ptr %17, i64 728
+  %151 = load i64, ptr %150, align 8, !noalias !12
+  %152 = inttoptr i64 %149 to ptr
+  %153 = getelementptr i8, ptr %17, i64 744
+  %154 = load i64, ptr %153, align 8, !noalias !12
+  %155 = getelementptr i8, ptr %17, i64 752
+  %156 = load i64, ptr %155, align 8, !noalias !12
+  %157 = inttoptr i64 %154 to ptr
+  %158 = getelementptr i8, ptr %17, i64 768
+  %159 = load i64, ptr %158, align 8, !noalias !12
+  %160 = getelementptr i8, ptr %17, i64 776
+  %161 = load i64, ptr %160, align 8, !noalias !12
+  %162 = inttoptr i64 %159 to ptr
+  %163 = getelementptr i8, ptr %17, i64 792
+  %164 = load i64, ptr %163, align 8, !noalias !12
+  %165 = getelementptr i8, ptr %17, i64 800
+  %166 = load i64, ptr %165, align 8, !noalias !12
+  %167 = inttoptr i64 %164 to ptr
+  %168 = getelementptr i8, ptr %17, i64 816
+  %169 = load i64, ptr %168, align 8, !noalias !12
+  %170 = getelementptr i8, ptr %17, i64 824
+  %171 = load i64, ptr %170, align 8, !noalias !12
+  %172 = inttoptr i64 %169 to ptr
+  %173 = getelementptr i8, ptr %17, i64 840
+  %174 = load i64, ptr %173, align 8, !noalias !12
+  %175 = getelementptr i8, ptr %17, i64 848
+  %176 = load i64, ptr %175, align 8, !noalias !12
+  %177 = inttoptr i64 %174 to ptr
+  %178 = getelementptr i8, ptr %17, i64 864
+  %179 = load i64, ptr %178, align 8, !noalias !12
+  %180 = getelementptr i8, ptr %17, i64 872
+  %181 = load i64, ptr %180, align 8, !noalias !12
+  %182 = inttoptr i64 %179 to ptr
+  %183 = getelementptr i8, ptr %17, i64 888
+  %184 = load i64, ptr %183, align 8, !noalias !12
+  %185 = getelementptr i8, ptr %17, i64 896
+  %186 = load i64, ptr %185, align 8, !noalias !12
+  %187 = inttoptr i64 %184 to ptr
+  %188 = getelementptr i8, ptr %17, i64 912
+  %189 = load i64, ptr %188, align 8, !noalias !12
+  %190 = inttoptr i64 %189 to ptr
+  %191 = getelementptr i8, ptr %17, i64 936
+  %192 = load i64, ptr %191, align 8, !noalias !12
+  %193 = inttoptr i64 %192 to ptr
+  %194 = getelementptr i8, ptr %17, i64 960
+  %195 = load i64, ptr %194, align 8, !noalias !12
+  %196 = getelementptr i8, ptr %17, i64 968
+  %197 = load i64, ptr %196, align 8, !noalias !12
+  %198 = inttoptr i64 %195 to ptr
+  %199 = getelementptr i8, ptr %17, i64 984
+  %200 = load i64, ptr %199, align 8, !noalias !12
+  %201 = getelementptr i8, ptr %17, i64 992
+  %202 = load i64, ptr %201, align 8, !noalias !12
+  %203 = getelementptr i8, ptr %17, i64 1000
+  %204 = load i64, ptr %203, align 8, !noalias !12
+  %205 = inttoptr i64 %200 to ptr
+  %206 = getelementptr i8, ptr %17, i64 1008
+  %207 = load i64, ptr %206, align 8, !noalias !12
+  %208 = getelementptr i8, ptr %17, i64 1016
+  %209 = load i64, ptr %208, align 8, !noalias !12
+  %210 = getelementptr i8, ptr %17, i64 1024
+  %211 = load i64, ptr %210, align 8, !noalias !12
+  %212 = inttoptr i64 %207 to ptr
+  %213 = getelementptr i8, ptr %17, i64 1032
+  %214 = load i64, ptr %213, align 8, !noalias !12
+  %215 = getelementptr i8, ptr %17, i64 1040
+  %216 = load i64, ptr %215, align 8, !noalias !12
+  %217 = getelementptr i8, ptr %17, i64 1048
+  %218 = load i64, ptr %217, align 8, !noalias !12
+  %219 = inttoptr i64 %214 to ptr
+  %220 = getelementptr i8, ptr %17, i64 1056
+  %221 = load i64, ptr %220, align 8, !noalias !12
+  %222 = getelementptr i8, ptr %17, i64 1064
+  %223 = load i64, ptr %222, align 8, !noalias !12
+  %224 = getelementptr i8, ptr %17, i64 1072
+  %225 = load i64, ptr %224, align 8, !noalias !12
+  %226 = inttoptr i64 %221 to ptr
+  %227 = getelementptr i8, ptr %17, i64 1080
+  %228 = load i64, ptr %227, align 8, !noalias !12
+  %229 = getelementptr i8, ptr %17, i64 1088
+  %230 = load i64, ptr %229, align 8, !noalias !12
+  %231 = inttoptr i64 %228 to ptr
+  %232 = getelementptr i8, ptr %39, i64 8
+  %233 = load i64, ptr %232, align 8, !noalias !12
+  %234 = icmp slt i64 %197, 2
+  %235 = select i1 %234, i64 %197, i64 0
+  %236 = getelementptr double, ptr %198, i64 %197
+  %237 = getelementptr i8, ptr %236, i64 -16
+  %238 = getelementptr double, ptr %237, i64 %235
+  %239 = load double, ptr %238, align 8, !noalias !12
+  %240 = load double, ptr %193, align 8, !noalias !12
+  %241 = load i64, ptr %19, align 8, !noalias !12
+  %242 = mul nsw i64 %241, %87
+  %243 = shl i64 %242, 3
+  %244 = add i64 %113, %243
+  %245 = mul nsw i64 %241, %233
+  %246 = getelementptr i8, ptr %19, i64 8
+  %247 = load i64, ptr %246, align 8, !noalias !12
+  %248 = icmp sgt i64 %247, 0
+  %249 = getelementptr i8, ptr %19, i64 32
+  %250 = load i64, ptr %249, align 8, !noalias !12
+  %251 = icmp ne i64 %250, 1
+  %252 = add nsw i64 %241, -1
+  %253 = add nsw i64 %252, %250
+  %254 = sitofp i64 %253 to double
+  %255 = sub nsw i64 1, %250
+  %256 = sitofp i64 %255 to double
+  %257 = getelementptr i8, ptr %190, i64 16
+  %258 = load i64, ptr %257, align 8, !noalias !12
+  %259 = sitofp i64 %258 to double
+  br label %260
 
-254:                                              ; preds = %1, %2158
-  %255 = phi i64 [ 0, %1 ], [ %2160, %2158 ]
-  %256 = phi i64 [ 8, %1 ], [ %2159, %2158 ]
-  %257 = phi i64 [ 0, %1 ], [ %2169, %2158 ]
-  %258 = icmp sgt i64 %256, 0
-  br i1 %258, label %2158, label %259
+260:                                              ; preds = %1, %2127
+  %261 = phi i64 [ 0, %1 ], [ %2129, %2127 ]
+  %262 = phi i64 [ 8, %1 ], [ %2128, %2127 ]
+  %263 = phi i64 [ 0, %1 ], [ %2138, %2127 ]
+  %264 = icmp sgt i64 %262, 0
+  br i1 %264, label %2127, label %265
 
-259:                                              ; preds = %1141, %254
-  %260 = phi i64 [ %257, %254 ], [ %1087, %1141 ]
-  br label %261
+265:                                              ; preds = %1063, %260
+  %266 = phi i64 [ %263, %260 ], [ %1007, %1063 ]
+  br label %267
 
-261:                                              ; preds = %2156, %259
-  %262 = phi i64 [ %260, %259 ], [ %1771, %2156 ]
-  %263 = phi i1 [ true, %259 ], [ %2157, %2156 ]
-  br i1 %263, label %264, label %1086
+267:                                              ; preds = %2125, %265
+  %268 = phi i64 [ %266, %265 ], [ %1740, %2125 ]
+  %269 = phi i1 [ true, %265 ], [ %2126, %2125 ]
+  br i1 %269, label %270, label %1006
 
-264:                                              ; preds = %261, %1085
-  br label %265
+270:                                              ; preds = %267, %1005
+  br label %271
 
-265:                                              ; preds = %264, %300
-  %266 = phi i64 [ 0, %264 ], [ %343, %300 ]
-  %267 = phi i64 [ 8, %264 ], [ %342, %300 ]
-  %268 = phi i64 [ 0, %264 ], [ %301, %300 ]
-  %269 = phi i64 [ 0, %264 ], [ %306, %300 ]
-  %270 = phi i64 [ -1, %264 ], [ %307, %300 ]
-  %271 = icmp sgt i64 %267, 0
-  br i1 %271, label %341, label %308
+271:                                              ; preds = %270, %306
+  %272 = phi i64 [ 0, %270 ], [ %349, %306 ]
+  %273 = phi i64 [ 8, %270 ], [ %348, %306 ]
+  %274 = phi i64 [ 0, %270 ], [ %307, %306 ]
+  %275 = phi i64 [ 0, %270 ], [ %312, %306 ]
+  %276 = phi i64 [ -1, %270 ], [ %313, %306 ]
+  %277 = icmp sgt i64 %273, 0
+  br i1 %277, label %347, label %314
 
-272:                                              ; preds = %341
-  %273 = load i64, ptr %184, align 8, !noalias !9
-  %274 = icmp slt i64 %273, %196
-  br i1 %274, label %275, label %300
+278:                                              ; preds = %347
+  %279 = load i64, ptr %190, align 8, !noalias !16
+  %280 = icmp slt i64 %279, %202
+  br i1 %280, label %281, label %306
 
-275:                                              ; preds = %272
-  %276 = add nsw i64 %273, 1
-  store i64 %276, ptr %184, align 8, !noalias !9
-  store i64 %273, ptr %347, align 8, !noalias !9
-  %277 = shl i64 %266, 3
-  %278 = add i64 %82, %277
-  %279 = call i64 @llvm.smax.i64(i64 %198, i64 0)
-  br label %280
+281:                                              ; preds = %278
+  %282 = add nsw i64 %279, 1
+  store i64 %282, ptr %190, align 8, !noalias !16
+  store i64 %279, ptr %353, align 8, !noalias !16
+  %283 = shl i64 %272, 3
+  %284 = add i64 %85, %283
+  %285 = call i64 @llvm.smax.i64(i64 %204, i64 0)
+  br label %286
 
-280:                                              ; preds = %275, %284
-  %281 = phi i64 [ 0, %275 ], [ %286, %284 ]
-  %282 = phi i64 [ %279, %275 ], [ %285, %284 ]
-  %283 = icmp sgt i64 %282, 0
-  br i1 %283, label %284, label %350
+286:                                              ; preds = %281, %290
+  %287 = phi i64 [ 0, %281 ], [ %292, %290 ]
+  %288 = phi i64 [ %285, %281 ], [ %291, %290 ]
+  %289 = icmp sgt i64 %288, 0
+  br i1 %289, label %290, label %356
 
-284:                                              ; preds = %280
-  %285 = add nsw i64 %282, -1
-  %286 = add i64 %281, 1
-  %287 = shl nsw i64 %281, 6
-  %288 = add nsw i64 %278, %287
-  %289 = icmp slt i64 %273, 0
-  %290 = select i1 %289, i64 %196, i64 0
-  %291 = add i64 %273, %290
-  %292 = icmp slt i64 %281, 0
-  %293 = select i1 %292, i64 %198, i64 0
-  %294 = mul i64 %291, %198
-  %295 = getelementptr double, ptr %199, i64 %294
-  %296 = getelementptr double, ptr %295, i64 %281
-  %297 = getelementptr double, ptr %296, i64 %293
-  %298 = load i64, ptr %297, align 8, !noalias !13
-  %299 = inttoptr i64 %288 to ptr
-  store atomic i64 %298, ptr %299 unordered, align 8, !noalias !13
-  br label %280
+290:                                              ; preds = %286
+  %291 = add nsw i64 %288, -1
+  %292 = add i64 %287, 1
+  %293 = shl nsw i64 %287, 6
+  %294 = add nsw i64 %284, %293
+  %295 = icmp slt i64 %279, 0
+  %296 = select i1 %295, i64 %202, i64 0
+  %297 = add i64 %279, %296
+  %298 = icmp slt i64 %287, 0
+  %299 = select i1 %298, i64 %204, i64 0
+  %300 = mul i64 %297, %204
+  %301 = getelementptr double, ptr %205, i64 %300
+  %302 = getelementptr double, ptr %301, i64 %287
+  %303 = getelementptr double, ptr %302, i64 %299
+  %304 = load i64, ptr %303, align 8, !noalias !20
+  %305 = inttoptr i64 %294 to ptr
+  store atomic i64 %304, ptr %305 unordered, align 8, !noalias !20
+  br label %286
 
-300:                                              ; preds = %396, %272, %341
-  %301 = phi i64 [ %402, %396 ], [ %268, %272 ], [ %268, %341 ]
-  %302 = load i64, ptr %347, align 8, !noalias !9
-  %303 = icmp sgt i64 %302, -1
-  %304 = shl nuw i64 1, %266
-  %305 = select i1 %303, i64 %304, i64 0
-  %306 = or i64 %269, %305
-  %307 = select i1 %303, i64 %266, i64 %270
-  br label %265
+306:                                              ; preds = %402, %278, %347
+  %307 = phi i64 [ %408, %402 ], [ %274, %278 ], [ %274, %347 ]
+  %308 = load i64, ptr %353, align 8, !noalias !16
+  %309 = icmp sgt i64 %308, -1
+  %310 = shl nuw i64 1, %272
+  %311 = select i1 %309, i64 %310, i64 0
+  %312 = or i64 %275, %311
+  %313 = select i1 %309, i64 %272, i64 %276
+  br label %271
 
-308:                                              ; preds = %265
-  %309 = icmp sgt i64 %270, -1
-  br i1 %309, label %310, label %2170
+314:                                              ; preds = %271
+  %315 = icmp sgt i64 %276, -1
+  br i1 %315, label %316, label %2139
 
-310:                                              ; preds = %308, %336
-  %311 = phi i64 [ %405, %336 ], [ 0, %308 ]
-  %312 = phi i64 [ %404, %336 ], [ 8, %308 ]
-  %313 = icmp sgt i64 %312, 0
-  br i1 %313, label %403, label %337
+316:                                              ; preds = %314, %342
+  %317 = phi i64 [ %411, %342 ], [ 0, %314 ]
+  %318 = phi i64 [ %410, %342 ], [ 8, %314 ]
+  %319 = icmp sgt i64 %318, 0
+  br i1 %319, label %409, label %343
 
-314:                                              ; preds = %403
-  %315 = load i64, ptr %226, align 8, !noalias !9
-  %316 = shl i64 %311, 3
-  %317 = add i64 %82, %316
-  %318 = call i64 @llvm.smax.i64(i64 %315, i64 0)
-  br label %319
+320:                                              ; preds = %409
+  %321 = load i64, ptr %232, align 8, !noalias !16
+  %322 = shl i64 %317, 3
+  %323 = add i64 %85, %322
+  %324 = call i64 @llvm.smax.i64(i64 %321, i64 0)
+  br label %325
 
-319:                                              ; preds = %314, %323
-  %320 = phi i64 [ 0, %314 ], [ %325, %323 ]
-  %321 = phi i64 [ %318, %314 ], [ %324, %323 ]
-  %322 = icmp sgt i64 %321, 0
-  br i1 %322, label %323, label %412
+325:                                              ; preds = %320, %329
+  %326 = phi i64 [ 0, %320 ], [ %331, %329 ]
+  %327 = phi i64 [ %324, %320 ], [ %330, %329 ]
+  %328 = icmp sgt i64 %327, 0
+  br i1 %328, label %329, label %418
 
-323:                                              ; preds = %319
-  %324 = add nsw i64 %321, -1
-  %325 = add i64 %320, 1
-  %326 = shl nsw i64 %320, 6
-  %327 = add nsw i64 %317, %326
-  %328 = shl nsw i64 %320, 3
-  %329 = add nsw i64 %328, %270
-  %330 = icmp slt i64 %329, 0
-  %331 = select i1 %330, i64 %84, i64 0
-  %332 = getelementptr double, ptr %85, i64 %329
-  %333 = getelementptr double, ptr %332, i64 %331
-  %334 = load i64, ptr %333, align 8, !noalias !17
-  %335 = inttoptr i64 %327 to ptr
-  store atomic i64 %334, ptr %335 unordered, align 8, !noalias !17
-  br label %319
+329:                                              ; preds = %325
+  %330 = add nsw i64 %327, -1
+  %331 = add i64 %326, 1
+  %332 = shl nsw i64 %326, 6
+  %333 = add nsw i64 %323, %332
+  %334 = shl nsw i64 %326, 3
+  %335 = add nsw i64 %334, %276
+  %336 = icmp slt i64 %335, 0
+  %337 = select i1 %336, i64 %87, i64 0
+  %338 = getelementptr double, ptr %88, i64 %335
+  %339 = getelementptr double, ptr %338, i64 %337
+  %340 = load i64, ptr %339, align 8, !noalias !24
+  %341 = inttoptr i64 %333 to ptr
+  store atomic i64 %340, ptr %341 unordered, align 8, !noalias !24
+  br label %325
 
-336:                                              ; preds = %477, %403
-  br label %310
+342:                                              ; preds = %483, %409
+  br label %316
 
-337:                                              ; preds = %310
-  %338 = getelementptr i8, ptr %36, i64 8
-  %339 = load i64, ptr %338, align 8, !noalias !9
-  %340 = inttoptr i64 %339 to ptr
-  call void %340(ptr %51, ptr %54) #3, !noalias !9
-  br label %2170
+343:                                              ; preds = %316
+  %344 = getelementptr i8, ptr %39, i64 24
+  %345 = load i64, ptr %344, align 8, !noalias !16
+  %346 = inttoptr i64 %345 to ptr
+  call void %346(ptr %54, ptr %57) #3, !noalias !16
+  br label %2139
 
-341:                                              ; preds = %265
-  %342 = add nsw i64 %267, -1
-  %343 = add i64 %266, 1
-  %344 = icmp slt i64 %266, 0
-  %345 = select i1 %344, i64 %175, i64 0
-  %346 = getelementptr i64, ptr %176, i64 %266
-  %347 = getelementptr i64, ptr %346, i64 %345
-  %348 = load i64, ptr %347, align 8, !noalias !9
-  %349 = icmp eq i64 %348, -1
-  br i1 %349, label %272, label %300
+347:                                              ; preds = %271
+  %348 = add nsw i64 %273, -1
+  %349 = add i64 %272, 1
+  %350 = icmp slt i64 %272, 0
+  %351 = select i1 %350, i64 %181, i64 0
+  %352 = getelementptr i64, ptr %182, i64 %272
+  %353 = getelementptr i64, ptr %352, i64 %351
+  %354 = load i64, ptr %353, align 8, !noalias !16
+  %355 = icmp eq i64 %354, -1
+  br i1 %355, label %278, label %306
 
-350:                                              ; preds = %280
-  %351 = add i64 %43, %277
-  %352 = call i64 @llvm.smax.i64(i64 %205, i64 0)
-  br label %353
+356:                                              ; preds = %286
+  %357 = add i64 %46, %283
+  %358 = call i64 @llvm.smax.i64(i64 %211, i64 0)
+  br label %359
 
-353:                                              ; preds = %350, %357
-  %354 = phi i64 [ 0, %350 ], [ %359, %357 ]
-  %355 = phi i64 [ %352, %350 ], [ %358, %357 ]
-  %356 = icmp sgt i64 %355, 0
-  br i1 %356, label %357, label %373
+359:                                              ; preds = %356, %363
+  %360 = phi i64 [ 0, %356 ], [ %365, %363 ]
+  %361 = phi i64 [ %358, %356 ], [ %364, %363 ]
+  %362 = icmp sgt i64 %361, 0
+  br i1 %362, label %363, label %379
 
-357:                                              ; preds = %353
-  %358 = add nsw i64 %355, -1
-  %359 = add i64 %354, 1
-  %360 = shl nsw i64 %354, 6
-  %361 = add nsw i64 %351, %360
-  %362 = icmp slt i64 %273, 0
-  %363 = select i1 %362, i64 %203, i64 0
-  %364 = add i64 %273, %363
-  %365 = icmp slt i64 %354, 0
-  %366 = select i1 %365, i64 %205, i64 0
-  %367 = mul i64 %364, %205
-  %368 = getelementptr double, ptr %206, i64 %367
-  %369 = getelementptr double, ptr %368, i64 %354
-  %370 = getelementptr double, ptr %369, i64 %366
-  %371 = load i64, ptr %370, align 8, !noalias !21
-  %372 = inttoptr i64 %361 to ptr
-  store atomic i64 %371, ptr %372 unordered, align 8, !noalias !21
-  br label %353
+363:                                              ; preds = %359
+  %364 = add nsw i64 %361, -1
+  %365 = add i64 %360, 1
+  %366 = shl nsw i64 %360, 6
+  %367 = add nsw i64 %357, %366
+  %368 = icmp slt i64 %279, 0
+  %369 = select i1 %368, i64 %209, i64 0
+  %370 = add i64 %279, %369
+  %371 = icmp slt i64 %360, 0
+  %372 = select i1 %371, i64 %211, i64 0
+  %373 = mul i64 %370, %211
+  %374 = getelementptr double, ptr %212, i64 %373
+  %375 = getelementptr double, ptr %374, i64 %360
+  %376 = getelementptr double, ptr %375, i64 %372
+  %377 = load i64, ptr %376, align 8, !noalias !28
+  %378 = inttoptr i64 %367 to ptr
+  store atomic i64 %377, ptr %378 unordered, align 8, !noalias !28
+  br label %359
 
-373:                                              ; preds = %353
-  %374 = add i64 %48, %277
-  %375 = call i64 @llvm.smax.i64(i64 %212, i64 0)
-  br label %376
+379:                                              ; preds = %359
+  %380 = add i64 %51, %283
+  %381 = call i64 @llvm.smax.i64(i64 %218, i64 0)
+  br label %382
 
-376:                                              ; preds = %373, %380
-  %377 = phi i64 [ 0, %373 ], [ %382, %380 ]
-  %378 = phi i64 [ %375, %373 ], [ %381, %380 ]
-  %379 = icmp sgt i64 %378, 0
-  br i1 %379, label %380, label %396
+382:                                              ; preds = %379, %386
+  %383 = phi i64 [ 0, %379 ], [ %388, %386 ]
+  %384 = phi i64 [ %381, %379 ], [ %387, %386 ]
+  %385 = icmp sgt i64 %384, 0
+  br i1 %385, label %386, label %402
 
-380:                                              ; preds = %376
-  %381 = add nsw i64 %378, -1
-  %382 = add i64 %377, 1
-  %383 = shl nsw i64 %377, 6
-  %384 = add nsw i64 %374, %383
-  %385 = icmp slt i64 %273, 0
-  %386 = select i1 %385, i64 %210, i64 0
-  %387 = add i64 %273, %386
-  %388 = icmp slt i64 %377, 0
-  %389 = select i1 %388, i64 %212, i64 0
-  %390 = mul i64 %387, %212
-  %391 = getelementptr double, ptr %213, i64 %390
-  %392 = getelementptr double, ptr %391, i64 %377
-  %393 = getelementptr double, ptr %392, i64 %389
-  %394 = load i64, ptr %393, align 8, !noalias !25
-  %395 = inttoptr i64 %384 to ptr
-  store atomic i64 %394, ptr %395 unordered, align 8, !noalias !25
-  br label %376
+386:                                              ; preds = %382
+  %387 = add nsw i64 %384, -1
+  %388 = add i64 %383, 1
+  %389 = shl nsw i64 %383, 6
+  %390 = add nsw i64 %380, %389
+  %391 = icmp slt i64 %279, 0
+  %392 = select i1 %391, i64 %216, i64 0
+  %393 = add i64 %279, %392
+  %394 = icmp slt i64 %383, 0
+  %395 = select i1 %394, i64 %218, i64 0
+  %396 = mul i64 %393, %218
+  %397 = getelementptr double, ptr %219, i64 %396
+  %398 = getelementptr double, ptr %397, i64 %383
+  %399 = getelementptr double, ptr %398, i64 %395
+  %400 = load i64, ptr %399, align 8, !noalias !32
+  %401 = inttoptr i64 %390 to ptr
+  store atomic i64 %400, ptr %401 unordered, align 8, !noalias !32
+  br label %382
 
-396:                                              ; preds = %376
-  %397 = load double, ptr %192, align 8, !noalias !9
-  %398 = select i1 %344, i64 %129, i64 0
-  %399 = getelementptr double, ptr %130, i64 %266
-  %400 = getelementptr double, ptr %399, i64 %398
-  store double %397, ptr %400, align 8, !noalias !9
-  %401 = shl nuw i64 1, %266
-  %402 = or i64 %268, %401
-  br label %300
+402:                                              ; preds = %382
+  %403 = load double, ptr %198, align 8, !noalias !16
+  %404 = select i1 %350, i64 %135, i64 0
+  %405 = getelementptr double, ptr %136, i64 %272
+  %406 = getelementptr double, ptr %405, i64 %404
+  store double %403, ptr %406, align 8, !noalias !16
+  %407 = shl nuw i64 1, %272
+  %408 = or i64 %274, %407
+  br label %306
 
-403:                                              ; preds = %310
-  %404 = add nsw i64 %312, -1
-  %405 = add i64 %311, 1
-  %406 = icmp slt i64 %311, 0
-  %407 = select i1 %406, i64 %175, i64 0
-  %408 = getelementptr i64, ptr %176, i64 %311
-  %409 = getelementptr i64, ptr %408, i64 %407
-  %410 = load i64, ptr %409, align 8, !noalias !9
-  %411 = icmp eq i64 %410, -1
-  br i1 %411, label %314, label %336
+409:                                              ; preds = %316
+  %410 = add nsw i64 %318, -1
+  %411 = add i64 %317, 1
+  %412 = icmp slt i64 %317, 0
+  %413 = select i1 %412, i64 %181, i64 0
+  %414 = getelementptr i64, ptr %182, i64 %317
+  %415 = getelementptr i64, ptr %414, i64 %413
+  %416 = load i64, ptr %415, align 8, !noalias !16
+  %417 = icmp eq i64 %416, -1
+  br i1 %417, label %320, label %342
 
-412:                                              ; preds = %319
-  %413 = load i64, ptr %226, align 8, !noalias !9
-  %414 = add i64 %109, %316
-  %415 = call i64 @llvm.smax.i64(i64 %413, i64 0)
-  br label %416
+418:                                              ; preds = %325
+  %419 = load i64, ptr %232, align 8, !noalias !16
+  %420 = add i64 %113, %322
+  %421 = call i64 @llvm.smax.i64(i64 %419, i64 0)
+  br label %422
 
-416:                                              ; preds = %412, %420
-  %417 = phi i64 [ 0, %412 ], [ %422, %420 ]
-  %418 = phi i64 [ %415, %412 ], [ %421, %420 ]
-  %419 = icmp sgt i64 %418, 0
-  br i1 %419, label %420, label %433
+422:                                              ; preds = %418, %426
+  %423 = phi i64 [ 0, %418 ], [ %428, %426 ]
+  %424 = phi i64 [ %421, %418 ], [ %427, %426 ]
+  %425 = icmp sgt i64 %424, 0
+  br i1 %425, label %426, label %439
 
-420:                                              ; preds = %416
-  %421 = add nsw i64 %418, -1
-  %422 = add i64 %417, 1
-  %423 = shl nsw i64 %417, 6
-  %424 = add nsw i64 %414, %423
-  %425 = shl nsw i64 %417, 3
-  %426 = add nsw i64 %425, %270
-  %427 = icmp slt i64 %426, 0
-  %428 = select i1 %427, i64 %111, i64 0
-  %429 = getelementptr double, ptr %112, i64 %426
-  %430 = getelementptr double, ptr %429, i64 %428
-  %431 = load i64, ptr %430, align 8, !noalias !29
-  %432 = inttoptr i64 %424 to ptr
-  store atomic i64 %431, ptr %432 unordered, align 8, !noalias !29
-  br label %416
+426:                                              ; preds = %422
+  %427 = add nsw i64 %424, -1
+  %428 = add i64 %423, 1
+  %429 = shl nsw i64 %423, 6
+  %430 = add nsw i64 %420, %429
+  %431 = shl nsw i64 %423, 3
+  %432 = add nsw i64 %431, %276
+  %433 = icmp slt i64 %432, 0
+  %434 = select i1 %433, i64 %115, i64 0
+  %435 = getelementptr double, ptr %116, i64 %432
+  %436 = getelementptr double, ptr %435, i64 %434
+  %437 = load i64, ptr %436, align 8, !noalias !36
+  %438 = inttoptr i64 %430 to ptr
+  store atomic i64 %437, ptr %438 unordered, align 8, !noalias !36
+  br label %422
 
-433:                                              ; preds = %416
-  %434 = getelementptr i8, ptr %36, i64 24
-  %435 = load i64, ptr %434, align 8, !noalias !9
-  %436 = add i64 %43, %316
-  %437 = call i64 @llvm.smax.i64(i64 %435, i64 0)
-  br label %438
+439:                                              ; preds = %422
+  %440 = getelementptr i8, ptr %39, i64 32
+  %441 = load i64, ptr %440, align 8, !noalias !16
+  %442 = add i64 %46, %322
+  %443 = call i64 @llvm.smax.i64(i64 %441, i64 0)
+  br label %444
 
-438:                                              ; preds = %433, %442
-  %439 = phi i64 [ 0, %433 ], [ %444, %442 ]
-  %440 = phi i64 [ %437, %433 ], [ %443, %442 ]
-  %441 = icmp sgt i64 %440, 0
-  br i1 %441, label %442, label %455
+444:                                              ; preds = %439, %448
+  %445 = phi i64 [ 0, %439 ], [ %450, %448 ]
+  %446 = phi i64 [ %443, %439 ], [ %449, %448 ]
+  %447 = icmp sgt i64 %446, 0
+  br i1 %447, label %448, label %461
 
-442:                                              ; preds = %438
-  %443 = add nsw i64 %440, -1
-  %444 = add i64 %439, 1
-  %445 = shl nsw i64 %439, 6
-  %446 = add nsw i64 %436, %445
-  %447 = shl nsw i64 %439, 3
-  %448 = add nsw i64 %447, %270
-  %449 = icmp slt i64 %448, 0
-  %450 = select i1 %449, i64 %45, i64 0
-  %451 = getelementptr double, ptr %46, i64 %448
-  %452 = getelementptr double, ptr %451, i64 %450
-  %453 = load i64, ptr %452, align 8, !noalias !33
-  %454 = inttoptr i64 %446 to ptr
-  store atomic i64 %453, ptr %454 unordered, align 8, !noalias !33
-  br label %438
+448:                                              ; preds = %444
+  %449 = add nsw i64 %446, -1
+  %450 = add i64 %445, 1
+  %451 = shl nsw i64 %445, 6
+  %452 = add nsw i64 %442, %451
+  %453 = shl nsw i64 %445, 3
+  %454 = add nsw i64 %453, %276
+  %455 = icmp slt i64 %454, 0
+  %456 = select i1 %455, i64 %48, i64 0
+  %457 = getelementptr double, ptr %49, i64 %454
+  %458 = getelementptr double, ptr %457, i64 %456
+  %459 = load i64, ptr %458, align 8, !noalias !40
+  %460 = inttoptr i64 %452 to ptr
+  store atomic i64 %459, ptr %460 unordered, align 8, !noalias !40
+  br label %444
 
-455:                                              ; preds = %438
-  %456 = getelementptr i8, ptr %36, i64 32
-  %457 = load i64, ptr %456, align 8, !noalias !9
-  %458 = add i64 %48, %316
-  %459 = call i64 @llvm.smax.i64(i64 %457, i64 0)
-  br label %460
+461:                                              ; preds = %444
+  %462 = getelementptr i8, ptr %39, i64 40
+  %463 = load i64, ptr %462, align 8, !noalias !16
+  %464 = add i64 %51, %322
+  %465 = call i64 @llvm.smax.i64(i64 %463, i64 0)
+  br label %466
 
-460:                                              ; preds = %455, %464
-  %461 = phi i64 [ 0, %455 ], [ %466, %464 ]
-  %462 = phi i64 [ %459, %455 ], [ %465, %464 ]
-  %463 = icmp sgt i64 %462, 0
-  br i1 %463, label %464, label %477
+466:                                              ; preds = %461, %470
+  %467 = phi i64 [ 0, %461 ], [ %472, %470 ]
+  %468 = phi i64 [ %465, %461 ], [ %471, %470 ]
+  %469 = icmp sgt i64 %468, 0
+  br i1 %469, label %470, label %483
 
-464:                                              ; preds = %460
-  %465 = add nsw i64 %462, -1
-  %466 = add i64 %461, 1
-  %467 = shl nsw i64 %461, 6
-  %468 = add nsw i64 %458, %467
-  %469 = shl nsw i64 %461, 3
-  %470 = add nsw i64 %469, %270
-  %471 = icmp slt i64 %470, 0
-  %472 = select i1 %471, i64 %50, i64 0
-  %473 = getelementptr double, ptr %51, i64 %470
-  %474 = getelementptr double, ptr %473, i64 %472
-  %475 = load i64, ptr %474, align 8, !noalias !37
-  %476 = inttoptr i64 %468 to ptr
-  store atomic i64 %475, ptr %476 unordered, align 8, !noalias !37
-  br label %460
+470:                                              ; preds = %466
+  %471 = add nsw i64 %468, -1
+  %472 = add i64 %467, 1
+  %473 = shl nsw i64 %467, 6
+  %474 = add nsw i64 %464, %473
+  %475 = shl nsw i64 %467, 3
+  %476 = add nsw i64 %475, %276
+  %477 = icmp slt i64 %476, 0
+  %478 = select i1 %477, i64 %53, i64 0
+  %479 = getelementptr double, ptr %54, i64 %476
+  %480 = getelementptr double, ptr %479, i64 %478
+  %481 = load i64, ptr %480, align 8, !noalias !44
+  %482 = inttoptr i64 %474 to ptr
+  store atomic i64 %481, ptr %482 unordered, align 8, !noalias !44
+  br label %466
 
-477:                                              ; preds = %460
-  %478 = getelementptr double, ptr %130, i64 %270
-  %479 = load double, ptr %478, align 8, !noalias !9
-  %480 = select i1 %406, i64 %129, i64 0
-  %481 = getelementptr double, ptr %130, i64 %311
-  %482 = getelementptr double, ptr %481, i64 %480
-  store double %479, ptr %482, align 8, !noalias !9
-  %483 = select i1 %406, i64 %134, i64 0
-  %484 = getelementptr double, ptr %135, i64 %311
-  %485 = getelementptr double, ptr %484, i64 %483
-  store double 0.000000e+00, ptr %485, align 8, !noalias !9
-  %486 = select i1 %406, i64 %150, i64 0
-  %487 = getelementptr double, ptr %151, i64 %311
+483:                                              ; preds = %466
+  %484 = getelementptr double, ptr %136, i64 %276
+  %485 = load double, ptr %484, align 8, !noalias !16
+  %486 = select i1 %412, i64 %135, i64 0
+  %487 = getelementptr double, ptr %136, i64 %317
   %488 = getelementptr double, ptr %487, i64 %486
-  store double 0x7FF0000000000000, ptr %488, align 8, !noalias !9
-  store i64 -2, ptr %409, align 8, !noalias !9
-  br label %336
+  store double %485, ptr %488, align 8, !noalias !16
+  %489 = select i1 %412, i64 %140, i64 0
+  %490 = getelementptr double, ptr %141, i64 %317
+  %491 = getelementptr double, ptr %490, i64 %489
+  store double 0.000000e+00, ptr %491, align 8, !noalias !16
+  %492 = select i1 %412, i64 %156, i64 0
+  %493 = getelementptr double, ptr %157, i64 %317
+  %494 = getelementptr double, ptr %493, i64 %492
+  store double 0x7FF0000000000000, ptr %494, align 8, !noalias !16
+  store i64 -2, ptr %415, align 8, !noalias !16
+  br label %342
 
-489:                                              ; preds = %2170
-  br label %2225
+495:                                              ; preds = %2139
+  br label %2194
 
-490:                                              ; preds = %2170
-  %491 = icmp eq i64 %268, 0
-  br i1 %491, label %1086, label %492
+496:                                              ; preds = %2139
+  %497 = icmp eq i64 %274, 0
+  br i1 %497, label %1006, label %498
 
-492:                                              ; preds = %490
-  %493 = load i64, ptr %226, align 8, !noalias !41
-  %494 = trunc i64 %268 to i8
-  %495 = bitcast i8 %494 to <8 x i1>
-  %496 = load <8 x double>, ptr %130, align 8, !noalias !41
-  store ptr null, ptr %12, align 8, !noalias !45
-  store ptr null, ptr %13, align 8, !noalias !45
-  store <8 x double> %496, ptr %41, align 8, !noalias !45
-  %497 = icmp sgt i64 %58, 0
-  br i1 %497, label %498, label %500
+498:                                              ; preds = %496
+  %499 = load i64, ptr %232, align 8, !noalias !48
+  %500 = trunc i64 %274 to i8
+  %501 = bitcast i8 %500 to <8 x i1>
+  %502 = load <8 x double>, ptr %136, align 8, !noalias !48
+  store ptr null, ptr %15, align 8, !noalias !52
+  store ptr null, ptr %16, align 8, !noalias !52
+  store <8 x double> %502, ptr %44, align 8, !noalias !52
+  %503 = icmp sgt i64 %61, 0
+  br i1 %503, label %504, label %506
 
-498:                                              ; preds = %492
-  store ptr null, ptr %12, align 8, !noalias !45
-  %499 = call fastcc i32 @_set_inputs(ptr nonnull %12, ptr nonnull %41, i64 %40, ptr %46, i64 %45, ptr %61, i64 %58, i64 %60, ptr %68, i64 %65, i64 %67, ptr %73, i64 %72, ptr %80, i64 %77, i64 %79) #3
-  switch i32 %499, label %506 [
-    i32 -2, label %500
-    i32 0, label %500
-  ], !prof !49
+504:                                              ; preds = %498
+  store ptr null, ptr %15, align 8, !noalias !52
+  %505 = call fastcc i32 @_set_inputs(ptr nonnull %15, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %505, label %512 [
+    i32 -2, label %506
+    i32 0, label %506
+  ], !prof !56
 
-500:                                              ; preds = %498, %498, %492
-  %501 = load i64, ptr %36, align 8, !noalias !45
-  %502 = inttoptr i64 %501 to ptr
-  %503 = call i32 %502(ptr nonnull %41, ptr %85, ptr %46, ptr %54, ptr %95) #3, !noalias !45
-  %504 = sext i32 %503 to i64
-  %505 = and i64 %268, %504
-  br label %506
+506:                                              ; preds = %504, %504, %498
+  %507 = load i64, ptr %39, align 8, !noalias !52
+  %508 = inttoptr i64 %507 to ptr
+  %509 = call i32 %508(ptr nonnull %44, ptr %88, ptr %49, ptr %57, ptr %98) #3, !noalias !52
+  %510 = sext i32 %509 to i64
+  %511 = and i64 %274, %510
+  br label %512
 
-506:                                              ; preds = %498, %500
-  %507 = phi i64 [ %505, %500 ], [ 0, %498 ]
-  %508 = phi i1 [ true, %500 ], [ false, %498 ]
-  br i1 %508, label %1048, label %2172, !prof !1
+512:                                              ; preds = %504, %506
+  %513 = phi i64 [ %511, %506 ], [ 0, %504 ]
+  %514 = phi i1 [ true, %506 ], [ false, %504 ]
+  br i1 %514, label %968, label %2141, !prof !8
 
-509:                                              ; preds = %1048, %1050
-  %510 = phi i64 [ 0, %1048 ], [ %1052, %1050 ]
-  %511 = phi i64 [ %1049, %1048 ], [ %1051, %1050 ]
-  %512 = icmp sgt i64 %511, 0
-  br i1 %512, label %1050, label %513
+515:                                              ; preds = %968, %970
+  %516 = phi i64 [ 0, %968 ], [ %972, %970 ]
+  %517 = phi i64 [ %969, %968 ], [ %971, %970 ]
+  %518 = icmp sgt i64 %517, 0
+  br i1 %518, label %970, label %519
 
-513:                                              ; preds = %509
-  %514 = getelementptr i8, ptr %187, i64 8
-  %515 = load double, ptr %514, align 8, !noalias !41
-  %516 = insertelement <8 x double> poison, double %515, i64 0
-  %517 = shufflevector <8 x double> %516, <8 x double> poison, <8 x i32> zeroinitializer
-  %518 = fcmp oeq double %515, 0.000000e+00
-  br i1 %518, label %519, label %749
+519:                                              ; preds = %515
+  %520 = getelementptr i8, ptr %193, i64 8
+  %521 = load double, ptr %520, align 8, !noalias !48
+  %522 = insertelement <8 x double> poison, double %521, i64 0
+  %523 = shufflevector <8 x double> %522, <8 x double> poison, <8 x i32> zeroinitializer
+  %524 = fcmp oeq double %521, 0.000000e+00
+  br i1 %524, label %525, label %667
 
-519:                                              ; preds = %513
-  %520 = load double, ptr %187, align 8, !noalias !41
-  %521 = load i64, ptr %226, align 8, !noalias !50
-  %522 = icmp slt i64 %84, 0
-  %523 = select i1 %522, i64 %111, i64 0
-  %524 = add i64 %84, %523
-  %525 = icmp slt i64 %524, 0
-  br i1 %525, label %579, label %580, !prof !0
+525:                                              ; preds = %519
+  %526 = load double, ptr %193, align 8, !noalias !48
+  %527 = load i64, ptr %232, align 8, !noalias !57
+  store <8 x double> zeroinitializer, ptr %13, align 64, !noalias !61
+  store <8 x double> zeroinitializer, ptr %14, align 64, !noalias !61
+  store <8 x double> zeroinitializer, ptr %13, align 64, !noalias !61
+  %528 = call fastcc i32 @norm(ptr nonnull %13, ptr %88, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %527) #3
+  %529 = load <8 x double>, ptr %13, align 64, !noalias !61
+  switch i32 %528, label %664 [
+    i32 -2, label %530
+    i32 0, label %530
+  ], !prof !56
 
-526:                                              ; preds = %593, %638
-  %527 = phi i64 [ 0, %593 ], [ %640, %638 ]
-  %528 = phi i64 [ %607, %593 ], [ %639, %638 ]
-  %529 = icmp sgt i64 %528, 0
-  br i1 %529, label %638, label %530
+530:                                              ; preds = %525, %525
+  store <8 x double> zeroinitializer, ptr %14, align 64, !noalias !61
+  %531 = call fastcc i32 @norm(ptr nonnull %14, ptr %116, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %527) #3
+  %532 = load <8 x double>, ptr %14, align 64, !noalias !61
+  switch i32 %531, label %664 [
+    i32 -2, label %533
+    i32 0, label %533
+  ], !prof !56
 
-530:                                              ; preds = %526
-  %531 = fadd <8 x double> %496, %606
-  store ptr null, ptr %10, align 8, !noalias !54
-  store ptr null, ptr %11, align 8, !noalias !54
-  store <8 x double> %531, ptr %41, align 8, !noalias !54
-  br i1 %497, label %532, label %534
+533:                                              ; preds = %530, %530
+  %534 = fcmp olt <8 x double> %529, splat (double 1.000000e-05)
+  %535 = fcmp olt <8 x double> %532, splat (double 1.000000e-05)
+  %536 = or <8 x i1> %534, %535
+  %537 = fmul <8 x double> %529, splat (double 1.000000e-02)
+  %538 = fdiv <8 x double> %537, %532
+  %539 = select <8 x i1> %536, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %538
+  %540 = insertelement <8 x double> poison, double %526, i64 0
+  %541 = shufflevector <8 x double> %540, <8 x double> poison, <8 x i32> zeroinitializer
+  %542 = fcmp olt <8 x double> %541, %539
+  %543 = select <8 x i1> %542, <8 x double> %541, <8 x double> %539
+  %544 = call i64 @llvm.smax.i64(i64 %527, i64 0)
+  br label %545
 
-532:                                              ; preds = %530
-  store ptr null, ptr %10, align 8, !noalias !54
-  %533 = call fastcc i32 @_set_inputs(ptr nonnull %10, ptr nonnull %41, i64 %40, ptr %46, i64 %45, ptr %61, i64 %58, i64 %60, ptr %68, i64 %65, i64 %67, ptr %73, i64 %72, ptr %80, i64 %77, i64 %79) #3
-  switch i32 %533, label %746 [
-    i32 -2, label %534
-    i32 0, label %534
-  ], !prof !49
+545:                                              ; preds = %533, %566
+  %546 = phi i64 [ 0, %533 ], [ %568, %566 ]
+  %547 = phi i64 [ %544, %533 ], [ %567, %566 ]
+  %548 = icmp sgt i64 %547, 0
+  br i1 %548, label %566, label %549
 
-534:                                              ; preds = %532, %532, %530
-  %535 = load i64, ptr %36, align 8, !noalias !54
-  %536 = inttoptr i64 %535 to ptr
-  %537 = call i32 %536(ptr nonnull %41, ptr %95, ptr %46, ptr %54, ptr %586) #3, !noalias !54
-  %538 = trunc i32 %537 to i8
-  %539 = bitcast i8 %538 to <8 x i1>
-  br label %649
+549:                                              ; preds = %545
+  %550 = shl i64 %87, 3
+  %551 = add i64 %113, %550
+  %552 = fadd <8 x double> %502, %543
+  store ptr null, ptr %11, align 8, !noalias !65
+  store ptr null, ptr %12, align 8, !noalias !65
+  store <8 x double> %552, ptr %44, align 8, !noalias !65
+  br i1 %503, label %553, label %555
 
-540:                                              ; preds = %584, %551
-  %541 = phi i64 [ 0, %584 ], [ %553, %551 ]
-  %542 = phi i64 [ %587, %584 ], [ %552, %551 ]
-  %543 = phi <8 x double> [ zeroinitializer, %584 ], [ %578, %551 ]
-  %544 = icmp sgt i64 %542, 0
-  br i1 %544, label %551, label %545
+553:                                              ; preds = %549
+  store ptr null, ptr %11, align 8, !noalias !65
+  %554 = call fastcc i32 @_set_inputs(ptr nonnull %11, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %554, label %664 [
+    i32 -2, label %555
+    i32 0, label %555
+  ], !prof !56
 
-545:                                              ; preds = %540
-  %546 = sitofp i64 %521 to double
-  %547 = insertelement <8 x double> poison, double %546, i64 0
-  %548 = shufflevector <8 x double> %547, <8 x double> poison, <8 x i32> zeroinitializer
-  %549 = fdiv <8 x double> %543, %548
-  %550 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %549)
-  br label %588
+555:                                              ; preds = %553, %553, %549
+  %556 = load i64, ptr %39, align 8, !noalias !65
+  %557 = inttoptr i64 %556 to ptr
+  %558 = inttoptr i64 %551 to ptr
+  %559 = call i32 %557(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %558) #3, !noalias !65
+  %560 = trunc i32 %559 to i8
+  %561 = bitcast i8 %560 to <8 x i1>
+  store <8 x double> zeroinitializer, ptr %10, align 64, !noalias !69
+  %562 = icmp slt i64 %87, 0
+  %563 = select i1 %562, i64 %115, i64 0
+  %564 = add i64 %87, %563
+  %565 = icmp slt i64 %564, 0
+  br i1 %565, label %583, label %584, !prof !4
 
-551:                                              ; preds = %540
-  %552 = add nsw i64 %542, -1
-  %553 = add i64 %541, 1
-  %554 = icmp slt i64 %541, 0
-  %555 = select i1 %554, i64 %124, i64 0
-  %556 = getelementptr double, ptr %125, i64 %541
-  %557 = getelementptr double, ptr %556, i64 %555
-  %558 = load double, ptr %557, align 8, !noalias !58
-  %559 = select i1 %554, i64 %119, i64 0
-  %560 = getelementptr double, ptr %120, i64 %541
-  %561 = getelementptr double, ptr %560, i64 %559
-  %562 = load double, ptr %561, align 8, !noalias !58
-  %563 = shl i64 %541, 6
-  %564 = getelementptr i8, ptr %85, i64 %563
-  %565 = load <8 x double>, ptr %564, align 8, !noalias !58
-  %566 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %565)
-  %567 = insertelement <8 x double> poison, double %562, i64 0
-  %568 = shufflevector <8 x double> %567, <8 x double> poison, <8 x i32> zeroinitializer
-  %569 = fmul <8 x double> %568, %566
-  %570 = insertelement <8 x double> poison, double %558, i64 0
-  %571 = shufflevector <8 x double> %570, <8 x double> poison, <8 x i32> zeroinitializer
-  %572 = fadd <8 x double> %571, %569
-  %573 = getelementptr i8, ptr %104, i64 %563
-  %574 = load <8 x double>, ptr %573, align 8, !noalias !58
-  %575 = fsub <8 x double> %565, %574
-  %576 = fdiv <8 x double> %575, %572
-  %577 = fmul <8 x double> %576, %576
-  %578 = fadd <8 x double> %543, %577
-  br label %540
+566:                                              ; preds = %545
+  %567 = add nsw i64 %547, -1
+  %568 = add i64 %546, 1
+  %569 = shl i64 %546, 6
+  %570 = getelementptr i8, ptr %88, i64 %569
+  %571 = load <8 x double>, ptr %570, align 8, !noalias !57
+  %572 = getelementptr i8, ptr %116, i64 %569
+  %573 = load <8 x double>, ptr %572, align 8, !noalias !57
+  %574 = fmul <8 x double> %543, %573
+  %575 = fadd <8 x double> %571, %574
+  %576 = getelementptr i8, ptr %98, i64 %569
+  store <8 x double> %575, ptr %576, align 8, !noalias !57
+  br label %545
 
-579:                                              ; preds = %519
-  br label %580
+577:                                              ; preds = %588, %591
+  %578 = phi i64 [ 0, %588 ], [ %593, %591 ]
+  %579 = phi i64 [ %544, %588 ], [ %592, %591 ]
+  %580 = icmp sgt i64 %579, 0
+  br i1 %580, label %591, label %581
 
-580:                                              ; preds = %579, %519
-  %581 = phi i64 [ 0, %579 ], [ %524, %519 ]
-  %582 = icmp slt i64 %524, %111
-  br i1 %582, label %584, label %583, !prof !1
+581:                                              ; preds = %577
+  store <8 x double> zeroinitializer, ptr %10, align 64, !noalias !69
+  %582 = call fastcc i32 @norm(ptr nonnull %10, ptr %590, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %527) #3
+  switch i32 %582, label %664 [
+    i32 -2, label %600
+    i32 0, label %600
+  ], !prof !56
 
-583:                                              ; preds = %580
+583:                                              ; preds = %555
   br label %584
 
-584:                                              ; preds = %583, %580
-  %585 = phi i64 [ %111, %583 ], [ %581, %580 ]
-  %586 = getelementptr double, ptr %112, i64 %585
-  %587 = call i64 @llvm.smax.i64(i64 %521, i64 0)
-  br label %540
+584:                                              ; preds = %583, %555
+  %585 = phi i64 [ 0, %583 ], [ %564, %555 ]
+  %586 = icmp slt i64 %564, %115
+  br i1 %586, label %588, label %587, !prof !8
 
-588:                                              ; preds = %545, %608
-  %589 = phi i64 [ 0, %545 ], [ %610, %608 ]
-  %590 = phi i64 [ %587, %545 ], [ %609, %608 ]
-  %591 = phi <8 x double> [ zeroinitializer, %545 ], [ %637, %608 ]
-  %592 = icmp sgt i64 %590, 0
-  br i1 %592, label %608, label %593
-
-593:                                              ; preds = %588
-  %594 = shufflevector <8 x double> %547, <8 x double> poison, <8 x i32> zeroinitializer
-  %595 = fdiv <8 x double> %591, %594
-  %596 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %595)
-  %597 = fcmp olt <8 x double> %550, splat (double 1.000000e-05)
-  %598 = fcmp olt <8 x double> %596, splat (double 1.000000e-05)
-  %599 = or <8 x i1> %597, %598
-  %600 = fmul <8 x double> %550, splat (double 1.000000e-02)
-  %601 = fdiv <8 x double> %600, %596
-  %602 = select <8 x i1> %599, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %601
-  %603 = insertelement <8 x double> poison, double %520, i64 0
-  %604 = shufflevector <8 x double> %603, <8 x double> poison, <8 x i32> zeroinitializer
-  %605 = fcmp olt <8 x double> %602, %604
-  %606 = select <8 x i1> %605, <8 x double> %602, <8 x double> %604
-  %607 = call i64 @llvm.smax.i64(i64 %521, i64 0)
-  br label %526
-
-608:                                              ; preds = %588
-  %609 = add nsw i64 %590, -1
-  %610 = add i64 %589, 1
-  %611 = icmp slt i64 %589, 0
-  %612 = select i1 %611, i64 %124, i64 0
-  %613 = getelementptr double, ptr %125, i64 %589
-  %614 = getelementptr double, ptr %613, i64 %612
-  %615 = load double, ptr %614, align 8, !noalias !62
-  %616 = select i1 %611, i64 %119, i64 0
-  %617 = getelementptr double, ptr %120, i64 %589
-  %618 = getelementptr double, ptr %617, i64 %616
-  %619 = load double, ptr %618, align 8, !noalias !62
-  %620 = shl i64 %589, 6
-  %621 = getelementptr i8, ptr %85, i64 %620
-  %622 = load <8 x double>, ptr %621, align 8, !noalias !62
-  %623 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %622)
-  %624 = insertelement <8 x double> poison, double %619, i64 0
-  %625 = shufflevector <8 x double> %624, <8 x double> poison, <8 x i32> zeroinitializer
-  %626 = fmul <8 x double> %625, %623
-  %627 = insertelement <8 x double> poison, double %615, i64 0
-  %628 = shufflevector <8 x double> %627, <8 x double> poison, <8 x i32> zeroinitializer
-  %629 = fadd <8 x double> %628, %626
-  %630 = getelementptr i8, ptr %112, i64 %620
-  %631 = load <8 x double>, ptr %630, align 8, !noalias !62
-  %632 = getelementptr i8, ptr %104, i64 %620
-  %633 = load <8 x double>, ptr %632, align 8, !noalias !62
-  %634 = fsub <8 x double> %631, %633
-  %635 = fdiv <8 x double> %634, %629
-  %636 = fmul <8 x double> %635, %635
-  %637 = fadd <8 x double> %591, %636
+587:                                              ; preds = %584
   br label %588
 
-638:                                              ; preds = %526
-  %639 = add nsw i64 %528, -1
-  %640 = add i64 %527, 1
-  %641 = shl i64 %527, 6
-  %642 = getelementptr i8, ptr %85, i64 %641
-  %643 = load <8 x double>, ptr %642, align 8, !noalias !50
-  %644 = getelementptr i8, ptr %112, i64 %641
-  %645 = load <8 x double>, ptr %644, align 8, !noalias !50
-  %646 = fmul <8 x double> %606, %645
-  %647 = fadd <8 x double> %643, %646
-  %648 = getelementptr i8, ptr %95, i64 %641
-  store <8 x double> %647, ptr %648, align 8, !noalias !50
-  br label %526
+588:                                              ; preds = %587, %584
+  %589 = phi i64 [ %115, %587 ], [ %585, %584 ]
+  %590 = getelementptr double, ptr %116, i64 %589
+  br label %577
 
-649:                                              ; preds = %534, %716
-  %650 = phi i64 [ 0, %534 ], [ %718, %716 ]
-  %651 = phi i64 [ %607, %534 ], [ %717, %716 ]
-  %652 = phi <8 x double> [ zeroinitializer, %534 ], [ %745, %716 ]
-  %653 = icmp sgt i64 %651, 0
-  br i1 %653, label %716, label %654
+591:                                              ; preds = %577
+  %592 = add nsw i64 %579, -1
+  %593 = add i64 %578, 1
+  %594 = shl i64 %578, 6
+  %595 = getelementptr i8, ptr %590, i64 %594
+  %596 = load <8 x double>, ptr %595, align 8, !noalias !69
+  %597 = getelementptr i8, ptr %116, i64 %594
+  %598 = load <8 x double>, ptr %597, align 8, !noalias !69
+  %599 = fsub <8 x double> %596, %598
+  store <8 x double> %599, ptr %595, align 8, !noalias !69
+  br label %577
 
-654:                                              ; preds = %649
-  %655 = shufflevector <8 x double> %547, <8 x double> poison, <8 x i32> zeroinitializer
-  %656 = fdiv <8 x double> %652, %655
-  %657 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %656)
-  %658 = fdiv <8 x double> %657, %606
-  %659 = fcmp ogt <8 x double> %596, %658
-  %660 = select <8 x i1> %659, <8 x double> %596, <8 x double> %658
-  %661 = fcmp ogt <8 x double> %660, splat (double 1.000000e-15)
-  %662 = fdiv <8 x double> splat (double 1.000000e-02), %660
-  %663 = select <8 x i1> %661, <8 x double> %662, <8 x double> splat (double 1.000000e+13)
-  %664 = load double, ptr %33, align 8, !noalias !50
-  %665 = bitcast <8 x double> %663 to <8 x i64>
-  %666 = add nsw <8 x i64> %665, splat (i64 -4604544271217802189)
-  %667 = ashr <8 x i64> %666, splat (i64 52)
-  %668 = and <8 x i64> %666, splat (i64 -4503599627370496)
-  %669 = sub <8 x i64> %665, %668
-  %670 = bitcast <8 x i64> %669 to <8 x double>
-  %671 = fadd <8 x double> %670, splat (double -1.000000e+00)
-  %672 = fadd <8 x double> %670, splat (double 1.000000e+00)
-  %673 = fdiv <8 x double> %671, %672
-  %674 = fmul <8 x double> %673, %673
-  %675 = call <8 x double> @llvm.fma.v8f64(<8 x double> %674, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %676 = call <8 x double> @llvm.fma.v8f64(<8 x double> %675, <8 x double> %674, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %677 = call <8 x double> @llvm.fma.v8f64(<8 x double> %676, <8 x double> %674, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %678 = call <8 x double> @llvm.fma.v8f64(<8 x double> %677, <8 x double> %674, <8 x double> splat (double 0x40071547652B82FE))
-  %679 = fmul <8 x double> %678, %673
-  %680 = trunc nsw <8 x i64> %667 to <8 x i32>
-  %681 = sitofp <8 x i32> %680 to <8 x double>
-  %682 = fadd <8 x double> %679, %681
-  %683 = insertelement <8 x double> poison, double %664, i64 0
-  %684 = shufflevector <8 x double> %683, <8 x double> poison, <8 x i32> zeroinitializer
-  %685 = fmul <8 x double> %682, %684
-  %686 = fcmp ogt <8 x double> %685, splat (double -1.000000e+03)
-  %687 = select <8 x i1> %686, <8 x double> %685, <8 x double> splat (double -1.000000e+03)
-  %688 = fcmp olt <8 x double> %687, splat (double 1.000000e+03)
-  %689 = select <8 x i1> %688, <8 x double> %687, <8 x double> splat (double 1.000000e+03)
-  %690 = call <8 x double> @llvm.rint.v8f64(<8 x double> %689)
-  %691 = fsub <8 x double> %689, %690
-  %692 = call <8 x double> @llvm.fma.v8f64(<8 x double> %691, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %693 = call <8 x double> @llvm.fma.v8f64(<8 x double> %692, <8 x double> %691, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %694 = call <8 x double> @llvm.fma.v8f64(<8 x double> %693, <8 x double> %691, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %695 = call <8 x double> @llvm.fma.v8f64(<8 x double> %694, <8 x double> %691, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %696 = call <8 x double> @llvm.fma.v8f64(<8 x double> %695, <8 x double> %691, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %697 = call <8 x double> @llvm.fma.v8f64(<8 x double> %696, <8 x double> %691, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %698 = call <8 x double> @llvm.fma.v8f64(<8 x double> %697, <8 x double> %691, <8 x double> splat (double 1.000000e+00))
-  %699 = fptosi <8 x double> %690 to <8 x i32>
-  %700 = zext <8 x i32> %699 to <8 x i64>
-  %701 = shl <8 x i64> %700, splat (i64 52)
-  %702 = bitcast <8 x double> %698 to <8 x i64>
-  %703 = add <8 x i64> %701, %702
-  %704 = bitcast <8 x i64> %703 to <8 x double>
-  %705 = fmul <8 x double> %606, splat (double 1.000000e-03)
-  %706 = fcmp ogt <8 x double> %705, splat (double 0x3EB0C6F7A0B5ED8D)
-  %707 = select <8 x i1> %706, <8 x double> %705, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D)
-  %708 = select <8 x i1> %661, <8 x double> %704, <8 x double> %707
-  %709 = fmul <8 x double> %606, splat (double 1.000000e+02)
-  %710 = fcmp olt <8 x double> %709, %708
-  %711 = select <8 x i1> %710, <8 x double> %709, <8 x double> %708
-  %712 = shufflevector <8 x double> %603, <8 x double> poison, <8 x i32> zeroinitializer
-  %713 = fcmp olt <8 x double> %711, %712
-  %714 = select <8 x i1> %713, <8 x double> %711, <8 x double> %712
-  %715 = select <8 x i1> %539, <8 x double> %705, <8 x double> %714
-  br label %746
+600:                                              ; preds = %581, %581
+  %601 = load <8 x double>, ptr %10, align 64, !noalias !69
+  %602 = fdiv <8 x double> %601, %543
+  %603 = fcmp ogt <8 x double> %532, %602
+  %604 = select <8 x i1> %603, <8 x double> %532, <8 x double> %602
+  %605 = fcmp ogt <8 x double> %604, splat (double 1.000000e-15)
+  %606 = fdiv <8 x double> splat (double 1.000000e-02), %604
+  %607 = select <8 x i1> %605, <8 x double> %606, <8 x double> splat (double 1.000000e+13)
+  %608 = load double, ptr %36, align 8, !noalias !69
+  %609 = insertelement <8 x double> poison, double %608, i64 0
+  %610 = shufflevector <8 x double> %609, <8 x double> poison, <8 x i32> zeroinitializer
+  %611 = bitcast <8 x double> %607 to <8 x i64>
+  %612 = add nsw <8 x i64> %611, splat (i64 -4604544271217802189)
+  %613 = ashr <8 x i64> %612, splat (i64 52)
+  %614 = and <8 x i64> %612, splat (i64 -4503599627370496)
+  %615 = sub <8 x i64> %611, %614
+  %616 = bitcast <8 x i64> %615 to <8 x double>
+  %617 = fadd <8 x double> %616, splat (double -1.000000e+00)
+  %618 = fadd <8 x double> %616, splat (double 1.000000e+00)
+  %619 = fdiv <8 x double> %617, %618
+  %620 = fmul <8 x double> %619, %619
+  %621 = call <8 x double> @llvm.fma.v8f64(<8 x double> %620, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
+  %622 = call <8 x double> @llvm.fma.v8f64(<8 x double> %621, <8 x double> %620, <8 x double> splat (double 0x3FE2776C50EF9BFE))
+  %623 = call <8 x double> @llvm.fma.v8f64(<8 x double> %622, <8 x double> %620, <8 x double> splat (double 0x3FEEC709DC3A03FD))
+  %624 = call <8 x double> @llvm.fma.v8f64(<8 x double> %623, <8 x double> %620, <8 x double> splat (double 0x40071547652B82FE))
+  %625 = fmul <8 x double> %624, %619
+  %626 = trunc nsw <8 x i64> %613 to <8 x i32>
+  %627 = sitofp <8 x i32> %626 to <8 x double>
+  %628 = fadd <8 x double> %625, %627
+  %629 = fmul <8 x double> %628, %610
+  %630 = fcmp ogt <8 x double> %629, splat (double -1.000000e+03)
+  %631 = select <8 x i1> %630, <8 x double> %629, <8 x double> splat (double -1.000000e+03)
+  %632 = fcmp olt <8 x double> %631, splat (double 1.000000e+03)
+  %633 = select <8 x i1> %632, <8 x double> %631, <8 x double> splat (double 1.000000e+03)
+  %634 = call <8 x double> @llvm.rint.v8f64(<8 x double> %633)
+  %635 = fsub <8 x double> %633, %634
+  %636 = call <8 x double> @llvm.fma.v8f64(<8 x double> %635, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
+  %637 = call <8 x double> @llvm.fma.v8f64(<8 x double> %636, <8 x double> %635, <8 x double> splat (double 0x3F55D87FE78A6730))
+  %638 = call <8 x double> @llvm.fma.v8f64(<8 x double> %637, <8 x double> %635, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
+  %639 = call <8 x double> @llvm.fma.v8f64(<8 x double> %638, <8 x double> %635, <8 x double> splat (double 0x3FAC6B08D704A0BF))
+  %640 = call <8 x double> @llvm.fma.v8f64(<8 x double> %639, <8 x double> %635, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
+  %641 = call <8 x double> @llvm.fma.v8f64(<8 x double> %640, <8 x double> %635, <8 x double> splat (double 0x3FE62E42FEFA39EF))
+  %642 = call <8 x double> @llvm.fma.v8f64(<8 x double> %641, <8 x double> %635, <8 x double> splat (double 1.000000e+00))
+  %643 = fptosi <8 x double> %634 to <8 x i32>
+  %644 = zext <8 x i32> %643 to <8 x i64>
+  %645 = shl <8 x i64> %644, splat (i64 52)
+  %646 = bitcast <8 x double> %642 to <8 x i64>
+  %647 = add <8 x i64> %645, %646
+  %648 = bitcast <8 x i64> %647 to <8 x double>
+  %649 = fmul <8 x double> %543, splat (double 1.000000e-03)
+  %650 = fcmp olt <8 x double> %649, splat (double 0x3EB0C6F7A0B5ED8D)
+  %651 = select <8 x i1> %650, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %649
+  %652 = fmul <8 x double> %543, splat (double 1.000000e+02)
+  %653 = select <8 x i1> %605, <8 x double> %648, <8 x double> %651
+  %654 = fcmp olt <8 x double> %652, %653
+  %655 = select <8 x i1> %654, <8 x double> %652, <8 x double> %653
+  %656 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %502)
+  %657 = fmul <8 x double> %656, splat (double 0x3D30000000000000)
+  %658 = fcmp ogt <8 x double> %657, %655
+  %659 = select <8 x i1> %658, <8 x double> %657, <8 x double> %655
+  %660 = shufflevector <8 x double> %540, <8 x double> poison, <8 x i32> zeroinitializer
+  %661 = fcmp olt <8 x double> %660, %659
+  %662 = select <8 x i1> %661, <8 x double> %660, <8 x double> %659
+  %663 = select <8 x i1> %561, <8 x double> %649, <8 x double> %662
+  br label %664
 
-716:                                              ; preds = %649
-  %717 = add nsw i64 %651, -1
-  %718 = add i64 %650, 1
-  %719 = icmp slt i64 %650, 0
-  %720 = select i1 %719, i64 %124, i64 0
-  %721 = getelementptr double, ptr %125, i64 %650
-  %722 = getelementptr double, ptr %721, i64 %720
-  %723 = load double, ptr %722, align 8, !noalias !66
-  %724 = select i1 %719, i64 %119, i64 0
-  %725 = getelementptr double, ptr %120, i64 %650
-  %726 = getelementptr double, ptr %725, i64 %724
-  %727 = load double, ptr %726, align 8, !noalias !66
-  %728 = shl i64 %650, 6
-  %729 = getelementptr i8, ptr %85, i64 %728
-  %730 = load <8 x double>, ptr %729, align 8, !noalias !66
-  %731 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %730)
-  %732 = insertelement <8 x double> poison, double %727, i64 0
-  %733 = shufflevector <8 x double> %732, <8 x double> poison, <8 x i32> zeroinitializer
-  %734 = fmul <8 x double> %733, %731
-  %735 = insertelement <8 x double> poison, double %723, i64 0
-  %736 = shufflevector <8 x double> %735, <8 x double> poison, <8 x i32> zeroinitializer
-  %737 = fadd <8 x double> %736, %734
-  %738 = getelementptr i8, ptr %586, i64 %728
-  %739 = load <8 x double>, ptr %738, align 8, !noalias !66
-  %740 = getelementptr i8, ptr %112, i64 %728
-  %741 = load <8 x double>, ptr %740, align 8, !noalias !66
-  %742 = fsub <8 x double> %739, %741
-  %743 = fdiv <8 x double> %742, %737
-  %744 = fmul <8 x double> %743, %743
-  %745 = fadd <8 x double> %652, %744
-  br label %649
+664:                                              ; preds = %553, %525, %530, %581, %600
+  %665 = phi <8 x double> [ zeroinitializer, %525 ], [ %663, %600 ], [ zeroinitializer, %581 ], [ zeroinitializer, %530 ], [ zeroinitializer, %553 ]
+  %666 = phi i1 [ false, %525 ], [ true, %600 ], [ false, %581 ], [ false, %530 ], [ false, %553 ]
+  br i1 %666, label %667, label %2141, !prof !8
 
-746:                                              ; preds = %532, %654
-  %747 = phi <8 x double> [ %715, %654 ], [ zeroinitializer, %532 ]
-  %748 = phi i1 [ true, %654 ], [ false, %532 ]
-  br i1 %748, label %749, label %2172, !prof !1
+667:                                              ; preds = %664, %519
+  %668 = phi double [ 1.000000e+00, %519 ], [ 2.000000e+00, %664 ]
+  %669 = phi <8 x double> [ %523, %519 ], [ %665, %664 ]
+  %670 = load <8 x double>, ptr %141, align 8, !noalias !48
+  %671 = select <8 x i1> %501, <8 x double> %669, <8 x double> %670
+  store <8 x double> %671, ptr %141, align 8, !noalias !48
+  %672 = load <8 x double>, ptr %144, align 8, !noalias !48
+  %673 = select <8 x i1> %501, <8 x double> splat (double 1.000000e-04), <8 x double> %672
+  store <8 x double> %673, ptr %144, align 8, !noalias !48
+  %674 = getelementptr i8, ptr %36, i64 40
+  %675 = load double, ptr %674, align 8, !noalias !48
+  %676 = load <8 x double>, ptr %147, align 8, !noalias !48
+  %677 = insertelement <8 x double> poison, double %675, i64 0
+  %678 = shufflevector <8 x double> %677, <8 x double> poison, <8 x i32> zeroinitializer
+  %679 = select <8 x i1> %501, <8 x double> %678, <8 x double> %676
+  store <8 x double> %679, ptr %147, align 8, !noalias !48
+  %680 = load <8 x double>, ptr %162, align 8, !noalias !48
+  %681 = select <8 x i1> %501, <8 x double> zeroinitializer, <8 x double> %680
+  store <8 x double> %681, ptr %162, align 8, !noalias !48
+  %682 = load <8 x double>, ptr %167, align 8, !noalias !48
+  %683 = select <8 x i1> %501, <8 x double> zeroinitializer, <8 x double> %682
+  store <8 x double> %683, ptr %167, align 8, !noalias !48
+  %684 = load <8 x double>, ptr %172, align 8, !noalias !48
+  %685 = insertelement <8 x double> poison, double %668, i64 0
+  %686 = shufflevector <8 x double> %685, <8 x double> poison, <8 x i32> zeroinitializer
+  %687 = select <8 x i1> %501, <8 x double> %686, <8 x double> %684
+  store <8 x double> %687, ptr %172, align 8, !noalias !48
+  %688 = call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %669, i32 384)
+  %689 = select <8 x i1> %688, <8 x double> splat (double 2.000000e+00), <8 x double> splat (double 4.000000e+00)
+  %690 = load <8 x double>, ptr %177, align 8, !noalias !48
+  %691 = select <8 x i1> %501, <8 x double> %689, <8 x double> %690
+  store <8 x double> %691, ptr %177, align 8, !noalias !48
+  br label %692
 
-749:                                              ; preds = %746, %513
-  %750 = phi double [ 1.000000e+00, %513 ], [ 2.000000e+00, %746 ]
-  %751 = phi <8 x double> [ %517, %513 ], [ %747, %746 ]
-  %752 = load <8 x double>, ptr %135, align 8, !noalias !41
-  %753 = select <8 x i1> %495, <8 x double> %751, <8 x double> %752
-  store <8 x double> %753, ptr %135, align 8, !noalias !41
-  %754 = load <8 x double>, ptr %138, align 8, !noalias !41
-  %755 = select <8 x i1> %495, <8 x double> splat (double 1.000000e-04), <8 x double> %754
-  store <8 x double> %755, ptr %138, align 8, !noalias !41
-  %756 = getelementptr i8, ptr %33, i64 40
-  %757 = load double, ptr %756, align 8, !noalias !41
-  %758 = load <8 x double>, ptr %141, align 8, !noalias !41
-  %759 = insertelement <8 x double> poison, double %757, i64 0
-  %760 = shufflevector <8 x double> %759, <8 x double> poison, <8 x i32> zeroinitializer
-  %761 = select <8 x i1> %495, <8 x double> %760, <8 x double> %758
-  store <8 x double> %761, ptr %141, align 8, !noalias !41
-  %762 = load <8 x double>, ptr %156, align 8, !noalias !41
-  %763 = select <8 x i1> %495, <8 x double> zeroinitializer, <8 x double> %762
-  store <8 x double> %763, ptr %156, align 8, !noalias !41
-  %764 = load <8 x double>, ptr %161, align 8, !noalias !41
-  %765 = select <8 x i1> %495, <8 x double> zeroinitializer, <8 x double> %764
-  store <8 x double> %765, ptr %161, align 8, !noalias !41
-  %766 = load <8 x double>, ptr %166, align 8, !noalias !41
-  %767 = insertelement <8 x double> poison, double %750, i64 0
-  %768 = shufflevector <8 x double> %767, <8 x double> poison, <8 x i32> zeroinitializer
-  %769 = select <8 x i1> %495, <8 x double> %768, <8 x double> %766
-  store <8 x double> %769, ptr %166, align 8, !noalias !41
-  %770 = load <8 x double>, ptr %171, align 8, !noalias !41
-  %771 = select <8 x i1> %495, <8 x double> splat (double 2.000000e+00), <8 x double> %770
-  store <8 x double> %771, ptr %171, align 8, !noalias !41
-  br label %772
+692:                                              ; preds = %667, %718
+  %693 = phi i64 [ 0, %667 ], [ %981, %718 ]
+  %694 = phi i64 [ 8, %667 ], [ %980, %718 ]
+  %695 = icmp sgt i64 %694, 0
+  br i1 %695, label %979, label %719
 
-772:                                              ; preds = %749, %798
-  %773 = phi i64 [ 0, %749 ], [ %1061, %798 ]
-  %774 = phi i64 [ 8, %749 ], [ %1060, %798 ]
-  %775 = icmp sgt i64 %774, 0
-  br i1 %775, label %1059, label %799
+696:                                              ; preds = %979
+  %697 = load double, ptr %198, align 8, !noalias !48
+  %698 = icmp slt i64 %693, 0
+  %699 = select i1 %698, i64 %151, i64 0
+  %700 = getelementptr double, ptr %152, i64 %693
+  %701 = getelementptr double, ptr %700, i64 %699
+  store double 0.000000e+00, ptr %701, align 8, !noalias !48
+  %702 = select i1 %698, i64 %156, i64 0
+  %703 = getelementptr double, ptr %157, i64 %693
+  %704 = getelementptr double, ptr %703, i64 %702
+  store double %697, ptr %704, align 8, !noalias !48
+  %705 = select i1 %698, i64 %181, i64 0
+  %706 = getelementptr i64, ptr %182, i64 %693
+  %707 = getelementptr i64, ptr %706, i64 %705
+  %708 = load i64, ptr %707, align 8, !noalias !48
+  %709 = add nsw i64 %197, -1
+  %710 = mul nsw i64 %708, %709
+  %711 = getelementptr i8, ptr %190, i64 24
+  %712 = load i64, ptr %711, align 8, !noalias !48
+  %713 = shl nsw i64 %710, 3
+  %714 = add nsw i64 %712, %713
+  %715 = select i1 %698, i64 %186, i64 0
+  %716 = getelementptr i64, ptr %187, i64 %693
+  %717 = getelementptr i64, ptr %716, i64 %715
+  store i64 %714, ptr %717, align 8, !noalias !48
+  br label %718
 
-776:                                              ; preds = %1059
-  %777 = load double, ptr %192, align 8, !noalias !41
-  %778 = icmp slt i64 %773, 0
-  %779 = select i1 %778, i64 %145, i64 0
-  %780 = getelementptr double, ptr %146, i64 %773
-  %781 = getelementptr double, ptr %780, i64 %779
-  store double 0.000000e+00, ptr %781, align 8, !noalias !41
-  %782 = select i1 %778, i64 %150, i64 0
-  %783 = getelementptr double, ptr %151, i64 %773
-  %784 = getelementptr double, ptr %783, i64 %782
-  store double %777, ptr %784, align 8, !noalias !41
-  %785 = select i1 %778, i64 %175, i64 0
-  %786 = getelementptr i64, ptr %176, i64 %773
-  %787 = getelementptr i64, ptr %786, i64 %785
-  %788 = load i64, ptr %787, align 8, !noalias !41
-  %789 = add nsw i64 %191, -1
-  %790 = mul nsw i64 %788, %789
-  %791 = getelementptr i8, ptr %184, i64 24
-  %792 = load i64, ptr %791, align 8, !noalias !41
-  %793 = shl nsw i64 %790, 3
-  %794 = add nsw i64 %792, %793
-  %795 = select i1 %778, i64 %180, i64 0
-  %796 = getelementptr i64, ptr %181, i64 %773
-  %797 = getelementptr i64, ptr %796, i64 %795
-  store i64 %794, ptr %797, align 8, !noalias !41
-  br label %798
+718:                                              ; preds = %696, %979
+  br label %692
 
-798:                                              ; preds = %776, %1059
-  br label %772
+719:                                              ; preds = %692
+  %720 = xor i64 %513, -1
+  %721 = and i64 %274, %720
+  %722 = icmp eq i64 %721, 0
+  br i1 %722, label %811, label %723
 
-799:                                              ; preds = %772
-  %800 = xor i64 %507, -1
-  %801 = and i64 %268, %800
-  %802 = icmp eq i64 %801, 0
-  br i1 %802, label %891, label %803
+723:                                              ; preds = %719, %745
+  %724 = phi i64 [ %797, %745 ], [ %721, %719 ]
+  %725 = getelementptr i8, ptr %190, i64 32
+  %726 = load i64, ptr %725, align 8, !noalias !73
+  %727 = shl nsw i64 %726, 3
+  %728 = load i64, ptr %232, align 8, !noalias !73
+  br label %729
 
-803:                                              ; preds = %799, %825
-  %804 = phi i64 [ %877, %825 ], [ %801, %799 ]
-  %805 = getelementptr i8, ptr %184, i64 32
-  %806 = load i64, ptr %805, align 8, !noalias !70
-  %807 = shl nsw i64 %806, 3
-  %808 = load i64, ptr %226, align 8, !noalias !70
-  br label %809
+729:                                              ; preds = %723, %743
+  %730 = phi i64 [ %733, %743 ], [ %724, %723 ]
+  %731 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %730, i1 true)
+  %732 = add nsw i64 %730, -1
+  %733 = and i64 %730, %732
+  %734 = getelementptr i64, ptr %187, i64 %731
+  %735 = load i64, ptr %734, align 8, !noalias !73
+  %736 = add nsw i64 %735, 8
+  store i64 %736, ptr %734, align 8, !noalias !73
+  %737 = call i64 @llvm.smax.i64(i64 %728, i64 0)
+  br label %738
 
-809:                                              ; preds = %803, %823
-  %810 = phi i64 [ %813, %823 ], [ %804, %803 ]
-  %811 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %810, i1 true)
-  %812 = add nsw i64 %810, -1
-  %813 = and i64 %810, %812
-  %814 = getelementptr i64, ptr %181, i64 %811
-  %815 = load i64, ptr %814, align 8, !noalias !70
-  %816 = add nsw i64 %815, 8
-  store i64 %816, ptr %814, align 8, !noalias !70
-  %817 = call i64 @llvm.smax.i64(i64 %808, i64 0)
-  br label %818
+738:                                              ; preds = %729, %799
+  %739 = phi i64 [ 0, %729 ], [ %801, %799 ]
+  %740 = phi i64 [ %737, %729 ], [ %800, %799 ]
+  %741 = phi i64 [ %735, %729 ], [ %810, %799 ]
+  %742 = icmp sgt i64 %740, 0
+  br i1 %742, label %799, label %743
 
-818:                                              ; preds = %809, %879
-  %819 = phi i64 [ 0, %809 ], [ %881, %879 ]
-  %820 = phi i64 [ %817, %809 ], [ %880, %879 ]
-  %821 = phi i64 [ %815, %809 ], [ %890, %879 ]
-  %822 = icmp sgt i64 %820, 0
-  br i1 %822, label %879, label %823
+743:                                              ; preds = %738
+  %744 = icmp eq i64 %733, 0
+  br i1 %744, label %745, label %729
 
-823:                                              ; preds = %818
-  %824 = icmp eq i64 %813, 0
-  br i1 %824, label %825, label %809
+745:                                              ; preds = %743
+  %746 = load <8 x double>, ptr %152, align 8, !noalias !73
+  %747 = trunc i64 %724 to i8
+  %748 = bitcast i8 %747 to <8 x i1>
+  %749 = select <8 x i1> %748, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %750 = fadd <8 x double> %746, %749
+  store <8 x double> %750, ptr %152, align 8, !noalias !73
+  %751 = extractelement <8 x double> %750, i64 0
+  %752 = fptosi double %751 to i64
+  %753 = getelementptr double, ptr %198, i64 %752
+  %754 = load double, ptr %753, align 8, !noalias !73
+  %755 = insertelement <8 x double> poison, double %754, i64 0
+  %756 = extractelement <8 x double> %750, i64 1
+  %757 = fptosi double %756 to i64
+  %758 = getelementptr double, ptr %198, i64 %757
+  %759 = load double, ptr %758, align 8, !noalias !73
+  %760 = insertelement <8 x double> %755, double %759, i64 1
+  %761 = extractelement <8 x double> %750, i64 2
+  %762 = fptosi double %761 to i64
+  %763 = getelementptr double, ptr %198, i64 %762
+  %764 = load double, ptr %763, align 8, !noalias !73
+  %765 = insertelement <8 x double> %760, double %764, i64 2
+  %766 = extractelement <8 x double> %750, i64 3
+  %767 = fptosi double %766 to i64
+  %768 = getelementptr double, ptr %198, i64 %767
+  %769 = load double, ptr %768, align 8, !noalias !73
+  %770 = insertelement <8 x double> %765, double %769, i64 3
+  %771 = extractelement <8 x double> %750, i64 4
+  %772 = fptosi double %771 to i64
+  %773 = getelementptr double, ptr %198, i64 %772
+  %774 = load double, ptr %773, align 8, !noalias !73
+  %775 = insertelement <8 x double> %770, double %774, i64 4
+  %776 = extractelement <8 x double> %750, i64 5
+  %777 = fptosi double %776 to i64
+  %778 = getelementptr double, ptr %198, i64 %777
+  %779 = load double, ptr %778, align 8, !noalias !73
+  %780 = insertelement <8 x double> %775, double %779, i64 5
+  %781 = extractelement <8 x double> %750, i64 6
+  %782 = fptosi double %781 to i64
+  %783 = getelementptr double, ptr %198, i64 %782
+  %784 = load double, ptr %783, align 8, !noalias !73
+  %785 = insertelement <8 x double> %780, double %784, i64 6
+  %786 = extractelement <8 x double> %750, i64 7
+  %787 = fptosi double %786 to i64
+  %788 = getelementptr double, ptr %198, i64 %787
+  %789 = load double, ptr %788, align 8, !noalias !73
+  %790 = insertelement <8 x double> %785, double %789, i64 7
+  store <8 x double> %790, ptr %157, align 8, !noalias !73
+  %791 = load double, ptr %198, align 8, !noalias !48
+  %792 = insertelement <8 x double> poison, double %791, i64 0
+  %793 = shufflevector <8 x double> %792, <8 x double> poison, <8 x i32> zeroinitializer
+  %794 = fcmp oeq <8 x double> %790, %793
+  %795 = bitcast <8 x i1> %794 to i8
+  %796 = zext i8 %795 to i64
+  %797 = and i64 %724, %796
+  %798 = icmp eq i64 %797, 0
+  br i1 %798, label %811, label %723
 
-825:                                              ; preds = %823
-  %826 = load <8 x double>, ptr %146, align 8, !noalias !70
-  %827 = trunc i64 %804 to i8
-  %828 = bitcast i8 %827 to <8 x i1>
-  %829 = select <8 x i1> %828, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %830 = fadd <8 x double> %826, %829
-  store <8 x double> %830, ptr %146, align 8, !noalias !70
-  %831 = extractelement <8 x double> %830, i64 0
-  %832 = fptosi double %831 to i64
-  %833 = getelementptr double, ptr %192, i64 %832
-  %834 = load double, ptr %833, align 8, !noalias !70
-  %835 = insertelement <8 x double> poison, double %834, i64 0
-  %836 = extractelement <8 x double> %830, i64 1
-  %837 = fptosi double %836 to i64
-  %838 = getelementptr double, ptr %192, i64 %837
-  %839 = load double, ptr %838, align 8, !noalias !70
-  %840 = insertelement <8 x double> %835, double %839, i64 1
-  %841 = extractelement <8 x double> %830, i64 2
-  %842 = fptosi double %841 to i64
-  %843 = getelementptr double, ptr %192, i64 %842
-  %844 = load double, ptr %843, align 8, !noalias !70
-  %845 = insertelement <8 x double> %840, double %844, i64 2
-  %846 = extractelement <8 x double> %830, i64 3
-  %847 = fptosi double %846 to i64
-  %848 = getelementptr double, ptr %192, i64 %847
-  %849 = load double, ptr %848, align 8, !noalias !70
-  %850 = insertelement <8 x double> %845, double %849, i64 3
-  %851 = extractelement <8 x double> %830, i64 4
-  %852 = fptosi double %851 to i64
-  %853 = getelementptr double, ptr %192, i64 %852
-  %854 = load double, ptr %853, align 8, !noalias !70
-  %855 = insertelement <8 x double> %850, double %854, i64 4
-  %856 = extractelement <8 x double> %830, i64 5
-  %857 = fptosi double %856 to i64
-  %858 = getelementptr double, ptr %192, i64 %857
-  %859 = load double, ptr %858, align 8, !noalias !70
-  %860 = insertelement <8 x double> %855, double %859, i64 5
-  %861 = extractelement <8 x double> %830, i64 6
-  %862 = fptosi double %861 to i64
-  %863 = getelementptr double, ptr %192, i64 %862
-  %864 = load double, ptr %863, align 8, !noalias !70
-  %865 = insertelement <8 x double> %860, double %864, i64 6
-  %866 = extractelement <8 x double> %830, i64 7
-  %867 = fptosi double %866 to i64
-  %868 = getelementptr double, ptr %192, i64 %867
-  %869 = load double, ptr %868, align 8, !noalias !70
-  %870 = insertelement <8 x double> %865, double %869, i64 7
-  store <8 x double> %870, ptr %151, align 8, !noalias !70
-  %871 = load double, ptr %192, align 8, !noalias !41
-  %872 = insertelement <8 x double> poison, double %871, i64 0
-  %873 = shufflevector <8 x double> %872, <8 x double> poison, <8 x i32> zeroinitializer
-  %874 = fcmp oeq <8 x double> %870, %873
-  %875 = bitcast <8 x i1> %874 to i8
-  %876 = zext i8 %875 to i64
-  %877 = and i64 %804, %876
-  %878 = icmp eq i64 %877, 0
-  br i1 %878, label %891, label %803
+799:                                              ; preds = %738
+  %800 = add nsw i64 %740, -1
+  %801 = add i64 %739, 1
+  %802 = shl nsw i64 %739, 3
+  %803 = add nsw i64 %802, %731
+  %804 = icmp slt i64 %803, 0
+  %805 = select i1 %804, i64 %87, i64 0
+  %806 = getelementptr double, ptr %88, i64 %803
+  %807 = getelementptr double, ptr %806, i64 %805
+  %808 = load i64, ptr %807, align 8, !noalias !73
+  %809 = inttoptr i64 %741 to ptr
+  store atomic i64 %808, ptr %809 unordered, align 8, !noalias !73
+  %810 = add nsw i64 %741, %727
+  br label %738
 
-879:                                              ; preds = %818
-  %880 = add nsw i64 %820, -1
-  %881 = add i64 %819, 1
-  %882 = shl nsw i64 %819, 3
-  %883 = add nsw i64 %882, %811
-  %884 = icmp slt i64 %883, 0
-  %885 = select i1 %884, i64 %84, i64 0
-  %886 = getelementptr double, ptr %85, i64 %883
-  %887 = getelementptr double, ptr %886, i64 %885
-  %888 = load i64, ptr %887, align 8, !noalias !70
-  %889 = inttoptr i64 %821 to ptr
-  store atomic i64 %888, ptr %889 unordered, align 8, !noalias !70
-  %890 = add nsw i64 %821, %807
-  br label %818
+811:                                              ; preds = %745, %719
+  br label %812
 
-891:                                              ; preds = %825, %799
-  br label %892
+812:                                              ; preds = %841, %811, %967
+  %813 = phi i64 [ 0, %811 ], [ %987, %967 ], [ %987, %841 ]
+  %814 = phi i64 [ 8, %811 ], [ %986, %967 ], [ %986, %841 ]
+  %815 = icmp sgt i64 %814, 0
+  br i1 %815, label %985, label %991
 
-892:                                              ; preds = %921, %891, %1047
-  %893 = phi i64 [ 0, %891 ], [ %1067, %1047 ], [ %1067, %921 ]
-  %894 = phi i64 [ 8, %891 ], [ %1066, %1047 ], [ %1066, %921 ]
-  %895 = icmp sgt i64 %894, 0
-  br i1 %895, label %1065, label %1071
+816:                                              ; preds = %985
+  %817 = icmp slt i64 %813, 0
+  %818 = select i1 %817, i64 %181, i64 0
+  %819 = getelementptr i64, ptr %182, i64 %813
+  %820 = getelementptr i64, ptr %819, i64 %818
+  %821 = load i64, ptr %820, align 8, !noalias !77
+  %822 = getelementptr i8, ptr %190, i64 32
+  %823 = load i64, ptr %822, align 8, !noalias !77
+  %824 = shl nsw i64 %823, 3
+  %825 = select i1 %817, i64 %151, i64 0
+  %826 = getelementptr double, ptr %152, i64 %813
+  %827 = getelementptr double, ptr %826, i64 %825
+  %828 = load double, ptr %827, align 8, !noalias !77
+  %829 = fptosi double %828 to i64
+  %830 = xor i64 %829, -1
+  %831 = add i64 %197, %830
+  %832 = call i64 @llvm.smax.i64(i64 %831, i64 0)
+  br label %833
 
-896:                                              ; preds = %1065
-  %897 = icmp slt i64 %893, 0
-  %898 = select i1 %897, i64 %175, i64 0
-  %899 = getelementptr i64, ptr %176, i64 %893
+833:                                              ; preds = %837, %816
+  %834 = phi i64 [ 0, %816 ], [ %874, %837 ]
+  %835 = phi i64 [ %832, %816 ], [ %873, %837 ]
+  %836 = icmp sgt i64 %835, 0
+  br i1 %836, label %872, label %841
+
+837:                                              ; preds = %872, %883
+  %838 = phi i64 [ %882, %872 ], [ %884, %883 ]
+  %839 = phi i64 [ %880, %872 ], [ %886, %883 ]
+  %840 = icmp sgt i64 %838, 0
+  br i1 %840, label %883, label %833
+
+841:                                              ; preds = %833
+  %842 = icmp slt i64 %821, 0
+  %843 = select i1 %842, i64 %223, i64 0
+  %844 = add i64 %821, %843
+  %845 = mul i64 %844, %225
+  %846 = getelementptr i64, ptr %226, i64 %845
+  %847 = select i1 %817, i64 %161, i64 0
+  %848 = getelementptr double, ptr %162, i64 %813
+  %849 = getelementptr double, ptr %848, i64 %847
+  %850 = load double, ptr %849, align 8, !noalias !77
+  %851 = select i1 %817, i64 %166, i64 0
+  %852 = getelementptr double, ptr %167, i64 %813
+  %853 = getelementptr double, ptr %852, i64 %851
+  %854 = load double, ptr %853, align 8, !noalias !77
+  %855 = fptosi double %850 to i64
+  store i64 %855, ptr %846, align 8, !noalias !77
+  %856 = getelementptr i8, ptr %846, i64 8
+  %857 = fptosi double %854 to i64
+  store i64 %857, ptr %856, align 8, !noalias !77
+  %858 = select i1 %817, i64 %171, i64 0
+  %859 = getelementptr double, ptr %172, i64 %813
+  %860 = getelementptr double, ptr %859, i64 %858
+  %861 = load double, ptr %860, align 8, !noalias !77
+  %862 = getelementptr i8, ptr %846, i64 16
+  %863 = fptosi double %861 to i64
+  store i64 %863, ptr %862, align 8, !noalias !77
+  %864 = getelementptr i8, ptr %846, i64 24
+  store i64 3, ptr %864, align 8, !noalias !77
+  %865 = select i1 %817, i64 %135, i64 0
+  %866 = getelementptr double, ptr %136, i64 %813
+  %867 = getelementptr double, ptr %866, i64 %865
+  %868 = load double, ptr %867, align 8, !noalias !77
+  %869 = select i1 %842, i64 %230, i64 0
+  %870 = getelementptr double, ptr %231, i64 %821
+  %871 = getelementptr double, ptr %870, i64 %869
+  store double %868, ptr %871, align 8, !noalias !77
+  store i64 -1, ptr %820, align 8, !noalias !77
+  br label %812
+
+872:                                              ; preds = %833
+  %873 = add nsw i64 %835, -1
+  %874 = add i64 %834, 1
+  %875 = shl nsw i64 %834, 3
+  %876 = select i1 %817, i64 %186, i64 0
+  %877 = getelementptr i64, ptr %187, i64 %813
+  %878 = getelementptr i64, ptr %877, i64 %876
+  %879 = load i64, ptr %878, align 8, !noalias !77
+  %880 = add nsw i64 %879, %875
+  %881 = load i64, ptr %232, align 8, !noalias !77
+  %882 = call i64 @llvm.smax.i64(i64 %881, i64 0)
+  br label %837
+
+883:                                              ; preds = %837
+  %884 = add nsw i64 %838, -1
+  %885 = inttoptr i64 %839 to ptr
+  store atomic i64 9221120237041090560, ptr %885 unordered, align 8, !noalias !77
+  %886 = add nsw i64 %839, %824
+  br label %837
+
+887:                                              ; preds = %985
+  %888 = and i64 %274, %988
+  %889 = icmp eq i64 %888, 0
+  br i1 %889, label %967, label %890
+
+890:                                              ; preds = %887
+  %891 = icmp slt i64 %813, 0
+  %892 = select i1 %891, i64 %156, i64 0
+  %893 = getelementptr double, ptr %157, i64 %813
+  %894 = getelementptr double, ptr %893, i64 %892
+  %895 = load double, ptr %894, align 8, !noalias !48
+  %896 = fcmp oeq double %895, 0x7FF0000000000000
+  br i1 %896, label %897, label %967
+
+897:                                              ; preds = %890
+  %898 = select i1 %891, i64 %181, i64 0
+  %899 = getelementptr i64, ptr %182, i64 %813
   %900 = getelementptr i64, ptr %899, i64 %898
-  %901 = load i64, ptr %900, align 8, !noalias !74
-  %902 = getelementptr i8, ptr %184, i64 32
-  %903 = load i64, ptr %902, align 8, !noalias !74
+  %901 = load i64, ptr %900, align 8, !noalias !81
+  %902 = getelementptr i8, ptr %190, i64 32
+  %903 = load i64, ptr %902, align 8, !noalias !81
   %904 = shl nsw i64 %903, 3
-  %905 = select i1 %897, i64 %145, i64 0
-  %906 = getelementptr double, ptr %146, i64 %893
+  %905 = select i1 %891, i64 %151, i64 0
+  %906 = getelementptr double, ptr %152, i64 %813
   %907 = getelementptr double, ptr %906, i64 %905
-  %908 = load double, ptr %907, align 8, !noalias !74
+  %908 = load double, ptr %907, align 8, !noalias !81
   %909 = fptosi double %908 to i64
   %910 = xor i64 %909, -1
-  %911 = add i64 %191, %910
+  %911 = add i64 %197, %910
   %912 = call i64 @llvm.smax.i64(i64 %911, i64 0)
   br label %913
 
-913:                                              ; preds = %917, %896
-  %914 = phi i64 [ 0, %896 ], [ %954, %917 ]
-  %915 = phi i64 [ %912, %896 ], [ %953, %917 ]
+913:                                              ; preds = %917, %897
+  %914 = phi i64 [ 0, %897 ], [ %954, %917 ]
+  %915 = phi i64 [ %912, %897 ], [ %953, %917 ]
   %916 = icmp sgt i64 %915, 0
   br i1 %916, label %952, label %921
 
@@ -1604,1669 +1757,1649 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
 
 921:                                              ; preds = %913
   %922 = icmp slt i64 %901, 0
-  %923 = select i1 %922, i64 %217, i64 0
+  %923 = select i1 %922, i64 %223, i64 0
   %924 = add i64 %901, %923
-  %925 = mul i64 %924, %219
-  %926 = getelementptr i64, ptr %220, i64 %925
-  %927 = select i1 %897, i64 %155, i64 0
-  %928 = getelementptr double, ptr %156, i64 %893
+  %925 = mul i64 %924, %225
+  %926 = getelementptr i64, ptr %226, i64 %925
+  %927 = select i1 %891, i64 %161, i64 0
+  %928 = getelementptr double, ptr %162, i64 %813
   %929 = getelementptr double, ptr %928, i64 %927
-  %930 = load double, ptr %929, align 8, !noalias !74
-  %931 = select i1 %897, i64 %160, i64 0
-  %932 = getelementptr double, ptr %161, i64 %893
+  %930 = load double, ptr %929, align 8, !noalias !81
+  %931 = select i1 %891, i64 %166, i64 0
+  %932 = getelementptr double, ptr %167, i64 %813
   %933 = getelementptr double, ptr %932, i64 %931
-  %934 = load double, ptr %933, align 8, !noalias !74
+  %934 = load double, ptr %933, align 8, !noalias !81
   %935 = fptosi double %930 to i64
-  store i64 %935, ptr %926, align 8, !noalias !74
+  store i64 %935, ptr %926, align 8, !noalias !81
   %936 = getelementptr i8, ptr %926, i64 8
   %937 = fptosi double %934 to i64
-  store i64 %937, ptr %936, align 8, !noalias !74
-  %938 = select i1 %897, i64 %165, i64 0
-  %939 = getelementptr double, ptr %166, i64 %893
+  store i64 %937, ptr %936, align 8, !noalias !81
+  %938 = select i1 %891, i64 %171, i64 0
+  %939 = getelementptr double, ptr %172, i64 %813
   %940 = getelementptr double, ptr %939, i64 %938
-  %941 = load double, ptr %940, align 8, !noalias !74
+  %941 = load double, ptr %940, align 8, !noalias !81
   %942 = getelementptr i8, ptr %926, i64 16
   %943 = fptosi double %941 to i64
-  store i64 %943, ptr %942, align 8, !noalias !74
+  store i64 %943, ptr %942, align 8, !noalias !81
   %944 = getelementptr i8, ptr %926, i64 24
-  store i64 3, ptr %944, align 8, !noalias !74
-  %945 = select i1 %897, i64 %129, i64 0
-  %946 = getelementptr double, ptr %130, i64 %893
+  store i64 0, ptr %944, align 8, !noalias !81
+  %945 = select i1 %891, i64 %135, i64 0
+  %946 = getelementptr double, ptr %136, i64 %813
   %947 = getelementptr double, ptr %946, i64 %945
-  %948 = load double, ptr %947, align 8, !noalias !74
-  %949 = select i1 %922, i64 %224, i64 0
-  %950 = getelementptr double, ptr %225, i64 %901
+  %948 = load double, ptr %947, align 8, !noalias !81
+  %949 = select i1 %922, i64 %230, i64 0
+  %950 = getelementptr double, ptr %231, i64 %901
   %951 = getelementptr double, ptr %950, i64 %949
-  store double %948, ptr %951, align 8, !noalias !74
-  store i64 -1, ptr %900, align 8, !noalias !74
-  br label %892
+  store double %948, ptr %951, align 8, !noalias !81
+  store i64 -1, ptr %900, align 8, !noalias !81
+  br label %967
 
 952:                                              ; preds = %913
   %953 = add nsw i64 %915, -1
   %954 = add i64 %914, 1
   %955 = shl nsw i64 %914, 3
-  %956 = select i1 %897, i64 %180, i64 0
-  %957 = getelementptr i64, ptr %181, i64 %893
+  %956 = select i1 %891, i64 %186, i64 0
+  %957 = getelementptr i64, ptr %187, i64 %813
   %958 = getelementptr i64, ptr %957, i64 %956
-  %959 = load i64, ptr %958, align 8, !noalias !74
+  %959 = load i64, ptr %958, align 8, !noalias !81
   %960 = add nsw i64 %959, %955
-  %961 = load i64, ptr %226, align 8, !noalias !74
+  %961 = load i64, ptr %232, align 8, !noalias !81
   %962 = call i64 @llvm.smax.i64(i64 %961, i64 0)
   br label %917
 
 963:                                              ; preds = %917
   %964 = add nsw i64 %918, -1
   %965 = inttoptr i64 %919 to ptr
-  store atomic i64 9221120237041090560, ptr %965 unordered, align 8, !noalias !74
+  store atomic i64 9221120237041090560, ptr %965 unordered, align 8, !noalias !81
   %966 = add nsw i64 %919, %904
   br label %917
 
-967:                                              ; preds = %1065
-  %968 = and i64 %268, %1068
-  %969 = icmp eq i64 %968, 0
-  br i1 %969, label %1047, label %970
+967:                                              ; preds = %921, %890, %887
+  br label %812
 
-970:                                              ; preds = %967
-  %971 = icmp slt i64 %893, 0
-  %972 = select i1 %971, i64 %150, i64 0
-  %973 = getelementptr double, ptr %151, i64 %893
-  %974 = getelementptr double, ptr %973, i64 %972
-  %975 = load double, ptr %974, align 8, !noalias !41
-  %976 = fcmp oeq double %975, 0x7FF0000000000000
-  br i1 %976, label %977, label %1047
+968:                                              ; preds = %512
+  %969 = call i64 @llvm.smax.i64(i64 %499, i64 0)
+  br label %515
 
-977:                                              ; preds = %970
-  %978 = select i1 %971, i64 %175, i64 0
-  %979 = getelementptr i64, ptr %176, i64 %893
-  %980 = getelementptr i64, ptr %979, i64 %978
-  %981 = load i64, ptr %980, align 8, !noalias !78
-  %982 = getelementptr i8, ptr %184, i64 32
-  %983 = load i64, ptr %982, align 8, !noalias !78
-  %984 = shl nsw i64 %983, 3
-  %985 = select i1 %971, i64 %145, i64 0
-  %986 = getelementptr double, ptr %146, i64 %893
-  %987 = getelementptr double, ptr %986, i64 %985
-  %988 = load double, ptr %987, align 8, !noalias !78
-  %989 = fptosi double %988 to i64
-  %990 = xor i64 %989, -1
-  %991 = add i64 %191, %990
-  %992 = call i64 @llvm.smax.i64(i64 %991, i64 0)
-  br label %993
+970:                                              ; preds = %515
+  %971 = add nsw i64 %517, -1
+  %972 = add i64 %516, 1
+  %973 = shl i64 %516, 6
+  %974 = getelementptr i8, ptr %98, i64 %973
+  %975 = load <8 x double>, ptr %974, align 8, !noalias !48
+  %976 = getelementptr i8, ptr %116, i64 %973
+  %977 = load <8 x double>, ptr %976, align 8, !noalias !48
+  %978 = select <8 x i1> %501, <8 x double> %975, <8 x double> %977
+  store <8 x double> %978, ptr %976, align 8, !noalias !48
+  br label %515
 
-993:                                              ; preds = %997, %977
-  %994 = phi i64 [ 0, %977 ], [ %1034, %997 ]
-  %995 = phi i64 [ %992, %977 ], [ %1033, %997 ]
-  %996 = icmp sgt i64 %995, 0
-  br i1 %996, label %1032, label %1001
+979:                                              ; preds = %692
+  %980 = add nsw i64 %694, -1
+  %981 = add i64 %693, 1
+  %982 = shl nuw i64 1, %693
+  %983 = and i64 %274, %982
+  %984 = icmp eq i64 %983, 0
+  br i1 %984, label %718, label %696
 
-997:                                              ; preds = %1032, %1043
-  %998 = phi i64 [ %1042, %1032 ], [ %1044, %1043 ]
-  %999 = phi i64 [ %1040, %1032 ], [ %1046, %1043 ]
-  %1000 = icmp sgt i64 %998, 0
-  br i1 %1000, label %1043, label %993
+985:                                              ; preds = %812
+  %986 = add nsw i64 %814, -1
+  %987 = add i64 %813, 1
+  %988 = shl nuw i64 1, %813
+  %989 = and i64 %513, %988
+  %990 = icmp eq i64 %989, 0
+  br i1 %990, label %887, label %816
 
-1001:                                             ; preds = %993
-  %1002 = icmp slt i64 %981, 0
-  %1003 = select i1 %1002, i64 %217, i64 0
-  %1004 = add i64 %981, %1003
-  %1005 = mul i64 %1004, %219
-  %1006 = getelementptr i64, ptr %220, i64 %1005
-  %1007 = select i1 %971, i64 %155, i64 0
-  %1008 = getelementptr double, ptr %156, i64 %893
-  %1009 = getelementptr double, ptr %1008, i64 %1007
-  %1010 = load double, ptr %1009, align 8, !noalias !78
-  %1011 = select i1 %971, i64 %160, i64 0
-  %1012 = getelementptr double, ptr %161, i64 %893
-  %1013 = getelementptr double, ptr %1012, i64 %1011
-  %1014 = load double, ptr %1013, align 8, !noalias !78
-  %1015 = fptosi double %1010 to i64
-  store i64 %1015, ptr %1006, align 8, !noalias !78
-  %1016 = getelementptr i8, ptr %1006, i64 8
-  %1017 = fptosi double %1014 to i64
-  store i64 %1017, ptr %1016, align 8, !noalias !78
-  %1018 = select i1 %971, i64 %165, i64 0
-  %1019 = getelementptr double, ptr %166, i64 %893
-  %1020 = getelementptr double, ptr %1019, i64 %1018
-  %1021 = load double, ptr %1020, align 8, !noalias !78
-  %1022 = getelementptr i8, ptr %1006, i64 16
-  %1023 = fptosi double %1021 to i64
-  store i64 %1023, ptr %1022, align 8, !noalias !78
-  %1024 = getelementptr i8, ptr %1006, i64 24
-  store i64 0, ptr %1024, align 8, !noalias !78
-  %1025 = select i1 %971, i64 %129, i64 0
-  %1026 = getelementptr double, ptr %130, i64 %893
-  %1027 = getelementptr double, ptr %1026, i64 %1025
-  %1028 = load double, ptr %1027, align 8, !noalias !78
-  %1029 = select i1 %1002, i64 %224, i64 0
-  %1030 = getelementptr double, ptr %225, i64 %981
-  %1031 = getelementptr double, ptr %1030, i64 %1029
-  store double %1028, ptr %1031, align 8, !noalias !78
-  store i64 -1, ptr %980, align 8, !noalias !78
-  br label %1047
+991:                                              ; preds = %812, %1003
+  %992 = phi i64 [ %2144, %1003 ], [ 0, %812 ]
+  %993 = phi i64 [ %2143, %1003 ], [ 8, %812 ]
+  %994 = phi i1 [ %1004, %1003 ], [ false, %812 ]
+  %995 = icmp sgt i64 %993, 0
+  br i1 %995, label %2142, label %1005
 
-1032:                                             ; preds = %993
-  %1033 = add nsw i64 %995, -1
-  %1034 = add i64 %994, 1
-  %1035 = shl nsw i64 %994, 3
-  %1036 = select i1 %971, i64 %180, i64 0
-  %1037 = getelementptr i64, ptr %181, i64 %893
-  %1038 = getelementptr i64, ptr %1037, i64 %1036
-  %1039 = load i64, ptr %1038, align 8, !noalias !78
-  %1040 = add nsw i64 %1039, %1035
-  %1041 = load i64, ptr %226, align 8, !noalias !78
-  %1042 = call i64 @llvm.smax.i64(i64 %1041, i64 0)
-  br label %997
+996:                                              ; preds = %2142
+  %997 = icmp slt i64 %992, 0
+  %998 = select i1 %997, i64 %181, i64 0
+  %999 = getelementptr i64, ptr %182, i64 %992
+  %1000 = getelementptr i64, ptr %999, i64 %998
+  %1001 = load i64, ptr %1000, align 8, !noalias !12
+  %1002 = icmp eq i64 %1001, -1
+  br label %1003
 
-1043:                                             ; preds = %997
-  %1044 = add nsw i64 %998, -1
-  %1045 = inttoptr i64 %999 to ptr
-  store atomic i64 9221120237041090560, ptr %1045 unordered, align 8, !noalias !78
-  %1046 = add nsw i64 %999, %984
-  br label %997
+1003:                                             ; preds = %996, %2142
+  %1004 = phi i1 [ true, %2142 ], [ %1002, %996 ]
+  br label %991
 
-1047:                                             ; preds = %1001, %970, %967
-  br label %892
+1005:                                             ; preds = %991
+  br i1 %994, label %270, label %1006
 
-1048:                                             ; preds = %506
-  %1049 = call i64 @llvm.smax.i64(i64 %493, i64 0)
-  br label %509
+1006:                                             ; preds = %496, %1005, %267
+  %1007 = phi i64 [ %268, %267 ], [ %275, %1005 ], [ %275, %496 ]
+  %1008 = phi i1 [ false, %267 ], [ false, %1005 ], [ true, %496 ]
+  %1009 = getelementptr i8, ptr %190, i64 8
+  %1010 = load i64, ptr %1009, align 8, !noalias !12
+  %1011 = icmp slt i64 %1010, 1
+  br i1 %1011, label %1012, label %1013
 
-1050:                                             ; preds = %509
-  %1051 = add nsw i64 %511, -1
-  %1052 = add i64 %510, 1
-  %1053 = shl i64 %510, 6
-  %1054 = getelementptr i8, ptr %95, i64 %1053
-  %1055 = load <8 x double>, ptr %1054, align 8, !noalias !41
-  %1056 = getelementptr i8, ptr %112, i64 %1053
-  %1057 = load <8 x double>, ptr %1056, align 8, !noalias !41
-  %1058 = select <8 x i1> %495, <8 x double> %1055, <8 x double> %1057
-  store <8 x double> %1058, ptr %1056, align 8, !noalias !41
-  br label %509
+1012:                                             ; preds = %1006
+  br label %2194
 
-1059:                                             ; preds = %772
-  %1060 = add nsw i64 %774, -1
-  %1061 = add i64 %773, 1
-  %1062 = shl nuw i64 1, %773
-  %1063 = and i64 %268, %1062
-  %1064 = icmp eq i64 %1063, 0
-  br i1 %1064, label %798, label %776
+1013:                                             ; preds = %1006
+  %1014 = add nsw i64 %1010, -1
+  store i64 %1014, ptr %1009, align 8, !noalias !12
+  %1015 = load <8 x double>, ptr %136, align 8, !noalias !12
+  %1016 = load <8 x double>, ptr %141, align 8, !noalias !12
+  %1017 = trunc i64 %1007 to i8
+  %1018 = bitcast i8 %1017 to <8 x i1>
+  br i1 %248, label %1019, label %1026
 
-1065:                                             ; preds = %892
-  %1066 = add nsw i64 %894, -1
-  %1067 = add i64 %893, 1
-  %1068 = shl nuw i64 1, %893
-  %1069 = and i64 %507, %1068
-  %1070 = icmp eq i64 %1069, 0
-  br i1 %1070, label %967, label %896
+1019:                                             ; preds = %1013
+  %1020 = insertelement <8 x double> poison, double %239, i64 0
+  %1021 = shufflevector <8 x double> %1020, <8 x double> poison, <8 x i32> zeroinitializer
+  %1022 = insertelement <8 x double> poison, double %240, i64 0
+  %1023 = shufflevector <8 x double> %1022, <8 x double> poison, <8 x i32> zeroinitializer
+  %1024 = fcmp olt <8 x double> %1016, %1023
+  %1025 = select <8 x i1> %1024, <8 x double> %1016, <8 x double> %1023
+  br label %1033
 
-1071:                                             ; preds = %892, %1083
-  %1072 = phi i64 [ %2175, %1083 ], [ 0, %892 ]
-  %1073 = phi i64 [ %2174, %1083 ], [ 8, %892 ]
-  %1074 = phi i1 [ %1084, %1083 ], [ false, %892 ]
-  %1075 = icmp sgt i64 %1073, 0
-  br i1 %1075, label %2173, label %1085
+1026:                                             ; preds = %1013
+  %1027 = load <8 x double>, ptr %157, align 8, !noalias !12
+  %1028 = fsub <8 x double> %1027, %1015
+  %1029 = fdiv <8 x double> %1028, %1016
+  %1030 = fmul <8 x double> %1029, splat (double 0x3FEFFFFFFFFFDCD1)
+  %1031 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %1030)
+  %1032 = fdiv <8 x double> %1028, %1031
+  br label %1033
 
-1076:                                             ; preds = %2173
-  %1077 = icmp slt i64 %1072, 0
-  %1078 = select i1 %1077, i64 %175, i64 0
-  %1079 = getelementptr i64, ptr %176, i64 %1072
-  %1080 = getelementptr i64, ptr %1079, i64 %1078
-  %1081 = load i64, ptr %1080, align 8, !noalias !5
-  %1082 = icmp eq i64 %1081, -1
-  br label %1083
+1033:                                             ; preds = %1026, %1019
+  %1034 = phi <8 x double> [ %1021, %1019 ], [ %1027, %1026 ]
+  %1035 = phi <8 x double> [ %1025, %1019 ], [ %1032, %1026 ]
+  %1036 = fadd <8 x double> %1015, %1035
+  %1037 = fmul <8 x double> %1035, splat (double 1.000000e-03)
+  %1038 = fsub <8 x double> %1034, %1037
+  %1039 = fcmp ogt <8 x double> %1036, %1038
+  %1040 = fsub <8 x double> %1034, %1015
+  %1041 = select <8 x i1> %1039, <8 x double> %1040, <8 x double> %1035
+  %1042 = select <8 x i1> %1039, <8 x double> %1034, <8 x double> %1036
+  %1043 = select <8 x i1> %1018, <8 x double> %1041, <8 x double> zeroinitializer
+  %1044 = fmul <8 x double> %1043, splat (double 6.250000e-02)
+  %1045 = fadd <8 x double> %1015, %1044
+  %1046 = fcmp ule <8 x double> %1045, %1015
+  %1047 = fcmp une <8 x double> %1042, %1034
+  %1048 = and <8 x i1> %1046, %1047
+  %1049 = load <8 x double>, ptr %162, align 8, !noalias !12
+  %1050 = load <8 x double>, ptr %167, align 8, !noalias !12
+  %1051 = fadd <8 x double> %1049, %1050
+  %1052 = insertelement <8 x double> poison, double %259, i64 0
+  %1053 = shufflevector <8 x double> %1052, <8 x double> poison, <8 x i32> zeroinitializer
+  %1054 = fcmp oge <8 x double> %1051, %1053
+  %1055 = or <8 x i1> %1054, %1048
+  %1056 = and <8 x i1> %1055, %1018
+  %1057 = bitcast <8 x i1> %1056 to i8
+  %1058 = zext i8 %1057 to i64
+  %1059 = icmp eq i8 %1057, 0
+  br i1 %1059, label %1156, label %1060
 
-1083:                                             ; preds = %1076, %2173
-  %1084 = phi i1 [ true, %2173 ], [ %1082, %1076 ]
-  br label %1071
+1060:                                             ; preds = %1033
+  %1061 = bitcast <8 x i1> %1054 to i8
+  %1062 = zext i8 %1061 to i64
+  br label %1063
 
-1085:                                             ; preds = %1071
-  br i1 %1074, label %264, label %1086
+1063:                                             ; preds = %1060, %1149
+  %1064 = phi i64 [ 0, %1060 ], [ %1152, %1149 ]
+  %1065 = phi i64 [ 8, %1060 ], [ %1151, %1149 ]
+  %1066 = icmp sgt i64 %1065, 0
+  br i1 %1066, label %1150, label %265
 
-1086:                                             ; preds = %490, %1085, %261
-  %1087 = phi i64 [ %262, %261 ], [ %269, %1085 ], [ %269, %490 ]
-  %1088 = phi i1 [ false, %261 ], [ false, %1085 ], [ true, %490 ]
-  %1089 = getelementptr i8, ptr %184, i64 8
-  %1090 = load i64, ptr %1089, align 8, !noalias !5
-  %1091 = icmp slt i64 %1090, 1
-  br i1 %1091, label %1092, label %1093
+1067:                                             ; preds = %1150
+  %1068 = and i64 %1153, %1062
+  %1069 = icmp eq i64 %1068, 0
+  br i1 %1069, label %1070, label %1077
 
-1092:                                             ; preds = %1086
-  br label %2225
+1070:                                             ; preds = %1067
+  %1071 = icmp slt i64 %1064, 0
+  %1072 = select i1 %1071, i64 %176, i64 0
+  %1073 = getelementptr double, ptr %177, i64 %1064
+  %1074 = getelementptr double, ptr %1073, i64 %1072
+  %1075 = load double, ptr %1074, align 8, !noalias !85
+  %1076 = fptosi double %1075 to i64
+  br label %1077
 
-1093:                                             ; preds = %1086
-  %1094 = add nsw i64 %1090, -1
-  store i64 %1094, ptr %1089, align 8, !noalias !5
-  %1095 = load <8 x double>, ptr %130, align 8, !noalias !5
-  %1096 = load <8 x double>, ptr %135, align 8, !noalias !5
-  %1097 = trunc i64 %1087 to i8
-  %1098 = bitcast i8 %1097 to <8 x i1>
-  br i1 %242, label %1099, label %1106
+1077:                                             ; preds = %1067, %1070
+  %1078 = phi i64 [ %1076, %1070 ], [ 1, %1067 ]
+  %1079 = icmp slt i64 %1064, 0
+  %1080 = select i1 %1079, i64 %181, i64 0
+  %1081 = getelementptr i64, ptr %182, i64 %1064
+  %1082 = getelementptr i64, ptr %1081, i64 %1080
+  %1083 = load i64, ptr %1082, align 8, !noalias !89
+  %1084 = getelementptr i8, ptr %190, i64 32
+  %1085 = load i64, ptr %1084, align 8, !noalias !89
+  %1086 = shl nsw i64 %1085, 3
+  %1087 = select i1 %1079, i64 %151, i64 0
+  %1088 = getelementptr double, ptr %152, i64 %1064
+  %1089 = getelementptr double, ptr %1088, i64 %1087
+  %1090 = load double, ptr %1089, align 8, !noalias !89
+  %1091 = fptosi double %1090 to i64
+  %1092 = xor i64 %1091, -1
+  %1093 = add i64 %197, %1092
+  %1094 = call i64 @llvm.smax.i64(i64 %1093, i64 0)
+  br label %1095
 
-1099:                                             ; preds = %1093
-  %1100 = insertelement <8 x double> poison, double %233, i64 0
-  %1101 = shufflevector <8 x double> %1100, <8 x double> poison, <8 x i32> zeroinitializer
-  %1102 = insertelement <8 x double> poison, double %234, i64 0
-  %1103 = shufflevector <8 x double> %1102, <8 x double> poison, <8 x i32> zeroinitializer
-  %1104 = fcmp olt <8 x double> %1096, %1103
-  %1105 = select <8 x i1> %1104, <8 x double> %1096, <8 x double> %1103
-  br label %1113
+1095:                                             ; preds = %1099, %1077
+  %1096 = phi i64 [ 0, %1077 ], [ %1136, %1099 ]
+  %1097 = phi i64 [ %1094, %1077 ], [ %1135, %1099 ]
+  %1098 = icmp sgt i64 %1097, 0
+  br i1 %1098, label %1134, label %1103
 
-1106:                                             ; preds = %1093
-  %1107 = load <8 x double>, ptr %151, align 8, !noalias !5
-  %1108 = fsub <8 x double> %1107, %1095
-  %1109 = fdiv <8 x double> %1108, %1096
-  %1110 = fmul <8 x double> %1109, splat (double 0x3FEFFFFFFFFFDCD1)
-  %1111 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %1110)
-  %1112 = fdiv <8 x double> %1108, %1111
-  br label %1113
+1099:                                             ; preds = %1134, %1145
+  %1100 = phi i64 [ %1144, %1134 ], [ %1146, %1145 ]
+  %1101 = phi i64 [ %1142, %1134 ], [ %1148, %1145 ]
+  %1102 = icmp sgt i64 %1100, 0
+  br i1 %1102, label %1145, label %1095
 
-1113:                                             ; preds = %1106, %1099
-  %1114 = phi <8 x double> [ %1101, %1099 ], [ %1107, %1106 ]
-  %1115 = phi <8 x double> [ %1105, %1099 ], [ %1112, %1106 ]
-  %1116 = fadd <8 x double> %1095, %1115
-  %1117 = fmul <8 x double> %1115, splat (double 1.000000e-03)
-  %1118 = fsub <8 x double> %1114, %1117
-  %1119 = fcmp ogt <8 x double> %1116, %1118
-  %1120 = fsub <8 x double> %1114, %1095
-  %1121 = select <8 x i1> %1119, <8 x double> %1120, <8 x double> %1115
-  %1122 = select <8 x i1> %1119, <8 x double> %1114, <8 x double> %1116
-  %1123 = select <8 x i1> %1098, <8 x double> %1121, <8 x double> zeroinitializer
-  %1124 = fmul <8 x double> %1123, splat (double 6.250000e-02)
-  %1125 = fadd <8 x double> %1095, %1124
-  %1126 = fcmp ule <8 x double> %1125, %1095
-  %1127 = load <8 x double>, ptr %156, align 8, !noalias !5
-  %1128 = load <8 x double>, ptr %161, align 8, !noalias !5
-  %1129 = fadd <8 x double> %1127, %1128
-  %1130 = insertelement <8 x double> poison, double %253, i64 0
-  %1131 = shufflevector <8 x double> %1130, <8 x double> poison, <8 x i32> zeroinitializer
-  %1132 = fcmp oge <8 x double> %1129, %1131
-  %1133 = or <8 x i1> %1132, %1126
-  %1134 = and <8 x i1> %1133, %1098
-  %1135 = bitcast <8 x i1> %1134 to i8
-  %1136 = zext i8 %1135 to i64
-  %1137 = icmp eq i8 %1135, 0
-  br i1 %1137, label %1234, label %1138
+1103:                                             ; preds = %1095
+  %1104 = icmp slt i64 %1083, 0
+  %1105 = select i1 %1104, i64 %223, i64 0
+  %1106 = add i64 %1083, %1105
+  %1107 = mul i64 %1106, %225
+  %1108 = getelementptr i64, ptr %226, i64 %1107
+  %1109 = select i1 %1079, i64 %161, i64 0
+  %1110 = getelementptr double, ptr %162, i64 %1064
+  %1111 = getelementptr double, ptr %1110, i64 %1109
+  %1112 = load double, ptr %1111, align 8, !noalias !89
+  %1113 = select i1 %1079, i64 %166, i64 0
+  %1114 = getelementptr double, ptr %167, i64 %1064
+  %1115 = getelementptr double, ptr %1114, i64 %1113
+  %1116 = load double, ptr %1115, align 8, !noalias !89
+  %1117 = fptosi double %1112 to i64
+  store i64 %1117, ptr %1108, align 8, !noalias !89
+  %1118 = getelementptr i8, ptr %1108, i64 8
+  %1119 = fptosi double %1116 to i64
+  store i64 %1119, ptr %1118, align 8, !noalias !89
+  %1120 = select i1 %1079, i64 %171, i64 0
+  %1121 = getelementptr double, ptr %172, i64 %1064
+  %1122 = getelementptr double, ptr %1121, i64 %1120
+  %1123 = load double, ptr %1122, align 8, !noalias !89
+  %1124 = getelementptr i8, ptr %1108, i64 16
+  %1125 = fptosi double %1123 to i64
+  store i64 %1125, ptr %1124, align 8, !noalias !89
+  %1126 = getelementptr i8, ptr %1108, i64 24
+  store i64 %1078, ptr %1126, align 8, !noalias !89
+  %1127 = select i1 %1079, i64 %135, i64 0
+  %1128 = getelementptr double, ptr %136, i64 %1064
+  %1129 = getelementptr double, ptr %1128, i64 %1127
+  %1130 = load double, ptr %1129, align 8, !noalias !89
+  %1131 = select i1 %1104, i64 %230, i64 0
+  %1132 = getelementptr double, ptr %231, i64 %1083
+  %1133 = getelementptr double, ptr %1132, i64 %1131
+  store double %1130, ptr %1133, align 8, !noalias !89
+  store i64 -1, ptr %1082, align 8, !noalias !89
+  br label %1149
 
-1138:                                             ; preds = %1113
-  %1139 = bitcast <8 x i1> %1132 to i8
-  %1140 = zext i8 %1139 to i64
-  br label %1141
+1134:                                             ; preds = %1095
+  %1135 = add nsw i64 %1097, -1
+  %1136 = add i64 %1096, 1
+  %1137 = shl nsw i64 %1096, 3
+  %1138 = select i1 %1079, i64 %186, i64 0
+  %1139 = getelementptr i64, ptr %187, i64 %1064
+  %1140 = getelementptr i64, ptr %1139, i64 %1138
+  %1141 = load i64, ptr %1140, align 8, !noalias !89
+  %1142 = add nsw i64 %1141, %1137
+  %1143 = load i64, ptr %232, align 8, !noalias !89
+  %1144 = call i64 @llvm.smax.i64(i64 %1143, i64 0)
+  br label %1099
 
-1141:                                             ; preds = %1138, %1227
-  %1142 = phi i64 [ 0, %1138 ], [ %1230, %1227 ]
-  %1143 = phi i64 [ 8, %1138 ], [ %1229, %1227 ]
-  %1144 = icmp sgt i64 %1143, 0
-  br i1 %1144, label %1228, label %259
+1145:                                             ; preds = %1099
+  %1146 = add nsw i64 %1100, -1
+  %1147 = inttoptr i64 %1101 to ptr
+  store atomic i64 9221120237041090560, ptr %1147 unordered, align 8, !noalias !89
+  %1148 = add nsw i64 %1101, %1086
+  br label %1099
 
-1145:                                             ; preds = %1228
-  %1146 = and i64 %1231, %1140
-  %1147 = icmp eq i64 %1146, 0
-  br i1 %1147, label %1148, label %1155
+1149:                                             ; preds = %1103, %1150
+  br label %1063
 
-1148:                                             ; preds = %1145
-  %1149 = icmp slt i64 %1142, 0
-  %1150 = select i1 %1149, i64 %170, i64 0
-  %1151 = getelementptr double, ptr %171, i64 %1142
-  %1152 = getelementptr double, ptr %1151, i64 %1150
-  %1153 = load double, ptr %1152, align 8, !noalias !82
-  %1154 = fptosi double %1153 to i64
-  br label %1155
+1150:                                             ; preds = %1063
+  %1151 = add nsw i64 %1065, -1
+  %1152 = add i64 %1064, 1
+  %1153 = shl nuw i64 1, %1064
+  %1154 = and i64 %1153, %1058
+  %1155 = icmp eq i64 %1154, 0
+  br i1 %1155, label %1149, label %1067
 
-1155:                                             ; preds = %1145, %1148
-  %1156 = phi i64 [ %1154, %1148 ], [ 1, %1145 ]
-  %1157 = icmp slt i64 %1142, 0
-  %1158 = select i1 %1157, i64 %175, i64 0
-  %1159 = getelementptr i64, ptr %176, i64 %1142
-  %1160 = getelementptr i64, ptr %1159, i64 %1158
-  %1161 = load i64, ptr %1160, align 8, !noalias !86
-  %1162 = getelementptr i8, ptr %184, i64 32
-  %1163 = load i64, ptr %1162, align 8, !noalias !86
-  %1164 = shl nsw i64 %1163, 3
-  %1165 = select i1 %1157, i64 %145, i64 0
-  %1166 = getelementptr double, ptr %146, i64 %1142
-  %1167 = getelementptr double, ptr %1166, i64 %1165
-  %1168 = load double, ptr %1167, align 8, !noalias !86
-  %1169 = fptosi double %1168 to i64
-  %1170 = xor i64 %1169, -1
-  %1171 = add i64 %191, %1170
-  %1172 = call i64 @llvm.smax.i64(i64 %1171, i64 0)
-  br label %1173
+1156:                                             ; preds = %1033
+  store <8 x double> %1043, ptr %101, align 8, !noalias !93
+  %1157 = load i64, ptr %19, align 8, !noalias !93
+  %1158 = add i64 %1157, -1
+  %1159 = call i64 @llvm.smax.i64(i64 %1158, i64 0)
+  br label %1160
 
-1173:                                             ; preds = %1177, %1155
-  %1174 = phi i64 [ 0, %1155 ], [ %1214, %1177 ]
-  %1175 = phi i64 [ %1172, %1155 ], [ %1213, %1177 ]
-  %1176 = icmp sgt i64 %1175, 0
-  br i1 %1176, label %1212, label %1181
+1160:                                             ; preds = %1218, %1156
+  %1161 = phi i64 [ 1, %1156 ], [ %1186, %1218 ]
+  %1162 = phi i64 [ %1159, %1156 ], [ %1185, %1218 ]
+  %1163 = phi i64 [ 0, %1156 ], [ %1224, %1218 ]
+  %1164 = icmp sgt i64 %1162, 0
+  br i1 %1164, label %1184, label %1165
 
-1177:                                             ; preds = %1212, %1223
-  %1178 = phi i64 [ %1222, %1212 ], [ %1224, %1223 ]
-  %1179 = phi i64 [ %1220, %1212 ], [ %1226, %1223 ]
-  %1180 = icmp sgt i64 %1178, 0
-  br i1 %1180, label %1223, label %1173
+1165:                                             ; preds = %1160
+  %1166 = load i64, ptr %19, align 8, !noalias !93
+  %1167 = icmp slt i64 %1166, 0
+  %1168 = select i1 %1167, i64 %23, i64 0
+  %1169 = getelementptr i64, ptr %24, i64 %1166
+  %1170 = getelementptr i64, ptr %1169, i64 %1168
+  %1171 = load i64, ptr %1170, align 8, !noalias !97
+  %1172 = shl i64 %1171, 3
+  %1173 = add i64 %26, %1172
+  %1174 = add i64 %28, %1172
+  %1175 = icmp slt i64 %1166, -1
+  %1176 = select i1 %1175, i64 %23, i64 0
+  %1177 = getelementptr i8, ptr %1169, i64 8
+  %1178 = getelementptr i64, ptr %1177, i64 %1176
+  %1179 = load i64, ptr %1178, align 8, !noalias !97
+  %1180 = xor i64 %1171, -1
+  %1181 = add i64 %1179, %1180
+  %1182 = getelementptr i8, ptr %39, i64 16
+  %1183 = load i64, ptr %1182, align 8, !noalias !97
+  call fastcc void @pydy_combine(i64 %90, i64 %85, i64 %100, i64 %113, i64 %1173, i64 %1174, i64 %1181, i64 1, i64 %1183) #3, !noalias !97
+  br i1 %251, label %1237, label %1226
 
-1181:                                             ; preds = %1173
-  %1182 = icmp slt i64 %1161, 0
-  %1183 = select i1 %1182, i64 %217, i64 0
-  %1184 = add i64 %1161, %1183
-  %1185 = mul i64 %1184, %219
-  %1186 = getelementptr i64, ptr %220, i64 %1185
-  %1187 = select i1 %1157, i64 %155, i64 0
-  %1188 = getelementptr double, ptr %156, i64 %1142
-  %1189 = getelementptr double, ptr %1188, i64 %1187
-  %1190 = load double, ptr %1189, align 8, !noalias !86
-  %1191 = select i1 %1157, i64 %160, i64 0
-  %1192 = getelementptr double, ptr %161, i64 %1142
-  %1193 = getelementptr double, ptr %1192, i64 %1191
-  %1194 = load double, ptr %1193, align 8, !noalias !86
-  %1195 = fptosi double %1190 to i64
-  store i64 %1195, ptr %1186, align 8, !noalias !86
-  %1196 = getelementptr i8, ptr %1186, i64 8
-  %1197 = fptosi double %1194 to i64
-  store i64 %1197, ptr %1196, align 8, !noalias !86
-  %1198 = select i1 %1157, i64 %165, i64 0
-  %1199 = getelementptr double, ptr %166, i64 %1142
-  %1200 = getelementptr double, ptr %1199, i64 %1198
-  %1201 = load double, ptr %1200, align 8, !noalias !86
-  %1202 = getelementptr i8, ptr %1186, i64 16
-  %1203 = fptosi double %1201 to i64
-  store i64 %1203, ptr %1202, align 8, !noalias !86
-  %1204 = getelementptr i8, ptr %1186, i64 24
-  store i64 %1156, ptr %1204, align 8, !noalias !86
-  %1205 = select i1 %1157, i64 %129, i64 0
-  %1206 = getelementptr double, ptr %130, i64 %1142
-  %1207 = getelementptr double, ptr %1206, i64 %1205
-  %1208 = load double, ptr %1207, align 8, !noalias !86
-  %1209 = select i1 %1182, i64 %224, i64 0
-  %1210 = getelementptr double, ptr %225, i64 %1161
-  %1211 = getelementptr double, ptr %1210, i64 %1209
-  store double %1208, ptr %1211, align 8, !noalias !86
-  store i64 -1, ptr %1160, align 8, !noalias !86
-  br label %1227
+1184:                                             ; preds = %1160
+  %1185 = add nsw i64 %1162, -1
+  %1186 = add i64 %1161, 1
+  %1187 = icmp slt i64 %1161, 0
+  %1188 = select i1 %1187, i64 %23, i64 0
+  %1189 = getelementptr i64, ptr %24, i64 %1161
+  %1190 = getelementptr i64, ptr %1189, i64 %1188
+  %1191 = load i64, ptr %1190, align 8, !noalias !103
+  %1192 = shl i64 %1191, 3
+  %1193 = add i64 %26, %1192
+  %1194 = add i64 %28, %1192
+  %1195 = icmp slt i64 %1161, -1
+  %1196 = select i1 %1195, i64 %23, i64 0
+  %1197 = getelementptr i8, ptr %1189, i64 8
+  %1198 = getelementptr i64, ptr %1197, i64 %1196
+  %1199 = load i64, ptr %1198, align 8, !noalias !103
+  %1200 = xor i64 %1191, -1
+  %1201 = add i64 %1199, %1200
+  %1202 = getelementptr i8, ptr %39, i64 16
+  %1203 = load i64, ptr %1202, align 8, !noalias !103
+  call fastcc void @pydy_combine(i64 %95, i64 %85, i64 %100, i64 %113, i64 %1193, i64 %1194, i64 %1201, i64 1, i64 %1203) #3, !noalias !103
+  %1204 = mul nsw i64 %1161, %87
+  %1205 = shl i64 %1204, 3
+  %1206 = add i64 %113, %1205
+  %1207 = select i1 %1187, i64 %32, i64 0
+  %1208 = getelementptr double, ptr %33, i64 %1161
+  %1209 = getelementptr double, ptr %1208, i64 %1207
+  %1210 = load double, ptr %1209, align 8, !noalias !93
+  %1211 = insertelement <8 x double> poison, double %1210, i64 0
+  %1212 = shufflevector <8 x double> %1211, <8 x double> poison, <8 x i32> zeroinitializer
+  %1213 = fmul <8 x double> %1212, %1043
+  %1214 = fadd <8 x double> %1015, %1213
+  store ptr null, ptr %8, align 8, !noalias !109
+  store ptr null, ptr %9, align 8, !noalias !109
+  store <8 x double> %1214, ptr %44, align 8, !noalias !109
+  %1215 = icmp sgt i64 %61, 0
+  br i1 %1215, label %1216, label %1218
 
-1212:                                             ; preds = %1173
-  %1213 = add nsw i64 %1175, -1
-  %1214 = add i64 %1174, 1
-  %1215 = shl nsw i64 %1174, 3
-  %1216 = select i1 %1157, i64 %180, i64 0
-  %1217 = getelementptr i64, ptr %181, i64 %1142
-  %1218 = getelementptr i64, ptr %1217, i64 %1216
-  %1219 = load i64, ptr %1218, align 8, !noalias !86
-  %1220 = add nsw i64 %1219, %1215
-  %1221 = load i64, ptr %226, align 8, !noalias !86
-  %1222 = call i64 @llvm.smax.i64(i64 %1221, i64 0)
-  br label %1177
+1216:                                             ; preds = %1184
+  store ptr null, ptr %8, align 8, !noalias !109
+  %1217 = call fastcc i32 @_set_inputs(ptr nonnull %8, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %1217, label %1225 [
+    i32 -2, label %1218
+    i32 0, label %1218
+  ], !prof !56
 
-1223:                                             ; preds = %1177
-  %1224 = add nsw i64 %1178, -1
-  %1225 = inttoptr i64 %1179 to ptr
-  store atomic i64 9221120237041090560, ptr %1225 unordered, align 8, !noalias !86
-  %1226 = add nsw i64 %1179, %1164
-  br label %1177
+1218:                                             ; preds = %1216, %1216, %1184
+  %1219 = load i64, ptr %39, align 8, !noalias !109
+  %1220 = inttoptr i64 %1219 to ptr
+  %1221 = inttoptr i64 %1206 to ptr
+  %1222 = call i32 %1220(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %1221) #3, !noalias !109
+  %1223 = sext i32 %1222 to i64
+  %1224 = or i64 %1163, %1223
+  br label %1160
 
-1227:                                             ; preds = %1181, %1228
-  br label %1141
+1225:                                             ; preds = %1216
+  br label %2194
 
-1228:                                             ; preds = %1141
-  %1229 = add nsw i64 %1143, -1
-  %1230 = add i64 %1142, 1
-  %1231 = shl nuw i64 1, %1142
-  %1232 = and i64 %1231, %1136
-  %1233 = icmp eq i64 %1232, 0
-  br i1 %1233, label %1227, label %1145
+1226:                                             ; preds = %1165
+  store ptr null, ptr %6, align 8, !noalias !113
+  store ptr null, ptr %7, align 8, !noalias !113
+  store <8 x double> %1042, ptr %44, align 8, !noalias !113
+  %1227 = icmp sgt i64 %61, 0
+  br i1 %1227, label %1228, label %1230
 
-1234:                                             ; preds = %1113
-  store <8 x double> %1123, ptr %98, align 8, !noalias !90
-  %1235 = load i64, ptr %16, align 8, !noalias !90
-  %1236 = add i64 %1235, -1
-  %1237 = call i64 @llvm.smax.i64(i64 %1236, i64 0)
-  br label %1238
+1228:                                             ; preds = %1226
+  store ptr null, ptr %6, align 8, !noalias !113
+  %1229 = call fastcc i32 @_set_inputs(ptr nonnull %6, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %1229, label %2145 [
+    i32 -2, label %1230
+    i32 0, label %1230
+  ], !prof !56
 
-1238:                                             ; preds = %1292, %1234
-  %1239 = phi i64 [ 1, %1234 ], [ %1262, %1292 ]
-  %1240 = phi i64 [ %1237, %1234 ], [ %1261, %1292 ]
-  %1241 = phi i64 [ 0, %1234 ], [ %1298, %1292 ]
-  %1242 = icmp sgt i64 %1240, 0
-  br i1 %1242, label %1260, label %1243
+1230:                                             ; preds = %1228, %1228, %1226
+  %1231 = load i64, ptr %39, align 8, !noalias !113
+  %1232 = inttoptr i64 %1231 to ptr
+  %1233 = inttoptr i64 %244 to ptr
+  %1234 = call i32 %1232(ptr nonnull %44, ptr %93, ptr %49, ptr %57, ptr %1233) #3, !noalias !113
+  %1235 = sext i32 %1234 to i64
+  %1236 = or i64 %1163, %1235
+  br label %1237
 
-1243:                                             ; preds = %1238
-  %1244 = load i64, ptr %16, align 8, !noalias !90
-  %1245 = icmp slt i64 %1244, 0
-  %1246 = select i1 %1245, i64 %20, i64 0
-  %1247 = getelementptr i64, ptr %21, i64 %1244
-  %1248 = getelementptr i64, ptr %1247, i64 %1246
-  %1249 = load i64, ptr %1248, align 8, !noalias !94
-  %1250 = shl i64 %1249, 3
-  %1251 = add i64 %23, %1250
-  %1252 = add i64 %25, %1250
-  %1253 = icmp slt i64 %1244, -1
-  %1254 = select i1 %1253, i64 %20, i64 0
-  %1255 = getelementptr i8, ptr %1247, i64 8
-  %1256 = getelementptr i64, ptr %1255, i64 %1254
-  %1257 = load i64, ptr %1256, align 8, !noalias !94
-  %1258 = sub nsw i64 %1257, %1249
-  %1259 = load i64, ptr %226, align 8, !noalias !94
-  call fastcc void @pydy_combine(i64 %87, i64 %82, i64 %97, i64 %109, i64 %1251, i64 %1252, i64 %1258, i64 %1259) #3, !noalias !94
-  br i1 %245, label %1311, label %1300
+1237:                                             ; preds = %1230, %1165
+  %1238 = phi i64 [ %1236, %1230 ], [ %1163, %1165 ]
+  br i1 %248, label %1239, label %1349
 
-1260:                                             ; preds = %1238
-  %1261 = add nsw i64 %1240, -1
-  %1262 = add i64 %1239, 1
-  %1263 = icmp slt i64 %1239, 0
-  %1264 = select i1 %1263, i64 %20, i64 0
-  %1265 = getelementptr i64, ptr %21, i64 %1239
-  %1266 = getelementptr i64, ptr %1265, i64 %1264
-  %1267 = load i64, ptr %1266, align 8, !noalias !97
-  %1268 = shl i64 %1267, 3
-  %1269 = add i64 %23, %1268
-  %1270 = add i64 %25, %1268
-  %1271 = icmp slt i64 %1239, -1
-  %1272 = select i1 %1271, i64 %20, i64 0
-  %1273 = getelementptr i8, ptr %1265, i64 8
-  %1274 = getelementptr i64, ptr %1273, i64 %1272
-  %1275 = load i64, ptr %1274, align 8, !noalias !97
-  %1276 = sub nsw i64 %1275, %1267
-  %1277 = load i64, ptr %226, align 8, !noalias !97
-  call fastcc void @pydy_combine(i64 %92, i64 %82, i64 %97, i64 %109, i64 %1269, i64 %1270, i64 %1276, i64 %1277) #3, !noalias !97
-  %1278 = mul nsw i64 %1239, %84
+1239:                                             ; preds = %1237
+  %1240 = load i64, ptr %232, align 8, !noalias !117
+  %1241 = load i64, ptr %246, align 8, !noalias !117
+  %1242 = load i64, ptr %19, align 8, !noalias !117
+  %1243 = add nsw i64 %1242, 1
+  %1244 = call i64 @llvm.smax.i64(i64 %1241, i64 0)
+  br label %1245
+
+1245:                                             ; preds = %1239, %1274
+  %1246 = phi i64 [ 0, %1239 ], [ %1276, %1274 ]
+  %1247 = phi i64 [ %1244, %1239 ], [ %1275, %1274 ]
+  %1248 = icmp sgt i64 %1247, 0
+  br i1 %1248, label %1274, label %1297
+
+1249:                                             ; preds = %1307, %1311
+  %1250 = phi i64 [ 0, %1307 ], [ %1313, %1311 ]
+  %1251 = phi i64 [ %1310, %1307 ], [ %1312, %1311 ]
+  %1252 = phi <8 x double> [ zeroinitializer, %1307 ], [ %1348, %1311 ]
+  %1253 = phi <8 x double> [ zeroinitializer, %1307 ], [ %1346, %1311 ]
+  %1254 = icmp sgt i64 %1251, 0
+  br i1 %1254, label %1311, label %1255
+
+1255:                                             ; preds = %1249
+  %1256 = icmp eq i64 %1241, 2
+  br i1 %1256, label %1257, label %1268
+
+1257:                                             ; preds = %1255
+  %1258 = fcmp oeq <8 x double> %1253, zeroinitializer
+  %1259 = fmul <8 x double> %1252, splat (double 1.000000e-02)
+  %1260 = fadd <8 x double> %1253, %1259
+  %1261 = sitofp i64 %1240 to double
+  %1262 = insertelement <8 x double> poison, double %1261, i64 0
+  %1263 = shufflevector <8 x double> %1262, <8 x double> poison, <8 x i32> zeroinitializer
+  %1264 = fmul <8 x double> %1260, %1263
+  %1265 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1264)
+  %1266 = fdiv <8 x double> %1253, %1265
+  %1267 = select <8 x i1> %1258, <8 x double> zeroinitializer, <8 x double> %1266
+  br label %1356
+
+1268:                                             ; preds = %1255
+  %1269 = sitofp i64 %1240 to double
+  %1270 = insertelement <8 x double> poison, double %1269, i64 0
+  %1271 = shufflevector <8 x double> %1270, <8 x double> poison, <8 x i32> zeroinitializer
+  %1272 = fdiv <8 x double> %1253, %1271
+  %1273 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1272)
+  br label %1356
+
+1274:                                             ; preds = %1245
+  %1275 = add nsw i64 %1247, -1
+  %1276 = add i64 %1246, 1
+  %1277 = add nsw i64 %1243, %1246
+  %1278 = mul nsw i64 %1246, %87
   %1279 = shl i64 %1278, 3
-  %1280 = add i64 %109, %1279
-  %1281 = select i1 %1263, i64 %29, i64 0
-  %1282 = getelementptr double, ptr %30, i64 %1239
-  %1283 = getelementptr double, ptr %1282, i64 %1281
-  %1284 = load double, ptr %1283, align 8, !noalias !90
-  %1285 = insertelement <8 x double> poison, double %1284, i64 0
-  %1286 = shufflevector <8 x double> %1285, <8 x double> poison, <8 x i32> zeroinitializer
-  %1287 = fmul <8 x double> %1286, %1123
-  %1288 = fadd <8 x double> %1095, %1287
-  store ptr null, ptr %8, align 8, !noalias !100
-  store ptr null, ptr %9, align 8, !noalias !100
-  store <8 x double> %1288, ptr %41, align 8, !noalias !100
-  %1289 = icmp sgt i64 %58, 0
-  br i1 %1289, label %1290, label %1292
-
-1290:                                             ; preds = %1260
-  store ptr null, ptr %8, align 8, !noalias !100
-  %1291 = call fastcc i32 @_set_inputs(ptr nonnull %8, ptr nonnull %41, i64 %40, ptr %46, i64 %45, ptr %61, i64 %58, i64 %60, ptr %68, i64 %65, i64 %67, ptr %73, i64 %72, ptr %80, i64 %77, i64 %79) #3
-  switch i32 %1291, label %1299 [
-    i32 -2, label %1292
-    i32 0, label %1292
-  ], !prof !49
-
-1292:                                             ; preds = %1290, %1290, %1260
-  %1293 = load i64, ptr %36, align 8, !noalias !100
-  %1294 = inttoptr i64 %1293 to ptr
-  %1295 = inttoptr i64 %1280 to ptr
-  %1296 = call i32 %1294(ptr nonnull %41, ptr %95, ptr %46, ptr %54, ptr %1295) #3, !noalias !100
-  %1297 = sext i32 %1296 to i64
-  %1298 = or i64 %1241, %1297
-  br label %1238
-
-1299:                                             ; preds = %1290
-  br label %2225
-
-1300:                                             ; preds = %1243
-  store ptr null, ptr %6, align 8, !noalias !104
-  store ptr null, ptr %7, align 8, !noalias !104
-  store <8 x double> %1122, ptr %41, align 8, !noalias !104
-  %1301 = icmp sgt i64 %58, 0
-  br i1 %1301, label %1302, label %1304
-
-1302:                                             ; preds = %1300
-  store ptr null, ptr %6, align 8, !noalias !104
-  %1303 = call fastcc i32 @_set_inputs(ptr nonnull %6, ptr nonnull %41, i64 %40, ptr %46, i64 %45, ptr %61, i64 %58, i64 %60, ptr %68, i64 %65, i64 %67, ptr %73, i64 %72, ptr %80, i64 %77, i64 %79) #3
-  switch i32 %1303, label %2176 [
-    i32 -2, label %1304
-    i32 0, label %1304
-  ], !prof !49
-
-1304:                                             ; preds = %1302, %1302, %1300
-  %1305 = load i64, ptr %36, align 8, !noalias !104
-  %1306 = inttoptr i64 %1305 to ptr
-  %1307 = inttoptr i64 %238 to ptr
-  %1308 = call i32 %1306(ptr nonnull %41, ptr %90, ptr %46, ptr %54, ptr %1307) #3, !noalias !104
-  %1309 = sext i32 %1308 to i64
-  %1310 = or i64 %1241, %1309
-  br label %1311
-
-1311:                                             ; preds = %1304, %1243
-  %1312 = phi i64 [ %1310, %1304 ], [ %1241, %1243 ]
-  br i1 %242, label %1313, label %1412
-
-1313:                                             ; preds = %1311
-  %1314 = load i64, ptr %226, align 8, !noalias !108
-  %1315 = load i64, ptr %240, align 8, !noalias !108
-  %1316 = load i64, ptr %16, align 8, !noalias !108
-  %1317 = add nsw i64 %1316, 1
-  %1318 = call i64 @llvm.smax.i64(i64 %1315, i64 0)
-  br label %1319
-
-1319:                                             ; preds = %1313, %1350
-  %1320 = phi i64 [ 0, %1313 ], [ %1352, %1350 ]
-  %1321 = phi i64 [ %1318, %1313 ], [ %1351, %1350 ]
-  %1322 = icmp sgt i64 %1321, 0
-  br i1 %1322, label %1350, label %1323
-
-1323:                                             ; preds = %1319
-  %1324 = call i64 @llvm.smax.i64(i64 %1314, i64 0)
-  br label %1325
-
-1325:                                             ; preds = %1323, %1372
-  %1326 = phi i64 [ 0, %1323 ], [ %1374, %1372 ]
-  %1327 = phi i64 [ %1324, %1323 ], [ %1373, %1372 ]
-  %1328 = phi <8 x double> [ zeroinitializer, %1323 ], [ %1409, %1372 ]
-  %1329 = phi <8 x double> [ zeroinitializer, %1323 ], [ %1411, %1372 ]
-  %1330 = icmp sgt i64 %1327, 0
-  br i1 %1330, label %1372, label %1331
-
-1331:                                             ; preds = %1325
-  %1332 = icmp eq i64 %1315, 2
-  br i1 %1332, label %1333, label %1344
-
-1333:                                             ; preds = %1331
-  %1334 = fmul <8 x double> %1329, splat (double 1.000000e-02)
-  %1335 = fadd <8 x double> %1328, %1334
-  %1336 = sitofp i64 %1314 to double
-  %1337 = insertelement <8 x double> poison, double %1336, i64 0
-  %1338 = shufflevector <8 x double> %1337, <8 x double> poison, <8 x i32> zeroinitializer
-  %1339 = fmul <8 x double> %1335, %1338
-  %1340 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1339)
-  %1341 = fdiv <8 x double> %1328, %1340
-  %1342 = fcmp oeq <8 x double> %1328, zeroinitializer
-  %1343 = select <8 x i1> %1342, <8 x double> zeroinitializer, <8 x double> %1341
-  br label %1419
-
-1344:                                             ; preds = %1331
-  %1345 = sitofp i64 %1314 to double
-  %1346 = insertelement <8 x double> poison, double %1345, i64 0
-  %1347 = shufflevector <8 x double> %1346, <8 x double> poison, <8 x i32> zeroinitializer
-  %1348 = fdiv <8 x double> %1328, %1347
-  %1349 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1348)
-  br label %1419
-
-1350:                                             ; preds = %1319
-  %1351 = add nsw i64 %1321, -1
-  %1352 = add i64 %1320, 1
-  %1353 = add nsw i64 %1317, %1320
-  %1354 = mul nsw i64 %1320, %84
-  %1355 = shl i64 %1354, 3
-  %1356 = add i64 %106, %1355
-  %1357 = icmp slt i64 %1353, 0
-  %1358 = select i1 %1357, i64 %20, i64 0
-  %1359 = getelementptr i64, ptr %21, i64 %1353
-  %1360 = getelementptr i64, ptr %1359, i64 %1358
-  %1361 = load i64, ptr %1360, align 8, !noalias !112
-  %1362 = shl i64 %1361, 3
-  %1363 = add i64 %23, %1362
-  %1364 = add i64 %25, %1362
-  %1365 = icmp slt i64 %1353, -1
-  %1366 = select i1 %1365, i64 %20, i64 0
-  %1367 = getelementptr i8, ptr %1359, i64 8
-  %1368 = getelementptr i64, ptr %1367, i64 %1366
-  %1369 = load i64, ptr %1368, align 8, !noalias !112
-  %1370 = sub nsw i64 %1369, %1361
-  %1371 = load i64, ptr %226, align 8, !noalias !112
-  call fastcc void @pydy_combine(i64 %1356, i64 %103, i64 %97, i64 %109, i64 %1363, i64 %1364, i64 %1370, i64 %1371) #3, !noalias !112
-  br label %1319
-
-1372:                                             ; preds = %1325
-  %1373 = add nsw i64 %1327, -1
-  %1374 = add i64 %1326, 1
-  %1375 = shl i64 %1326, 6
-  %1376 = getelementptr i8, ptr %85, i64 %1375
-  %1377 = load <8 x double>, ptr %1376, align 8, !noalias !108
-  %1378 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1377)
-  %1379 = getelementptr i8, ptr %90, i64 %1375
-  %1380 = load <8 x double>, ptr %1379, align 8, !noalias !108
-  %1381 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1380)
-  %1382 = fcmp ogt <8 x double> %1378, %1381
-  %1383 = select <8 x i1> %1382, <8 x double> %1378, <8 x double> %1381
-  %1384 = icmp slt i64 %1326, 0
-  %1385 = select i1 %1384, i64 %124, i64 0
-  %1386 = getelementptr double, ptr %125, i64 %1326
-  %1387 = getelementptr double, ptr %1386, i64 %1385
-  %1388 = load double, ptr %1387, align 8, !noalias !108
-  %1389 = select i1 %1384, i64 %119, i64 0
-  %1390 = getelementptr double, ptr %120, i64 %1326
-  %1391 = getelementptr double, ptr %1390, i64 %1389
-  %1392 = load double, ptr %1391, align 8, !noalias !108
-  %1393 = insertelement <8 x double> poison, double %1392, i64 0
-  %1394 = shufflevector <8 x double> %1393, <8 x double> poison, <8 x i32> zeroinitializer
-  %1395 = fmul <8 x double> %1394, %1383
-  %1396 = insertelement <8 x double> poison, double %1388, i64 0
-  %1397 = shufflevector <8 x double> %1396, <8 x double> poison, <8 x i32> zeroinitializer
-  %1398 = fadd <8 x double> %1397, %1395
-  %1399 = fdiv <8 x double> splat (double 1.000000e+00), %1398
-  %1400 = getelementptr i8, ptr %107, i64 %1375
-  %1401 = load <8 x double>, ptr %1400, align 8, !noalias !108
-  %1402 = fmul <8 x double> %1401, %1399
-  %1403 = add nsw i64 %1314, %1326
-  %1404 = shl i64 %1403, 6
-  %1405 = getelementptr i8, ptr %107, i64 %1404
-  %1406 = load <8 x double>, ptr %1405, align 8, !noalias !108
-  %1407 = fmul <8 x double> %1406, %1399
-  %1408 = fmul <8 x double> %1402, %1402
-  %1409 = fadd <8 x double> %1328, %1408
-  %1410 = fmul <8 x double> %1407, %1407
-  %1411 = fadd <8 x double> %1329, %1410
-  br label %1325
-
-1412:                                             ; preds = %1311
-  %1413 = call i64 @llvm.smax.i64(i64 %227, i64 0)
-  br label %1414
-
-1414:                                             ; preds = %1412, %2177
-  %1415 = phi i64 [ 0, %1412 ], [ %2179, %2177 ]
-  %1416 = phi i64 [ %1413, %1412 ], [ %2178, %2177 ]
-  %1417 = phi <8 x double> [ zeroinitializer, %1412 ], [ %2184, %2177 ]
-  %1418 = icmp sgt i64 %1416, 0
-  br i1 %1418, label %2177, label %1419
-
-1419:                                             ; preds = %1414, %1333, %1344
-  %1420 = phi <8 x double> [ %1417, %1414 ], [ %1349, %1344 ], [ %1343, %1333 ]
-  %1421 = fcmp olt <8 x double> %1420, splat (double 1.000000e+00)
-  %1422 = trunc i64 %1312 to i8
-  %1423 = bitcast i8 %1422 to <8 x i1>
-  %1424 = xor <8 x i1> %1423, splat (i1 true)
-  %1425 = and <8 x i1> %1421, %1424
-  %1426 = and <8 x i1> %1425, %1098
-  %1427 = bitcast <8 x i1> %1426 to i8
-  %1428 = icmp ne i8 %1427, 0
-  %1429 = select i1 %245, i1 %1428, i1 false
-  br i1 %1429, label %1430, label %1445
-
-1430:                                             ; preds = %1419
-  store ptr null, ptr %4, align 8, !noalias !115
-  store ptr null, ptr %5, align 8, !noalias !115
-  store <8 x double> %1122, ptr %41, align 8, !noalias !115
-  %1431 = icmp sgt i64 %58, 0
-  br i1 %1431, label %1432, label %1434
-
-1432:                                             ; preds = %1430
-  store ptr null, ptr %4, align 8, !noalias !115
-  %1433 = call fastcc i32 @_set_inputs(ptr nonnull %4, ptr nonnull %41, i64 %40, ptr %46, i64 %45, ptr %61, i64 %58, i64 %60, ptr %68, i64 %65, i64 %67, ptr %73, i64 %72, ptr %80, i64 %77, i64 %79) #3
-  switch i32 %1433, label %2185 [
-    i32 -2, label %1434
-    i32 0, label %1434
-  ], !prof !49
-
-1434:                                             ; preds = %1432, %1432, %1430
-  %1435 = load i64, ptr %36, align 8, !noalias !115
-  %1436 = inttoptr i64 %1435 to ptr
-  %1437 = inttoptr i64 %238 to ptr
-  %1438 = call i32 %1436(ptr nonnull %41, ptr %90, ptr %46, ptr %54, ptr %1437) #3, !noalias !115
-  %1439 = sext i32 %1438 to i64
-  %1440 = or i64 %1312, %1439
-  %1441 = trunc i64 %1440 to i8
-  %1442 = bitcast i8 %1441 to <8 x i1>
-  %1443 = xor <8 x i1> %1442, splat (i1 true)
-  %1444 = and <8 x i1> %1426, %1443
-  br label %1445
-
-1445:                                             ; preds = %1434, %1419
-  %1446 = phi i64 [ %1312, %1419 ], [ %1440, %1434 ]
-  %1447 = phi <8 x i1> [ %1426, %1419 ], [ %1444, %1434 ]
-  %1448 = load <8 x double>, ptr %166, align 8, !noalias !5
-  %1449 = insertelement <8 x double> poison, double %248, i64 0
-  %1450 = shufflevector <8 x double> %1449, <8 x double> poison, <8 x i32> zeroinitializer
-  %1451 = fadd <8 x double> %1448, %1450
-  %1452 = insertelement <8 x double> poison, double %250, i64 0
-  %1453 = shufflevector <8 x double> %1452, <8 x double> poison, <8 x i32> zeroinitializer
-  %1454 = select <8 x i1> %1426, <8 x double> %1453, <8 x double> zeroinitializer
-  %1455 = fadd <8 x double> %1451, %1454
-  store <8 x double> %1455, ptr %166, align 8, !noalias !5
-  %1456 = load <8 x double>, ptr %151, align 8, !noalias !5
-  %1457 = fcmp olt <8 x double> %1456, %1122
-  %1458 = and <8 x i1> %1447, %1457
-  %1459 = bitcast <8 x i1> %1458 to i8
-  %1460 = icmp eq i8 %1459, 0
-  br i1 %1460, label %1770, label %1461
-
-1461:                                             ; preds = %1445
-  %1462 = load i64, ptr %226, align 8, !noalias !119
-  %1463 = load i64, ptr %16, align 8, !noalias !119
-  %1464 = add nsw i64 %1463, 1
-  %1465 = load i64, ptr %240, align 8, !noalias !119
-  %1466 = add nsw i64 %1464, %1465
-  %1467 = getelementptr i8, ptr %16, i64 16
-  %1468 = load i64, ptr %1467, align 8, !noalias !119
-  %1469 = call i64 @llvm.smax.i64(i64 %1468, i64 0)
-  br label %1470
-
-1470:                                             ; preds = %1526, %1461
-  %1471 = phi i64 [ 0, %1461 ], [ %1494, %1526 ]
-  %1472 = phi i64 [ %1469, %1461 ], [ %1493, %1526 ]
-  %1473 = phi i64 [ %1466, %1461 ], [ %1533, %1526 ]
-  %1474 = phi i64 [ 0, %1461 ], [ %1532, %1526 ]
-  %1475 = icmp sgt i64 %1472, 0
-  br i1 %1475, label %1492, label %1476
-
-1476:                                             ; preds = %1470
-  %1477 = call i64 @llvm.smax.i64(i64 %1462, i64 0)
-  br label %1478
-
-1478:                                             ; preds = %1476, %1535
-  %1479 = phi i64 [ 0, %1476 ], [ %1537, %1535 ]
-  %1480 = phi i64 [ %1477, %1476 ], [ %1536, %1535 ]
-  %1481 = icmp sgt i64 %1480, 0
-  br i1 %1481, label %1535, label %1482
-
-1482:                                             ; preds = %1478
-  %1483 = getelementptr i8, ptr %16, i64 24
-  %1484 = load i64, ptr %1483, align 8, !noalias !119
-  %1485 = add i64 %1484, -3
-  %1486 = call i64 @llvm.smax.i64(i64 %1485, i64 0)
-  br label %1487
-
-1487:                                             ; preds = %1482, %1563
-  %1488 = phi i64 [ 3, %1482 ], [ %1565, %1563 ]
-  %1489 = phi i64 [ %1486, %1482 ], [ %1564, %1563 ]
-  %1490 = phi i64 [ %1473, %1482 ], [ %1584, %1563 ]
-  %1491 = icmp sgt i64 %1489, 0
-  br i1 %1491, label %1563, label %2186
-
-1492:                                             ; preds = %1470
-  %1493 = add nsw i64 %1472, -1
-  %1494 = add i64 %1471, 1
-  %1495 = icmp slt i64 %1473, 0
-  %1496 = select i1 %1495, i64 %20, i64 0
-  %1497 = getelementptr i64, ptr %21, i64 %1473
-  %1498 = getelementptr i64, ptr %1497, i64 %1496
-  %1499 = load i64, ptr %1498, align 8, !noalias !123
-  %1500 = shl i64 %1499, 3
-  %1501 = add i64 %23, %1500
-  %1502 = add i64 %25, %1500
-  %1503 = icmp slt i64 %1473, -1
-  %1504 = select i1 %1503, i64 %20, i64 0
-  %1505 = getelementptr i8, ptr %1497, i64 8
-  %1506 = getelementptr i64, ptr %1505, i64 %1504
-  %1507 = load i64, ptr %1506, align 8, !noalias !123
-  %1508 = sub nsw i64 %1507, %1499
-  %1509 = load i64, ptr %226, align 8, !noalias !123
-  call fastcc void @pydy_combine(i64 %92, i64 %82, i64 %97, i64 %109, i64 %1501, i64 %1502, i64 %1508, i64 %1509) #3, !noalias !123
-  %1510 = add nsw i64 %1464, %1471
-  %1511 = mul nsw i64 %1510, %84
-  %1512 = shl i64 %1511, 3
-  %1513 = add i64 %109, %1512
-  %1514 = icmp slt i64 %1510, 0
-  %1515 = select i1 %1514, i64 %29, i64 0
-  %1516 = getelementptr double, ptr %30, i64 %1510
-  %1517 = getelementptr double, ptr %1516, i64 %1515
-  %1518 = load double, ptr %1517, align 8, !noalias !119
-  %1519 = insertelement <8 x double> poison, double %1518, i64 0
-  %1520 = shufflevector <8 x double> %1519, <8 x double> poison, <8 x i32> zeroinitializer
-  %1521 = fmul <8 x double> %1520, %1123
-  %1522 = fadd <8 x double> %1095, %1521
-  store ptr null, ptr %2, align 8, !noalias !126
-  store ptr null, ptr %3, align 8, !noalias !126
-  store <8 x double> %1522, ptr %41, align 8, !noalias !126
-  %1523 = icmp sgt i64 %58, 0
-  br i1 %1523, label %1524, label %1526
-
-1524:                                             ; preds = %1492
-  store ptr null, ptr %2, align 8, !noalias !126
-  %1525 = call fastcc i32 @_set_inputs(ptr nonnull %2, ptr nonnull %41, i64 %40, ptr %46, i64 %45, ptr %61, i64 %58, i64 %60, ptr %68, i64 %65, i64 %67, ptr %73, i64 %72, ptr %80, i64 %77, i64 %79) #3
-  switch i32 %1525, label %1534 [
-    i32 -2, label %1526
-    i32 0, label %1526
-  ], !prof !49
-
-1526:                                             ; preds = %1524, %1524, %1492
-  %1527 = load i64, ptr %36, align 8, !noalias !126
-  %1528 = inttoptr i64 %1527 to ptr
-  %1529 = inttoptr i64 %1513 to ptr
-  %1530 = call i32 %1528(ptr nonnull %41, ptr %95, ptr %46, ptr %54, ptr %1529) #3, !noalias !126
-  %1531 = sext i32 %1530 to i64
-  %1532 = or i64 %1474, %1531
-  %1533 = add nsw i64 %1473, 1
-  br label %1470
-
-1534:                                             ; preds = %1524
-  br label %2225
-
-1535:                                             ; preds = %1478
-  %1536 = add nsw i64 %1480, -1
-  %1537 = add i64 %1479, 1
-  %1538 = shl i64 %1479, 6
-  %1539 = getelementptr i8, ptr %90, i64 %1538
-  %1540 = load <8 x double>, ptr %1539, align 8, !noalias !119
-  %1541 = getelementptr i8, ptr %85, i64 %1538
-  %1542 = load <8 x double>, ptr %1541, align 8, !noalias !119
-  %1543 = fsub <8 x double> %1540, %1542
-  %1544 = getelementptr i8, ptr %112, i64 %1538
-  %1545 = load <8 x double>, ptr %1544, align 8, !noalias !119
-  %1546 = fmul <8 x double> %1123, %1545
-  %1547 = fsub <8 x double> %1546, %1543
-  %1548 = getelementptr i8, ptr %115, i64 %1538
-  store <8 x double> %1543, ptr %1548, align 8, !noalias !119
-  %1549 = add nsw i64 %1462, %1479
-  %1550 = shl i64 %1549, 6
-  %1551 = getelementptr i8, ptr %115, i64 %1550
-  store <8 x double> %1547, ptr %1551, align 8, !noalias !119
-  %1552 = fsub <8 x double> %1543, %1547
-  %1553 = mul nsw i64 %1463, %1462
-  %1554 = add nsw i64 %1553, %1479
-  %1555 = shl i64 %1554, 6
-  %1556 = getelementptr i8, ptr %112, i64 %1555
-  %1557 = load <8 x double>, ptr %1556, align 8, !noalias !119
-  %1558 = fmul <8 x double> %1123, %1557
-  %1559 = fsub <8 x double> %1552, %1558
-  %1560 = shl i64 %1462, 7
-  %1561 = getelementptr i8, ptr %115, i64 %1560
-  %1562 = getelementptr i8, ptr %1561, i64 %1538
-  store <8 x double> %1559, ptr %1562, align 8, !noalias !119
-  br label %1478
-
-1563:                                             ; preds = %1487
-  %1564 = add nsw i64 %1489, -1
-  %1565 = add i64 %1488, 1
-  %1566 = mul nsw i64 %1488, %84
-  %1567 = shl i64 %1566, 3
-  %1568 = add i64 %114, %1567
-  %1569 = icmp slt i64 %1490, 0
-  %1570 = select i1 %1569, i64 %20, i64 0
-  %1571 = getelementptr i64, ptr %21, i64 %1490
-  %1572 = getelementptr i64, ptr %1571, i64 %1570
-  %1573 = load i64, ptr %1572, align 8, !noalias !130
-  %1574 = shl i64 %1573, 3
-  %1575 = add i64 %23, %1574
-  %1576 = add i64 %25, %1574
-  %1577 = icmp slt i64 %1490, -1
-  %1578 = select i1 %1577, i64 %20, i64 0
-  %1579 = getelementptr i8, ptr %1571, i64 8
-  %1580 = getelementptr i64, ptr %1579, i64 %1578
-  %1581 = load i64, ptr %1580, align 8, !noalias !130
-  %1582 = sub nsw i64 %1581, %1573
-  %1583 = load i64, ptr %226, align 8, !noalias !130
-  call fastcc void @pydy_combine(i64 %1568, i64 %103, i64 %97, i64 %109, i64 %1575, i64 %1576, i64 %1582, i64 %1583) #3, !noalias !130
-  %1584 = add nsw i64 %1490, 1
-  br label %1487
-
-1585:                                             ; preds = %2186, %1660
-  %1586 = phi i64 [ %2199, %1660 ], [ 0, %2186 ]
-  %1587 = phi i64 [ %2198, %1660 ], [ 8, %2186 ]
-  %1588 = icmp sgt i64 %1587, 0
-  br i1 %1588, label %2197, label %1661
-
-1589:                                             ; preds = %2197
-  %1590 = icmp slt i64 %1586, 0
-  %1591 = select i1 %1590, i64 %175, i64 0
-  %1592 = getelementptr i64, ptr %176, i64 %1586
-  %1593 = getelementptr i64, ptr %1592, i64 %1591
-  %1594 = load i64, ptr %1593, align 8, !noalias !133
-  %1595 = getelementptr i8, ptr %184, i64 32
-  %1596 = load i64, ptr %1595, align 8, !noalias !133
-  %1597 = shl nsw i64 %1596, 3
-  %1598 = select i1 %1590, i64 %145, i64 0
-  %1599 = getelementptr double, ptr %146, i64 %1586
-  %1600 = getelementptr double, ptr %1599, i64 %1598
-  %1601 = load double, ptr %1600, align 8, !noalias !133
-  %1602 = fptosi double %1601 to i64
-  %1603 = xor i64 %1602, -1
-  %1604 = add i64 %191, %1603
-  %1605 = call i64 @llvm.smax.i64(i64 %1604, i64 0)
-  br label %1606
-
-1606:                                             ; preds = %1610, %1589
-  %1607 = phi i64 [ 0, %1589 ], [ %1647, %1610 ]
-  %1608 = phi i64 [ %1605, %1589 ], [ %1646, %1610 ]
-  %1609 = icmp sgt i64 %1608, 0
-  br i1 %1609, label %1645, label %1614
-
-1610:                                             ; preds = %1645, %1656
-  %1611 = phi i64 [ %1655, %1645 ], [ %1657, %1656 ]
-  %1612 = phi i64 [ %1653, %1645 ], [ %1659, %1656 ]
-  %1613 = icmp sgt i64 %1611, 0
-  br i1 %1613, label %1656, label %1606
-
-1614:                                             ; preds = %1606
-  %1615 = icmp slt i64 %1594, 0
-  %1616 = select i1 %1615, i64 %217, i64 0
-  %1617 = add i64 %1594, %1616
-  %1618 = mul i64 %1617, %219
-  %1619 = getelementptr i64, ptr %220, i64 %1618
-  %1620 = select i1 %1590, i64 %155, i64 0
-  %1621 = getelementptr double, ptr %156, i64 %1586
-  %1622 = getelementptr double, ptr %1621, i64 %1620
-  %1623 = load double, ptr %1622, align 8, !noalias !133
-  %1624 = select i1 %1590, i64 %160, i64 0
-  %1625 = getelementptr double, ptr %161, i64 %1586
-  %1626 = getelementptr double, ptr %1625, i64 %1624
-  %1627 = load double, ptr %1626, align 8, !noalias !133
-  %1628 = fptosi double %1623 to i64
-  store i64 %1628, ptr %1619, align 8, !noalias !133
-  %1629 = getelementptr i8, ptr %1619, i64 8
-  %1630 = fptosi double %1627 to i64
-  store i64 %1630, ptr %1629, align 8, !noalias !133
-  %1631 = select i1 %1590, i64 %165, i64 0
-  %1632 = getelementptr double, ptr %166, i64 %1586
-  %1633 = getelementptr double, ptr %1632, i64 %1631
-  %1634 = load double, ptr %1633, align 8, !noalias !133
-  %1635 = getelementptr i8, ptr %1619, i64 16
-  %1636 = fptosi double %1634 to i64
-  store i64 %1636, ptr %1635, align 8, !noalias !133
-  %1637 = getelementptr i8, ptr %1619, i64 24
-  store i64 3, ptr %1637, align 8, !noalias !133
-  %1638 = select i1 %1590, i64 %129, i64 0
-  %1639 = getelementptr double, ptr %130, i64 %1586
-  %1640 = getelementptr double, ptr %1639, i64 %1638
-  %1641 = load double, ptr %1640, align 8, !noalias !133
-  %1642 = select i1 %1615, i64 %224, i64 0
-  %1643 = getelementptr double, ptr %225, i64 %1594
-  %1644 = getelementptr double, ptr %1643, i64 %1642
-  store double %1641, ptr %1644, align 8, !noalias !133
-  store i64 -1, ptr %1593, align 8, !noalias !133
-  br label %1660
-
-1645:                                             ; preds = %1606
-  %1646 = add nsw i64 %1608, -1
-  %1647 = add i64 %1607, 1
-  %1648 = shl nsw i64 %1607, 3
-  %1649 = select i1 %1590, i64 %180, i64 0
-  %1650 = getelementptr i64, ptr %181, i64 %1586
-  %1651 = getelementptr i64, ptr %1650, i64 %1649
-  %1652 = load i64, ptr %1651, align 8, !noalias !133
-  %1653 = add nsw i64 %1652, %1648
-  %1654 = load i64, ptr %226, align 8, !noalias !133
-  %1655 = call i64 @llvm.smax.i64(i64 %1654, i64 0)
-  br label %1610
-
-1656:                                             ; preds = %1610
-  %1657 = add nsw i64 %1611, -1
-  %1658 = inttoptr i64 %1612 to ptr
-  store atomic i64 9221120237041090560, ptr %1658 unordered, align 8, !noalias !133
-  %1659 = add nsw i64 %1612, %1597
-  br label %1610
-
-1660:                                             ; preds = %1614, %2197
-  br label %1585
-
-1661:                                             ; preds = %1585
-  %1662 = xor i64 %2188, -1
-  %1663 = and i64 %1087, %1662
-  %1664 = trunc i64 %1663 to i8
-  %1665 = bitcast i8 %1664 to <8 x i1>
-  %1666 = and <8 x i1> %1447, %1665
-  %1667 = and <8 x i1> %1458, %1665
-  br label %1668
-
-1668:                                             ; preds = %2186, %1661
-  %1669 = phi i64 [ %1663, %1661 ], [ %1087, %2186 ]
-  %1670 = phi i1 [ true, %1661 ], [ %1088, %2186 ]
-  %1671 = phi <8 x i1> [ %1666, %1661 ], [ %1447, %2186 ]
-  %1672 = phi <8 x i1> [ %1667, %1661 ], [ %1458, %2186 ]
-  %1673 = bitcast <8 x i1> %1672 to i8
-  %1674 = zext i8 %1673 to i64
-  %1675 = load <8 x double>, ptr %130, align 8, !noalias !137
-  %1676 = load <8 x double>, ptr %98, align 8, !noalias !137
-  %1677 = fdiv <8 x double> splat (double 1.000000e+00), %1676
-  %1678 = icmp eq i8 %1673, 0
-  br i1 %1678, label %1770, label %1679
-
-1679:                                             ; preds = %1668, %1707
-  %1680 = phi i64 [ %1756, %1707 ], [ %1674, %1668 ]
-  %1681 = load <8 x double>, ptr %151, align 8, !noalias !137
-  %1682 = fsub <8 x double> %1681, %1675
-  %1683 = fmul <8 x double> %1682, %1677
-  store <8 x double> %1683, ptr %101, align 8, !noalias !137
-  %1684 = load i64, ptr %1483, align 8, !noalias !137
-  %1685 = load i64, ptr %226, align 8, !noalias !137
-  call fastcc void @pydy_nested(i64 %92, i64 %82, i64 %114, i64 %84, i64 %1684, i64 %100, i64 %1685) #3, !noalias !137
-  %1686 = getelementptr i8, ptr %184, i64 32
-  %1687 = load i64, ptr %1686, align 8, !noalias !141
-  %1688 = shl nsw i64 %1687, 3
-  %1689 = load i64, ptr %226, align 8, !noalias !141
-  %1690 = icmp eq i64 %1680, 0
-  br i1 %1690, label %1707, label %1691
-
-1691:                                             ; preds = %1679, %1705
-  %1692 = phi i64 [ %1695, %1705 ], [ %1680, %1679 ]
-  %1693 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1692, i1 true)
-  %1694 = add nsw i64 %1692, -1
-  %1695 = and i64 %1692, %1694
-  %1696 = getelementptr i64, ptr %181, i64 %1693
-  %1697 = load i64, ptr %1696, align 8, !noalias !141
-  %1698 = add nsw i64 %1697, 8
-  store i64 %1698, ptr %1696, align 8, !noalias !141
-  %1699 = call i64 @llvm.smax.i64(i64 %1689, i64 0)
-  br label %1700
-
-1700:                                             ; preds = %1691, %1758
-  %1701 = phi i64 [ 0, %1691 ], [ %1760, %1758 ]
-  %1702 = phi i64 [ %1699, %1691 ], [ %1759, %1758 ]
-  %1703 = phi i64 [ %1697, %1691 ], [ %1769, %1758 ]
-  %1704 = icmp sgt i64 %1702, 0
-  br i1 %1704, label %1758, label %1705
-
-1705:                                             ; preds = %1700
-  %1706 = icmp eq i64 %1695, 0
-  br i1 %1706, label %1707, label %1691
-
-1707:                                             ; preds = %1705, %1679
-  %1708 = load <8 x double>, ptr %146, align 8, !noalias !141
-  %1709 = trunc i64 %1680 to i8
-  %1710 = bitcast i8 %1709 to <8 x i1>
-  %1711 = select <8 x i1> %1710, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1712 = fadd <8 x double> %1708, %1711
-  store <8 x double> %1712, ptr %146, align 8, !noalias !141
-  %1713 = extractelement <8 x double> %1712, i64 0
-  %1714 = fptosi double %1713 to i64
-  %1715 = getelementptr double, ptr %192, i64 %1714
-  %1716 = load double, ptr %1715, align 8, !noalias !141
-  %1717 = insertelement <8 x double> poison, double %1716, i64 0
-  %1718 = extractelement <8 x double> %1712, i64 1
-  %1719 = fptosi double %1718 to i64
-  %1720 = getelementptr double, ptr %192, i64 %1719
-  %1721 = load double, ptr %1720, align 8, !noalias !141
-  %1722 = insertelement <8 x double> %1717, double %1721, i64 1
-  %1723 = extractelement <8 x double> %1712, i64 2
-  %1724 = fptosi double %1723 to i64
-  %1725 = getelementptr double, ptr %192, i64 %1724
-  %1726 = load double, ptr %1725, align 8, !noalias !141
-  %1727 = insertelement <8 x double> %1722, double %1726, i64 2
-  %1728 = extractelement <8 x double> %1712, i64 3
-  %1729 = fptosi double %1728 to i64
-  %1730 = getelementptr double, ptr %192, i64 %1729
-  %1731 = load double, ptr %1730, align 8, !noalias !141
-  %1732 = insertelement <8 x double> %1727, double %1731, i64 3
-  %1733 = extractelement <8 x double> %1712, i64 4
-  %1734 = fptosi double %1733 to i64
-  %1735 = getelementptr double, ptr %192, i64 %1734
-  %1736 = load double, ptr %1735, align 8, !noalias !141
-  %1737 = insertelement <8 x double> %1732, double %1736, i64 4
-  %1738 = extractelement <8 x double> %1712, i64 5
-  %1739 = fptosi double %1738 to i64
-  %1740 = getelementptr double, ptr %192, i64 %1739
-  %1741 = load double, ptr %1740, align 8, !noalias !141
-  %1742 = insertelement <8 x double> %1737, double %1741, i64 5
-  %1743 = extractelement <8 x double> %1712, i64 6
-  %1744 = fptosi double %1743 to i64
-  %1745 = getelementptr double, ptr %192, i64 %1744
-  %1746 = load double, ptr %1745, align 8, !noalias !141
-  %1747 = insertelement <8 x double> %1742, double %1746, i64 6
-  %1748 = extractelement <8 x double> %1712, i64 7
-  %1749 = fptosi double %1748 to i64
-  %1750 = getelementptr double, ptr %192, i64 %1749
-  %1751 = load double, ptr %1750, align 8, !noalias !141
-  %1752 = insertelement <8 x double> %1747, double %1751, i64 7
-  store <8 x double> %1752, ptr %151, align 8, !noalias !141
-  %1753 = fcmp olt <8 x double> %1752, %1122
-  %1754 = bitcast <8 x i1> %1753 to i8
-  %1755 = zext i8 %1754 to i64
-  %1756 = and i64 %1680, %1755
-  %1757 = icmp eq i64 %1756, 0
-  br i1 %1757, label %1770, label %1679
-
-1758:                                             ; preds = %1700
-  %1759 = add nsw i64 %1702, -1
-  %1760 = add i64 %1701, 1
-  %1761 = shl nsw i64 %1701, 3
-  %1762 = add nsw i64 %1761, %1693
-  %1763 = icmp slt i64 %1762, 0
-  %1764 = select i1 %1763, i64 %94, i64 0
-  %1765 = getelementptr double, ptr %95, i64 %1762
-  %1766 = getelementptr double, ptr %1765, i64 %1764
-  %1767 = load i64, ptr %1766, align 8, !noalias !141
-  %1768 = inttoptr i64 %1703 to ptr
-  store atomic i64 %1767, ptr %1768 unordered, align 8, !noalias !141
-  %1769 = add nsw i64 %1703, %1688
-  br label %1700
-
-1770:                                             ; preds = %1707, %1668, %1445
-  %1771 = phi i64 [ %1087, %1445 ], [ %1669, %1668 ], [ %1669, %1707 ]
-  %1772 = phi i1 [ %1088, %1445 ], [ %1670, %1668 ], [ %1670, %1707 ]
-  %1773 = phi <8 x i1> [ %1447, %1445 ], [ %1671, %1668 ], [ %1671, %1707 ]
-  %1774 = load <8 x double>, ptr %151, align 8, !noalias !5
-  %1775 = fcmp oeq <8 x double> %1774, %1122
-  %1776 = and <8 x i1> %1773, %1775
-  %1777 = bitcast <8 x i1> %1776 to i8
-  %1778 = zext i8 %1777 to i64
-  %1779 = icmp eq i8 %1777, 0
-  br i1 %1779, label %1866, label %1780
-
-1780:                                             ; preds = %1770, %1803
-  %1781 = phi i64 [ %1852, %1803 ], [ %1778, %1770 ]
-  %1782 = getelementptr i8, ptr %184, i64 32
-  %1783 = load i64, ptr %1782, align 8, !noalias !145
-  %1784 = shl nsw i64 %1783, 3
-  %1785 = load i64, ptr %226, align 8, !noalias !145
-  %1786 = icmp eq i64 %1781, 0
-  br i1 %1786, label %1803, label %1787
-
-1787:                                             ; preds = %1780, %1801
-  %1788 = phi i64 [ %1791, %1801 ], [ %1781, %1780 ]
-  %1789 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1788, i1 true)
-  %1790 = add nsw i64 %1788, -1
-  %1791 = and i64 %1788, %1790
-  %1792 = getelementptr i64, ptr %181, i64 %1789
-  %1793 = load i64, ptr %1792, align 8, !noalias !145
-  %1794 = add nsw i64 %1793, 8
-  store i64 %1794, ptr %1792, align 8, !noalias !145
-  %1795 = call i64 @llvm.smax.i64(i64 %1785, i64 0)
-  br label %1796
-
-1796:                                             ; preds = %1787, %1854
-  %1797 = phi i64 [ 0, %1787 ], [ %1856, %1854 ]
-  %1798 = phi i64 [ %1795, %1787 ], [ %1855, %1854 ]
-  %1799 = phi i64 [ %1793, %1787 ], [ %1865, %1854 ]
-  %1800 = icmp sgt i64 %1798, 0
-  br i1 %1800, label %1854, label %1801
-
-1801:                                             ; preds = %1796
-  %1802 = icmp eq i64 %1791, 0
-  br i1 %1802, label %1803, label %1787
-
-1803:                                             ; preds = %1801, %1780
-  %1804 = load <8 x double>, ptr %146, align 8, !noalias !145
-  %1805 = trunc i64 %1781 to i8
-  %1806 = bitcast i8 %1805 to <8 x i1>
-  %1807 = select <8 x i1> %1806, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1808 = fadd <8 x double> %1804, %1807
-  store <8 x double> %1808, ptr %146, align 8, !noalias !145
-  %1809 = extractelement <8 x double> %1808, i64 0
-  %1810 = fptosi double %1809 to i64
-  %1811 = getelementptr double, ptr %192, i64 %1810
-  %1812 = load double, ptr %1811, align 8, !noalias !145
-  %1813 = insertelement <8 x double> poison, double %1812, i64 0
-  %1814 = extractelement <8 x double> %1808, i64 1
-  %1815 = fptosi double %1814 to i64
-  %1816 = getelementptr double, ptr %192, i64 %1815
-  %1817 = load double, ptr %1816, align 8, !noalias !145
-  %1818 = insertelement <8 x double> %1813, double %1817, i64 1
-  %1819 = extractelement <8 x double> %1808, i64 2
-  %1820 = fptosi double %1819 to i64
-  %1821 = getelementptr double, ptr %192, i64 %1820
-  %1822 = load double, ptr %1821, align 8, !noalias !145
-  %1823 = insertelement <8 x double> %1818, double %1822, i64 2
-  %1824 = extractelement <8 x double> %1808, i64 3
-  %1825 = fptosi double %1824 to i64
-  %1826 = getelementptr double, ptr %192, i64 %1825
-  %1827 = load double, ptr %1826, align 8, !noalias !145
-  %1828 = insertelement <8 x double> %1823, double %1827, i64 3
-  %1829 = extractelement <8 x double> %1808, i64 4
-  %1830 = fptosi double %1829 to i64
-  %1831 = getelementptr double, ptr %192, i64 %1830
-  %1832 = load double, ptr %1831, align 8, !noalias !145
-  %1833 = insertelement <8 x double> %1828, double %1832, i64 4
-  %1834 = extractelement <8 x double> %1808, i64 5
-  %1835 = fptosi double %1834 to i64
-  %1836 = getelementptr double, ptr %192, i64 %1835
-  %1837 = load double, ptr %1836, align 8, !noalias !145
-  %1838 = insertelement <8 x double> %1833, double %1837, i64 5
-  %1839 = extractelement <8 x double> %1808, i64 6
-  %1840 = fptosi double %1839 to i64
-  %1841 = getelementptr double, ptr %192, i64 %1840
-  %1842 = load double, ptr %1841, align 8, !noalias !145
-  %1843 = insertelement <8 x double> %1838, double %1842, i64 6
-  %1844 = extractelement <8 x double> %1808, i64 7
-  %1845 = fptosi double %1844 to i64
-  %1846 = getelementptr double, ptr %192, i64 %1845
-  %1847 = load double, ptr %1846, align 8, !noalias !145
-  %1848 = insertelement <8 x double> %1843, double %1847, i64 7
-  store <8 x double> %1848, ptr %151, align 8, !noalias !145
-  %1849 = fcmp oeq <8 x double> %1848, %1122
-  %1850 = bitcast <8 x i1> %1849 to i8
-  %1851 = zext i8 %1850 to i64
-  %1852 = and i64 %1781, %1851
-  %1853 = icmp eq i64 %1852, 0
-  br i1 %1853, label %1866, label %1780
-
-1854:                                             ; preds = %1796
-  %1855 = add nsw i64 %1798, -1
-  %1856 = add i64 %1797, 1
-  %1857 = shl nsw i64 %1797, 3
-  %1858 = add nsw i64 %1857, %1789
-  %1859 = icmp slt i64 %1858, 0
-  %1860 = select i1 %1859, i64 %89, i64 0
-  %1861 = getelementptr double, ptr %90, i64 %1858
-  %1862 = getelementptr double, ptr %1861, i64 %1860
-  %1863 = load i64, ptr %1862, align 8, !noalias !145
-  %1864 = inttoptr i64 %1799 to ptr
-  store atomic i64 %1863, ptr %1864 unordered, align 8, !noalias !145
-  %1865 = add nsw i64 %1799, %1784
-  br label %1796
-
-1866:                                             ; preds = %1803, %1770
-  %1867 = xor <8 x i1> %1773, splat (i1 true)
-  %1868 = and <8 x i1> %1098, %1867
-  %1869 = load <8 x double>, ptr %156, align 8, !noalias !5
-  %1870 = select <8 x i1> %1773, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1871 = fadd <8 x double> %1869, %1870
-  store <8 x double> %1871, ptr %156, align 8, !noalias !5
-  br i1 %242, label %1872, label %1989
-
-1872:                                             ; preds = %1866
-  %1873 = fcmp ogt <8 x double> %1420, splat (double 1.000000e-10)
-  %1874 = select <8 x i1> %1873, <8 x double> %1420, <8 x double> splat (double 1.000000e-10)
-  %1875 = getelementptr i8, ptr %33, i64 8
-  %1876 = load double, ptr %1875, align 8, !noalias !5
-  %1877 = fneg double %1876
-  %1878 = bitcast <8 x double> %1874 to <8 x i64>
-  %1879 = add nsw <8 x i64> %1878, splat (i64 -4604544271217802189)
-  %1880 = ashr <8 x i64> %1879, splat (i64 52)
-  %1881 = and <8 x i64> %1879, splat (i64 -4503599627370496)
-  %1882 = sub <8 x i64> %1878, %1881
-  %1883 = bitcast <8 x i64> %1882 to <8 x double>
-  %1884 = fadd <8 x double> %1883, splat (double -1.000000e+00)
-  %1885 = fadd <8 x double> %1883, splat (double 1.000000e+00)
-  %1886 = fdiv <8 x double> %1884, %1885
-  %1887 = fmul <8 x double> %1886, %1886
-  %1888 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1887, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %1889 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1888, <8 x double> %1887, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %1890 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1889, <8 x double> %1887, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %1891 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1890, <8 x double> %1887, <8 x double> splat (double 0x40071547652B82FE))
-  %1892 = fmul <8 x double> %1891, %1886
-  %1893 = trunc nsw <8 x i64> %1880 to <8 x i32>
-  %1894 = sitofp <8 x i32> %1893 to <8 x double>
-  %1895 = fadd <8 x double> %1892, %1894
-  %1896 = insertelement <8 x double> poison, double %1877, i64 0
-  %1897 = shufflevector <8 x double> %1896, <8 x double> poison, <8 x i32> zeroinitializer
-  %1898 = fmul <8 x double> %1895, %1897
-  %1899 = fcmp ogt <8 x double> %1898, splat (double -1.000000e+03)
-  %1900 = select <8 x i1> %1899, <8 x double> %1898, <8 x double> splat (double -1.000000e+03)
-  %1901 = fcmp olt <8 x double> %1900, splat (double 1.000000e+03)
-  %1902 = select <8 x i1> %1901, <8 x double> %1900, <8 x double> splat (double 1.000000e+03)
-  %1903 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1902)
-  %1904 = fsub <8 x double> %1902, %1903
-  %1905 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1904, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %1906 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1905, <8 x double> %1904, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %1907 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1906, <8 x double> %1904, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %1908 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1907, <8 x double> %1904, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %1909 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1908, <8 x double> %1904, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %1910 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1909, <8 x double> %1904, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %1911 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1910, <8 x double> %1904, <8 x double> splat (double 1.000000e+00))
-  %1912 = fptosi <8 x double> %1903 to <8 x i32>
-  %1913 = zext <8 x i32> %1912 to <8 x i64>
-  %1914 = shl <8 x i64> %1913, splat (i64 52)
-  %1915 = bitcast <8 x double> %1911 to <8 x i64>
-  %1916 = add <8 x i64> %1914, %1915
-  %1917 = bitcast <8 x i64> %1916 to <8 x double>
-  %1918 = getelementptr i8, ptr %33, i64 16
-  %1919 = load double, ptr %1918, align 8, !noalias !5
-  %1920 = fcmp une double %1919, 0.000000e+00
-  br i1 %1920, label %1921, label %1963
-
-1921:                                             ; preds = %1872
-  %1922 = load <8 x i64>, ptr %138, align 8, !noalias !5
-  %1923 = add <8 x i64> %1922, splat (i64 -4604544271217802189)
-  %1924 = ashr <8 x i64> %1923, splat (i64 52)
-  %1925 = and <8 x i64> %1923, splat (i64 -4503599627370496)
-  %1926 = sub <8 x i64> %1922, %1925
-  %1927 = bitcast <8 x i64> %1926 to <8 x double>
-  %1928 = fadd <8 x double> %1927, splat (double -1.000000e+00)
-  %1929 = fadd <8 x double> %1927, splat (double 1.000000e+00)
-  %1930 = fdiv <8 x double> %1928, %1929
-  %1931 = fmul <8 x double> %1930, %1930
-  %1932 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1931, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %1933 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1932, <8 x double> %1931, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %1934 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1933, <8 x double> %1931, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %1935 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1934, <8 x double> %1931, <8 x double> splat (double 0x40071547652B82FE))
-  %1936 = fmul <8 x double> %1935, %1930
-  %1937 = trunc nsw <8 x i64> %1924 to <8 x i32>
-  %1938 = sitofp <8 x i32> %1937 to <8 x double>
-  %1939 = fadd <8 x double> %1936, %1938
-  %1940 = insertelement <8 x double> poison, double %1919, i64 0
-  %1941 = shufflevector <8 x double> %1940, <8 x double> poison, <8 x i32> zeroinitializer
-  %1942 = fmul <8 x double> %1939, %1941
-  %1943 = fcmp ogt <8 x double> %1942, splat (double -1.000000e+03)
-  %1944 = select <8 x i1> %1943, <8 x double> %1942, <8 x double> splat (double -1.000000e+03)
-  %1945 = fcmp olt <8 x double> %1944, splat (double 1.000000e+03)
-  %1946 = select <8 x i1> %1945, <8 x double> %1944, <8 x double> splat (double 1.000000e+03)
-  %1947 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1946)
-  %1948 = fsub <8 x double> %1946, %1947
-  %1949 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1948, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %1950 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1949, <8 x double> %1948, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %1951 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1950, <8 x double> %1948, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %1952 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1951, <8 x double> %1948, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %1953 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1952, <8 x double> %1948, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %1954 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1953, <8 x double> %1948, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %1955 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1954, <8 x double> %1948, <8 x double> splat (double 1.000000e+00))
-  %1956 = fptosi <8 x double> %1947 to <8 x i32>
-  %1957 = zext <8 x i32> %1956 to <8 x i64>
-  %1958 = shl <8 x i64> %1957, splat (i64 52)
-  %1959 = bitcast <8 x double> %1955 to <8 x i64>
-  %1960 = add <8 x i64> %1958, %1959
-  %1961 = bitcast <8 x i64> %1960 to <8 x double>
-  %1962 = fmul <8 x double> %1917, %1961
-  br label %1963
-
-1963:                                             ; preds = %1921, %1872
-  %1964 = phi <8 x double> [ %1962, %1921 ], [ %1917, %1872 ]
-  %1965 = load <8 x double>, ptr %141, align 8, !noalias !5
-  %1966 = getelementptr i8, ptr %33, i64 24
-  %1967 = load double, ptr %1966, align 8, !noalias !5
-  %1968 = insertelement <8 x double> poison, double %1967, i64 0
-  %1969 = shufflevector <8 x double> %1968, <8 x double> poison, <8 x i32> zeroinitializer
-  %1970 = fmul <8 x double> %1969, %1964
-  %1971 = getelementptr i8, ptr %33, i64 32
-  %1972 = load double, ptr %1971, align 8, !noalias !5
-  %1973 = insertelement <8 x double> poison, double %1972, i64 0
-  %1974 = shufflevector <8 x double> %1973, <8 x double> poison, <8 x i32> zeroinitializer
-  %1975 = fcmp ogt <8 x double> %1970, %1974
-  %1976 = select <8 x i1> %1975, <8 x double> %1970, <8 x double> %1974
-  %1977 = fcmp olt <8 x double> %1965, %1976
-  %1978 = select <8 x i1> %1977, <8 x double> %1965, <8 x double> %1976
-  %1979 = fmul <8 x double> %1123, %1978
-  %1980 = fcmp ogt <8 x double> %1420, splat (double 1.000000e-04)
-  %1981 = select <8 x i1> %1980, <8 x double> %1420, <8 x double> splat (double 1.000000e-04)
-  %1982 = load <8 x double>, ptr %138, align 8, !noalias !5
-  %1983 = select <8 x i1> %1773, <8 x double> %1981, <8 x double> %1982
-  store <8 x double> %1983, ptr %138, align 8, !noalias !5
-  %1984 = getelementptr i8, ptr %33, i64 40
-  %1985 = load double, ptr %1984, align 8, !noalias !5
-  %1986 = insertelement <8 x double> poison, double %1985, i64 0
-  %1987 = shufflevector <8 x double> %1986, <8 x double> poison, <8 x i32> zeroinitializer
-  %1988 = select <8 x i1> %1868, <8 x double> splat (double 1.000000e+00), <8 x double> %1987
-  store <8 x double> %1988, ptr %141, align 8, !noalias !5
-  br label %1989
-
-1989:                                             ; preds = %1963, %1866
-  %1990 = phi <8 x double> [ %1979, %1963 ], [ %1096, %1866 ]
-  %1991 = bitcast <8 x i1> %1868 to i8
-  %1992 = icmp eq i8 %1991, 0
-  br i1 %1992, label %2065, label %1993
-
-1993:                                             ; preds = %1989
-  %1994 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1420)
-  %1995 = fcmp ueq <8 x double> %1994, splat (double 0x7FF0000000000000)
-  %1996 = trunc i64 %1446 to i8
-  %1997 = bitcast i8 %1996 to <8 x i1>
-  %1998 = getelementptr i8, ptr %33, i64 24
-  %1999 = load double, ptr %1998, align 8, !noalias !5
-  %2000 = fcmp ogt <8 x double> %1420, splat (double 1.000000e-10)
-  %2001 = select <8 x i1> %2000, <8 x double> %1420, <8 x double> splat (double 1.000000e-10)
-  %2002 = load double, ptr %33, align 8, !noalias !5
-  %2003 = fneg double %2002
-  %2004 = bitcast <8 x double> %2001 to <8 x i64>
-  %2005 = add nsw <8 x i64> %2004, splat (i64 -4604544271217802189)
-  %2006 = ashr <8 x i64> %2005, splat (i64 52)
-  %2007 = and <8 x i64> %2005, splat (i64 -4503599627370496)
-  %2008 = sub <8 x i64> %2004, %2007
-  %2009 = bitcast <8 x i64> %2008 to <8 x double>
-  %2010 = fadd <8 x double> %2009, splat (double -1.000000e+00)
-  %2011 = fadd <8 x double> %2009, splat (double 1.000000e+00)
-  %2012 = fdiv <8 x double> %2010, %2011
-  %2013 = fmul <8 x double> %2012, %2012
-  %2014 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2013, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %2015 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2014, <8 x double> %2013, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %2016 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2015, <8 x double> %2013, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %2017 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2016, <8 x double> %2013, <8 x double> splat (double 0x40071547652B82FE))
-  %2018 = fmul <8 x double> %2017, %2012
-  %2019 = trunc nsw <8 x i64> %2006 to <8 x i32>
-  %2020 = sitofp <8 x i32> %2019 to <8 x double>
-  %2021 = fadd <8 x double> %2018, %2020
-  %2022 = insertelement <8 x double> poison, double %2003, i64 0
-  %2023 = shufflevector <8 x double> %2022, <8 x double> poison, <8 x i32> zeroinitializer
-  %2024 = fmul <8 x double> %2021, %2023
-  %2025 = fcmp ogt <8 x double> %2024, splat (double -1.000000e+03)
-  %2026 = select <8 x i1> %2025, <8 x double> %2024, <8 x double> splat (double -1.000000e+03)
-  %2027 = fcmp olt <8 x double> %2026, splat (double 1.000000e+03)
-  %2028 = select <8 x i1> %2027, <8 x double> %2026, <8 x double> splat (double 1.000000e+03)
-  %2029 = call <8 x double> @llvm.rint.v8f64(<8 x double> %2028)
-  %2030 = fsub <8 x double> %2028, %2029
-  %2031 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2030, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %2032 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2031, <8 x double> %2030, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %2033 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2032, <8 x double> %2030, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %2034 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2033, <8 x double> %2030, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %2035 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2034, <8 x double> %2030, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %2036 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2035, <8 x double> %2030, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %2037 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2036, <8 x double> %2030, <8 x double> splat (double 1.000000e+00))
-  %2038 = fptosi <8 x double> %2029 to <8 x i32>
-  %2039 = zext <8 x i32> %2038 to <8 x i64>
-  %2040 = shl <8 x i64> %2039, splat (i64 52)
-  %2041 = bitcast <8 x double> %2037 to <8 x i64>
-  %2042 = add <8 x i64> %2040, %2041
-  %2043 = bitcast <8 x i64> %2042 to <8 x double>
-  %2044 = insertelement <8 x double> poison, double %1999, i64 0
-  %2045 = shufflevector <8 x double> %2044, <8 x double> poison, <8 x i32> zeroinitializer
-  %2046 = fmul <8 x double> %2045, %2043
-  %2047 = or <8 x i1> %1995, %1997
-  %2048 = getelementptr i8, ptr %33, i64 32
-  %2049 = load double, ptr %2048, align 8, !noalias !5
-  %2050 = insertelement <8 x double> poison, double %2049, i64 0
-  %2051 = shufflevector <8 x double> %2050, <8 x double> poison, <8 x i32> zeroinitializer
-  %2052 = fcmp ogt <8 x double> %2046, %2051
-  %2053 = select <8 x i1> %2052, <8 x double> %2046, <8 x double> %2051
-  %2054 = select <8 x i1> %2047, <8 x double> splat (double 2.500000e-01), <8 x double> %2053
-  %2055 = fmul <8 x double> %1123, %2054
-  %2056 = select i1 %242, <8 x double> %2055, <8 x double> zeroinitializer
-  %2057 = select <8 x i1> %1868, <8 x double> %2056, <8 x double> %1990
-  %2058 = select <8 x i1> %1995, <8 x double> splat (double 4.000000e+00), <8 x double> splat (double 2.000000e+00)
-  %2059 = select <8 x i1> %1997, <8 x double> splat (double 3.000000e+00), <8 x double> %2058
-  %2060 = load <8 x double>, ptr %171, align 8, !noalias !5
-  %2061 = select <8 x i1> %1868, <8 x double> %2059, <8 x double> %2060
-  store <8 x double> %2061, ptr %171, align 8, !noalias !5
-  %2062 = load <8 x double>, ptr %161, align 8, !noalias !5
-  %2063 = select <8 x i1> %1868, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %2064 = fadd <8 x double> %2062, %2063
-  store <8 x double> %2064, ptr %161, align 8, !noalias !5
-  br label %2065
-
-2065:                                             ; preds = %1993, %1989
-  %2066 = phi <8 x double> [ %2057, %1993 ], [ %1990, %1989 ]
-  store <8 x double> %2066, ptr %135, align 8, !noalias !5
-  %2067 = select <8 x i1> %1773, <8 x double> %1122, <8 x double> %1095
-  store <8 x double> %2067, ptr %130, align 8, !noalias !5
-  %2068 = call i64 @llvm.smax.i64(i64 %227, i64 0)
-  br label %2069
-
-2069:                                             ; preds = %2065, %2203
-  %2070 = phi i64 [ 0, %2065 ], [ %2205, %2203 ]
-  %2071 = phi i64 [ %2068, %2065 ], [ %2204, %2203 ]
-  %2072 = icmp sgt i64 %2071, 0
-  br i1 %2072, label %2203, label %2073
-
-2073:                                             ; preds = %2069
-  %2074 = load <8 x double>, ptr %151, align 8, !noalias !5
-  %2075 = fcmp oeq <8 x double> %2074, splat (double 0x7FF0000000000000)
-  %2076 = and <8 x i1> %1773, %2075
-  %2077 = bitcast <8 x i1> %2076 to i8
-  %2078 = zext i8 %2077 to i64
-  %2079 = icmp eq i8 %2077, 0
-  br i1 %2079, label %2156, label %2080
-
-2080:                                             ; preds = %2073, %2155
-  %2081 = phi i64 [ %2221, %2155 ], [ 0, %2073 ]
-  %2082 = phi i64 [ %2220, %2155 ], [ 8, %2073 ]
-  %2083 = icmp sgt i64 %2082, 0
-  br i1 %2083, label %2219, label %2156
-
-2084:                                             ; preds = %2219
-  %2085 = icmp slt i64 %2081, 0
-  %2086 = select i1 %2085, i64 %175, i64 0
-  %2087 = getelementptr i64, ptr %176, i64 %2081
-  %2088 = getelementptr i64, ptr %2087, i64 %2086
-  %2089 = load i64, ptr %2088, align 8, !noalias !149
-  %2090 = getelementptr i8, ptr %184, i64 32
-  %2091 = load i64, ptr %2090, align 8, !noalias !149
-  %2092 = shl nsw i64 %2091, 3
-  %2093 = select i1 %2085, i64 %145, i64 0
-  %2094 = getelementptr double, ptr %146, i64 %2081
-  %2095 = getelementptr double, ptr %2094, i64 %2093
-  %2096 = load double, ptr %2095, align 8, !noalias !149
-  %2097 = fptosi double %2096 to i64
-  %2098 = xor i64 %2097, -1
-  %2099 = add i64 %191, %2098
-  %2100 = call i64 @llvm.smax.i64(i64 %2099, i64 0)
-  br label %2101
-
-2101:                                             ; preds = %2105, %2084
-  %2102 = phi i64 [ 0, %2084 ], [ %2142, %2105 ]
-  %2103 = phi i64 [ %2100, %2084 ], [ %2141, %2105 ]
-  %2104 = icmp sgt i64 %2103, 0
-  br i1 %2104, label %2140, label %2109
-
-2105:                                             ; preds = %2140, %2151
-  %2106 = phi i64 [ %2150, %2140 ], [ %2152, %2151 ]
-  %2107 = phi i64 [ %2148, %2140 ], [ %2154, %2151 ]
-  %2108 = icmp sgt i64 %2106, 0
-  br i1 %2108, label %2151, label %2101
-
-2109:                                             ; preds = %2101
-  %2110 = icmp slt i64 %2089, 0
-  %2111 = select i1 %2110, i64 %217, i64 0
-  %2112 = add i64 %2089, %2111
-  %2113 = mul i64 %2112, %219
-  %2114 = getelementptr i64, ptr %220, i64 %2113
-  %2115 = select i1 %2085, i64 %155, i64 0
-  %2116 = getelementptr double, ptr %156, i64 %2081
-  %2117 = getelementptr double, ptr %2116, i64 %2115
-  %2118 = load double, ptr %2117, align 8, !noalias !149
-  %2119 = select i1 %2085, i64 %160, i64 0
-  %2120 = getelementptr double, ptr %161, i64 %2081
-  %2121 = getelementptr double, ptr %2120, i64 %2119
-  %2122 = load double, ptr %2121, align 8, !noalias !149
-  %2123 = fptosi double %2118 to i64
-  store i64 %2123, ptr %2114, align 8, !noalias !149
-  %2124 = getelementptr i8, ptr %2114, i64 8
-  %2125 = fptosi double %2122 to i64
-  store i64 %2125, ptr %2124, align 8, !noalias !149
-  %2126 = select i1 %2085, i64 %165, i64 0
-  %2127 = getelementptr double, ptr %166, i64 %2081
-  %2128 = getelementptr double, ptr %2127, i64 %2126
-  %2129 = load double, ptr %2128, align 8, !noalias !149
-  %2130 = getelementptr i8, ptr %2114, i64 16
-  %2131 = fptosi double %2129 to i64
-  store i64 %2131, ptr %2130, align 8, !noalias !149
-  %2132 = getelementptr i8, ptr %2114, i64 24
-  store i64 0, ptr %2132, align 8, !noalias !149
-  %2133 = select i1 %2085, i64 %129, i64 0
-  %2134 = getelementptr double, ptr %130, i64 %2081
-  %2135 = getelementptr double, ptr %2134, i64 %2133
-  %2136 = load double, ptr %2135, align 8, !noalias !149
-  %2137 = select i1 %2110, i64 %224, i64 0
-  %2138 = getelementptr double, ptr %225, i64 %2089
-  %2139 = getelementptr double, ptr %2138, i64 %2137
-  store double %2136, ptr %2139, align 8, !noalias !149
-  store i64 -1, ptr %2088, align 8, !noalias !149
-  br label %2155
-
-2140:                                             ; preds = %2101
-  %2141 = add nsw i64 %2103, -1
-  %2142 = add i64 %2102, 1
-  %2143 = shl nsw i64 %2102, 3
-  %2144 = select i1 %2085, i64 %180, i64 0
-  %2145 = getelementptr i64, ptr %181, i64 %2081
-  %2146 = getelementptr i64, ptr %2145, i64 %2144
-  %2147 = load i64, ptr %2146, align 8, !noalias !149
-  %2148 = add nsw i64 %2147, %2143
-  %2149 = load i64, ptr %226, align 8, !noalias !149
-  %2150 = call i64 @llvm.smax.i64(i64 %2149, i64 0)
-  br label %2105
-
-2151:                                             ; preds = %2105
-  %2152 = add nsw i64 %2106, -1
-  %2153 = inttoptr i64 %2107 to ptr
-  store atomic i64 9221120237041090560, ptr %2153 unordered, align 8, !noalias !149
-  %2154 = add nsw i64 %2107, %2092
-  br label %2105
-
-2155:                                             ; preds = %2109, %2219
-  br label %2080
-
-2156:                                             ; preds = %2080, %2073
-  %2157 = phi i1 [ %1772, %2073 ], [ true, %2080 ]
-  br label %261
-
-2158:                                             ; preds = %254
-  %2159 = add nsw i64 %256, -1
-  %2160 = add i64 %255, 1
-  %2161 = icmp slt i64 %255, 0
-  %2162 = select i1 %2161, i64 %175, i64 0
-  %2163 = getelementptr i64, ptr %176, i64 %255
-  %2164 = getelementptr i64, ptr %2163, i64 %2162
-  %2165 = load i64, ptr %2164, align 8, !noalias !5
-  %2166 = shl nuw i64 1, %255
-  %2167 = icmp slt i64 %2165, 0
-  %2168 = select i1 %2167, i64 0, i64 %2166
-  %2169 = or i64 %257, %2168
-  br label %254
-
-2170:                                             ; preds = %337, %308
-  %2171 = icmp eq i64 %269, 0
-  br i1 %2171, label %489, label %490
-
-2172:                                             ; preds = %746, %506
-  br label %2225
-
-2173:                                             ; preds = %1071
-  %2174 = add nsw i64 %1073, -1
-  %2175 = add i64 %1072, 1
-  br i1 %1074, label %1083, label %1076
-
-2176:                                             ; preds = %1302
-  br label %2225
-
-2177:                                             ; preds = %1414
-  %2178 = add nsw i64 %1416, -1
-  %2179 = add i64 %1415, 1
-  %2180 = shl i64 %1415, 6
-  %2181 = getelementptr i8, ptr %90, i64 %2180
-  %2182 = load <8 x double>, ptr %2181, align 8, !noalias !5
-  %2183 = fmul <8 x double> %2182, zeroinitializer
-  %2184 = fadd <8 x double> %1417, %2183
-  br label %1414
-
-2185:                                             ; preds = %1432
-  br label %2225
-
-2186:                                             ; preds = %1487
-  %2187 = zext i8 %1459 to i64
-  %2188 = and i64 %1474, %2187
-  %2189 = load i64, ptr %1467, align 8, !noalias !5
-  %2190 = sitofp i64 %2189 to double
-  %2191 = insertelement <8 x double> poison, double %2190, i64 0
-  %2192 = shufflevector <8 x double> %2191, <8 x double> poison, <8 x i32> zeroinitializer
-  %2193 = select <8 x i1> %1458, <8 x double> %2192, <8 x double> zeroinitializer
-  %2194 = load <8 x double>, ptr %166, align 8, !noalias !5
-  %2195 = fadd <8 x double> %2194, %2193
-  store <8 x double> %2195, ptr %166, align 8, !noalias !5
-  %2196 = icmp eq i64 %2188, 0
-  br i1 %2196, label %1668, label %1585
-
-2197:                                             ; preds = %1585
-  %2198 = add nsw i64 %1587, -1
-  %2199 = add i64 %1586, 1
-  %2200 = shl nuw i64 1, %1586
-  %2201 = and i64 %2188, %2200
-  %2202 = icmp eq i64 %2201, 0
-  br i1 %2202, label %1660, label %1589
-
-2203:                                             ; preds = %2069
-  %2204 = add nsw i64 %2071, -1
-  %2205 = add i64 %2070, 1
-  %2206 = shl i64 %2070, 6
-  %2207 = getelementptr i8, ptr %90, i64 %2206
-  %2208 = load <8 x double>, ptr %2207, align 8, !noalias !5
-  %2209 = getelementptr i8, ptr %85, i64 %2206
-  %2210 = load <8 x double>, ptr %2209, align 8, !noalias !5
-  %2211 = select <8 x i1> %1773, <8 x double> %2208, <8 x double> %2210
-  store <8 x double> %2211, ptr %2209, align 8, !noalias !5
-  %2212 = add nsw i64 %239, %2070
-  %2213 = shl i64 %2212, 6
-  %2214 = getelementptr i8, ptr %112, i64 %2213
-  %2215 = load <8 x double>, ptr %2214, align 8, !noalias !5
-  %2216 = getelementptr i8, ptr %112, i64 %2206
-  %2217 = load <8 x double>, ptr %2216, align 8, !noalias !5
-  %2218 = select <8 x i1> %1773, <8 x double> %2215, <8 x double> %2217
-  store <8 x double> %2218, ptr %2216, align 8, !noalias !5
-  br label %2069
-
-2219:                                             ; preds = %2080
-  %2220 = add nsw i64 %2082, -1
-  %2221 = add i64 %2081, 1
-  %2222 = shl nuw i64 1, %2081
-  %2223 = and i64 %2222, %2078
-  %2224 = icmp eq i64 %2223, 0
-  br i1 %2224, label %2155, label %2084
-
-2225:                                             ; preds = %1534, %2185, %2176, %1299, %2172, %1092, %489
-  %2226 = phi i64 [ 0, %1534 ], [ 0, %2172 ], [ 1, %489 ], [ 0, %1092 ], [ 0, %2185 ], [ 0, %1299 ], [ 0, %2176 ]
-  ret i64 %2226
+  %1280 = add i64 %108, %1279
+  %1281 = icmp slt i64 %1277, 0
+  %1282 = select i1 %1281, i64 %23, i64 0
+  %1283 = getelementptr i64, ptr %24, i64 %1277
+  %1284 = getelementptr i64, ptr %1283, i64 %1282
+  %1285 = load i64, ptr %1284, align 8, !noalias !121
+  %1286 = shl i64 %1285, 3
+  %1287 = add i64 %26, %1286
+  %1288 = add i64 %28, %1286
+  %1289 = icmp slt i64 %1277, -1
+  %1290 = select i1 %1289, i64 %23, i64 0
+  %1291 = getelementptr i8, ptr %1283, i64 8
+  %1292 = getelementptr i64, ptr %1291, i64 %1290
+  %1293 = load i64, ptr %1292, align 8, !noalias !121
+  %1294 = xor i64 %1285, -1
+  %1295 = add i64 %1293, %1294
+  %1296 = load i64, ptr %1182, align 8, !noalias !121
+  call fastcc void @pydy_combine(i64 %1280, i64 %106, i64 %100, i64 %113, i64 %1287, i64 %1288, i64 %1295, i64 1, i64 %1296) #3, !noalias !121
+  br label %1245
+
+1297:                                             ; preds = %1245
+  %1298 = icmp slt i64 %87, 0
+  %1299 = select i1 %1298, i64 %110, i64 0
+  %1300 = add i64 %87, %1299
+  %1301 = icmp slt i64 %1300, 0
+  br i1 %1301, label %1302, label %1303, !prof !4
+
+1302:                                             ; preds = %1297
+  br label %1303
+
+1303:                                             ; preds = %1302, %1297
+  %1304 = phi i64 [ 0, %1302 ], [ %1300, %1297 ]
+  %1305 = icmp slt i64 %1300, %110
+  br i1 %1305, label %1307, label %1306, !prof !8
+
+1306:                                             ; preds = %1303
+  br label %1307
+
+1307:                                             ; preds = %1306, %1303
+  %1308 = phi i64 [ %110, %1306 ], [ %1304, %1303 ]
+  %1309 = getelementptr double, ptr %111, i64 %1308
+  %1310 = call i64 @llvm.smax.i64(i64 %1240, i64 0)
+  br label %1249
+
+1311:                                             ; preds = %1249
+  %1312 = add nsw i64 %1251, -1
+  %1313 = add i64 %1250, 1
+  %1314 = shl i64 %1250, 6
+  %1315 = getelementptr i8, ptr %88, i64 %1314
+  %1316 = load <8 x double>, ptr %1315, align 8, !noalias !117
+  %1317 = getelementptr i8, ptr %93, i64 %1314
+  %1318 = load <8 x double>, ptr %1317, align 8, !noalias !117
+  %1319 = icmp slt i64 %1250, 0
+  %1320 = select i1 %1319, i64 %130, i64 0
+  %1321 = getelementptr double, ptr %131, i64 %1250
+  %1322 = getelementptr double, ptr %1321, i64 %1320
+  %1323 = load double, ptr %1322, align 8, !noalias !127
+  %1324 = select i1 %1319, i64 %125, i64 0
+  %1325 = getelementptr double, ptr %126, i64 %1250
+  %1326 = getelementptr double, ptr %1325, i64 %1324
+  %1327 = load double, ptr %1326, align 8, !noalias !127
+  %1328 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1316)
+  %1329 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1318)
+  %1330 = fcmp ogt <8 x double> %1328, %1329
+  %1331 = select <8 x i1> %1330, <8 x double> %1328, <8 x double> %1329
+  %1332 = insertelement <8 x double> poison, double %1327, i64 0
+  %1333 = shufflevector <8 x double> %1332, <8 x double> poison, <8 x i32> zeroinitializer
+  %1334 = fmul <8 x double> %1333, %1331
+  %1335 = insertelement <8 x double> poison, double %1323, i64 0
+  %1336 = shufflevector <8 x double> %1335, <8 x double> poison, <8 x i32> zeroinitializer
+  %1337 = fadd <8 x double> %1336, %1334
+  %1338 = fdiv <8 x double> splat (double 1.000000e+00), %1337
+  %1339 = getelementptr i8, ptr %111, i64 %1314
+  %1340 = load <8 x double>, ptr %1339, align 8, !noalias !117
+  %1341 = fmul <8 x double> %1340, %1338
+  %1342 = getelementptr i8, ptr %1309, i64 %1314
+  %1343 = load <8 x double>, ptr %1342, align 8, !noalias !117
+  %1344 = fmul <8 x double> %1343, %1338
+  %1345 = fmul <8 x double> %1341, %1341
+  %1346 = fadd <8 x double> %1253, %1345
+  %1347 = fmul <8 x double> %1344, %1344
+  %1348 = fadd <8 x double> %1252, %1347
+  br label %1249
+
+1349:                                             ; preds = %1237
+  %1350 = call i64 @llvm.smax.i64(i64 %233, i64 0)
+  br label %1351
+
+1351:                                             ; preds = %1349, %2146
+  %1352 = phi i64 [ 0, %1349 ], [ %2148, %2146 ]
+  %1353 = phi i64 [ %1350, %1349 ], [ %2147, %2146 ]
+  %1354 = phi <8 x double> [ zeroinitializer, %1349 ], [ %2153, %2146 ]
+  %1355 = icmp sgt i64 %1353, 0
+  br i1 %1355, label %2146, label %1356
+
+1356:                                             ; preds = %1351, %1257, %1268
+  %1357 = phi <8 x double> [ %1354, %1351 ], [ %1273, %1268 ], [ %1267, %1257 ]
+  %1358 = fcmp olt <8 x double> %1357, splat (double 1.000000e+00)
+  %1359 = trunc i64 %1238 to i8
+  %1360 = bitcast i8 %1359 to <8 x i1>
+  %1361 = xor <8 x i1> %1360, splat (i1 true)
+  %1362 = and <8 x i1> %1358, %1361
+  %1363 = and <8 x i1> %1362, %1018
+  %1364 = bitcast <8 x i1> %1363 to i8
+  %1365 = icmp ne i8 %1364, 0
+  %1366 = select i1 %251, i1 %1365, i1 false
+  br i1 %1366, label %1367, label %1382
+
+1367:                                             ; preds = %1356
+  store ptr null, ptr %4, align 8, !noalias !130
+  store ptr null, ptr %5, align 8, !noalias !130
+  store <8 x double> %1042, ptr %44, align 8, !noalias !130
+  %1368 = icmp sgt i64 %61, 0
+  br i1 %1368, label %1369, label %1371
+
+1369:                                             ; preds = %1367
+  store ptr null, ptr %4, align 8, !noalias !130
+  %1370 = call fastcc i32 @_set_inputs(ptr nonnull %4, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %1370, label %2154 [
+    i32 -2, label %1371
+    i32 0, label %1371
+  ], !prof !56
+
+1371:                                             ; preds = %1369, %1369, %1367
+  %1372 = load i64, ptr %39, align 8, !noalias !130
+  %1373 = inttoptr i64 %1372 to ptr
+  %1374 = inttoptr i64 %244 to ptr
+  %1375 = call i32 %1373(ptr nonnull %44, ptr %93, ptr %49, ptr %57, ptr %1374) #3, !noalias !130
+  %1376 = sext i32 %1375 to i64
+  %1377 = or i64 %1238, %1376
+  %1378 = trunc i64 %1377 to i8
+  %1379 = bitcast i8 %1378 to <8 x i1>
+  %1380 = xor <8 x i1> %1379, splat (i1 true)
+  %1381 = and <8 x i1> %1363, %1380
+  br label %1382
+
+1382:                                             ; preds = %1371, %1356
+  %1383 = phi i64 [ %1238, %1356 ], [ %1377, %1371 ]
+  %1384 = phi <8 x i1> [ %1363, %1356 ], [ %1381, %1371 ]
+  %1385 = load <8 x double>, ptr %172, align 8, !noalias !12
+  %1386 = insertelement <8 x double> poison, double %254, i64 0
+  %1387 = shufflevector <8 x double> %1386, <8 x double> poison, <8 x i32> zeroinitializer
+  %1388 = fadd <8 x double> %1385, %1387
+  %1389 = insertelement <8 x double> poison, double %256, i64 0
+  %1390 = shufflevector <8 x double> %1389, <8 x double> poison, <8 x i32> zeroinitializer
+  %1391 = select <8 x i1> %1363, <8 x double> %1390, <8 x double> zeroinitializer
+  %1392 = fadd <8 x double> %1388, %1391
+  store <8 x double> %1392, ptr %172, align 8, !noalias !12
+  %1393 = load <8 x double>, ptr %157, align 8, !noalias !12
+  %1394 = fcmp olt <8 x double> %1393, %1042
+  %1395 = and <8 x i1> %1384, %1394
+  %1396 = bitcast <8 x i1> %1395 to i8
+  %1397 = icmp eq i8 %1396, 0
+  br i1 %1397, label %1739, label %1398
+
+1398:                                             ; preds = %1382
+  %1399 = load i64, ptr %19, align 8, !noalias !134
+  %1400 = getelementptr i8, ptr %19, i64 16
+  %1401 = load i64, ptr %1400, align 8, !noalias !134
+  %1402 = call i64 @llvm.smax.i64(i64 %1401, i64 0)
+  br label %1403
+
+1403:                                             ; preds = %1547, %1398
+  %1404 = phi i64 [ %1399, %1398 ], [ %1407, %1547 ]
+  %1405 = phi i64 [ %1402, %1398 ], [ %1513, %1547 ]
+  %1406 = phi i64 [ 0, %1398 ], [ %1553, %1547 ]
+  %1407 = add i64 %1404, 1
+  %1408 = icmp sgt i64 %1405, 0
+  br i1 %1408, label %1512, label %1409
+
+1409:                                             ; preds = %1403
+  %1410 = load i64, ptr %232, align 8, !noalias !138
+  %1411 = load i64, ptr %19, align 8, !noalias !138
+  %1412 = mul nsw i64 %1411, %87
+  %1413 = icmp slt i64 %1412, 0
+  %1414 = select i1 %1413, i64 %115, i64 0
+  %1415 = add i64 %1412, %1414
+  %1416 = icmp slt i64 %1415, 0
+  br i1 %1416, label %1435, label %1436, !prof !4
+
+1417:                                             ; preds = %1463, %1467
+  %1418 = phi i64 [ 0, %1463 ], [ %1469, %1467 ]
+  %1419 = phi i64 [ %1466, %1463 ], [ %1468, %1467 ]
+  %1420 = icmp sgt i64 %1419, 0
+  br i1 %1420, label %1467, label %1421
+
+1421:                                             ; preds = %1417
+  %1422 = add nsw i64 %1411, 1
+  %1423 = load i64, ptr %246, align 8, !noalias !138
+  %1424 = add nsw i64 %1422, %1423
+  %1425 = load i64, ptr %1400, align 8, !noalias !138
+  %1426 = add nsw i64 %1424, %1425
+  %1427 = getelementptr i8, ptr %19, i64 24
+  %1428 = load i64, ptr %1427, align 8, !noalias !138
+  %1429 = add i64 %1428, -3
+  %1430 = call i64 @llvm.smax.i64(i64 %1429, i64 0)
+  br label %1431
+
+1431:                                             ; preds = %1421, %1488
+  %1432 = phi i64 [ 3, %1421 ], [ %1490, %1488 ]
+  %1433 = phi i64 [ %1430, %1421 ], [ %1489, %1488 ]
+  %1434 = icmp sgt i64 %1433, 0
+  br i1 %1434, label %1488, label %2155
+
+1435:                                             ; preds = %1409
+  br label %1436
+
+1436:                                             ; preds = %1435, %1409
+  %1437 = phi i64 [ 0, %1435 ], [ %1415, %1409 ]
+  %1438 = icmp slt i64 %1415, %115
+  br i1 %1438, label %1440, label %1439, !prof !8
+
+1439:                                             ; preds = %1436
+  br label %1440
+
+1440:                                             ; preds = %1439, %1436
+  %1441 = phi i64 [ %115, %1439 ], [ %1437, %1436 ]
+  %1442 = getelementptr double, ptr %116, i64 %1441
+  %1443 = icmp slt i64 %87, 0
+  %1444 = select i1 %1443, i64 %120, i64 0
+  %1445 = add i64 %87, %1444
+  %1446 = icmp slt i64 %1445, 0
+  br i1 %1446, label %1447, label %1448, !prof !4
+
+1447:                                             ; preds = %1440
+  br label %1448
+
+1448:                                             ; preds = %1447, %1440
+  %1449 = phi i64 [ 0, %1447 ], [ %1445, %1440 ]
+  %1450 = icmp slt i64 %1445, %120
+  br i1 %1450, label %1452, label %1451, !prof !8
+
+1451:                                             ; preds = %1448
+  br label %1452
+
+1452:                                             ; preds = %1451, %1448
+  %1453 = phi i64 [ %120, %1451 ], [ %1449, %1448 ]
+  %1454 = getelementptr double, ptr %121, i64 %1453
+  %1455 = shl nsw i64 %87, 1
+  %1456 = add i64 %1455, %1444
+  %1457 = icmp slt i64 %1456, 0
+  br i1 %1457, label %1458, label %1459, !prof !4
+
+1458:                                             ; preds = %1452
+  br label %1459
+
+1459:                                             ; preds = %1458, %1452
+  %1460 = phi i64 [ 0, %1458 ], [ %1456, %1452 ]
+  %1461 = icmp slt i64 %1456, %120
+  br i1 %1461, label %1463, label %1462, !prof !8
+
+1462:                                             ; preds = %1459
+  br label %1463
+
+1463:                                             ; preds = %1462, %1459
+  %1464 = phi i64 [ %120, %1462 ], [ %1460, %1459 ]
+  %1465 = getelementptr double, ptr %121, i64 %1464
+  %1466 = call i64 @llvm.smax.i64(i64 %1410, i64 0)
+  br label %1417
+
+1467:                                             ; preds = %1417
+  %1468 = add nsw i64 %1419, -1
+  %1469 = add i64 %1418, 1
+  %1470 = shl i64 %1418, 6
+  %1471 = getelementptr i8, ptr %93, i64 %1470
+  %1472 = load <8 x double>, ptr %1471, align 8, !noalias !138
+  %1473 = getelementptr i8, ptr %88, i64 %1470
+  %1474 = load <8 x double>, ptr %1473, align 8, !noalias !138
+  %1475 = fsub <8 x double> %1472, %1474
+  %1476 = getelementptr i8, ptr %116, i64 %1470
+  %1477 = load <8 x double>, ptr %1476, align 8, !noalias !138
+  %1478 = fmul <8 x double> %1043, %1477
+  %1479 = fsub <8 x double> %1478, %1475
+  %1480 = getelementptr i8, ptr %121, i64 %1470
+  store <8 x double> %1475, ptr %1480, align 8, !noalias !138
+  %1481 = getelementptr i8, ptr %1454, i64 %1470
+  store <8 x double> %1479, ptr %1481, align 8, !noalias !138
+  %1482 = fsub <8 x double> %1475, %1479
+  %1483 = getelementptr i8, ptr %1442, i64 %1470
+  %1484 = load <8 x double>, ptr %1483, align 8, !noalias !138
+  %1485 = fmul <8 x double> %1043, %1484
+  %1486 = fsub <8 x double> %1482, %1485
+  %1487 = getelementptr i8, ptr %1465, i64 %1470
+  store <8 x double> %1486, ptr %1487, align 8, !noalias !138
+  br label %1417
+
+1488:                                             ; preds = %1431
+  %1489 = add nsw i64 %1433, -1
+  %1490 = add i64 %1432, 1
+  %1491 = mul nsw i64 %1432, %87
+  %1492 = shl i64 %1491, 3
+  %1493 = add i64 %118, %1492
+  %1494 = add nsw i64 %1426, %1432
+  %1495 = icmp slt i64 %1494, 3
+  %1496 = select i1 %1495, i64 %23, i64 0
+  %1497 = getelementptr i64, ptr %24, i64 %1494
+  %1498 = getelementptr i8, ptr %1497, i64 -24
+  %1499 = getelementptr i64, ptr %1498, i64 %1496
+  %1500 = load i64, ptr %1499, align 8, !noalias !142
+  %1501 = shl i64 %1500, 3
+  %1502 = add i64 %26, %1501
+  %1503 = add i64 %28, %1501
+  %1504 = icmp slt i64 %1494, 2
+  %1505 = select i1 %1504, i64 %23, i64 0
+  %1506 = getelementptr i8, ptr %1497, i64 -16
+  %1507 = getelementptr i64, ptr %1506, i64 %1505
+  %1508 = load i64, ptr %1507, align 8, !noalias !142
+  %1509 = xor i64 %1500, -1
+  %1510 = add i64 %1508, %1509
+  %1511 = load i64, ptr %1182, align 8, !noalias !142
+  call fastcc void @pydy_combine(i64 %1493, i64 %106, i64 %100, i64 %113, i64 %1502, i64 %1503, i64 %1510, i64 1, i64 %1511) #3, !noalias !142
+  br label %1431
+
+1512:                                             ; preds = %1403
+  %1513 = add nsw i64 %1405, -1
+  %1514 = load i64, ptr %246, align 8, !noalias !134
+  %1515 = add nsw i64 %1407, %1514
+  %1516 = icmp slt i64 %1515, 0
+  %1517 = select i1 %1516, i64 %23, i64 0
+  %1518 = getelementptr i64, ptr %24, i64 %1515
+  %1519 = getelementptr i64, ptr %1518, i64 %1517
+  %1520 = load i64, ptr %1519, align 8, !noalias !148
+  %1521 = shl i64 %1520, 3
+  %1522 = add i64 %26, %1521
+  %1523 = add i64 %28, %1521
+  %1524 = icmp slt i64 %1515, -1
+  %1525 = select i1 %1524, i64 %23, i64 0
+  %1526 = getelementptr i8, ptr %1518, i64 8
+  %1527 = getelementptr i64, ptr %1526, i64 %1525
+  %1528 = load i64, ptr %1527, align 8, !noalias !148
+  %1529 = xor i64 %1520, -1
+  %1530 = add i64 %1528, %1529
+  %1531 = load i64, ptr %1182, align 8, !noalias !148
+  call fastcc void @pydy_combine(i64 %95, i64 %85, i64 %100, i64 %113, i64 %1522, i64 %1523, i64 %1530, i64 1, i64 %1531) #3, !noalias !148
+  %1532 = mul nsw i64 %1407, %87
+  %1533 = shl i64 %1532, 3
+  %1534 = add i64 %113, %1533
+  %1535 = icmp slt i64 %1407, 0
+  %1536 = select i1 %1535, i64 %32, i64 0
+  %1537 = getelementptr double, ptr %33, i64 %1407
+  %1538 = getelementptr double, ptr %1537, i64 %1536
+  %1539 = load double, ptr %1538, align 8, !noalias !134
+  %1540 = insertelement <8 x double> poison, double %1539, i64 0
+  %1541 = shufflevector <8 x double> %1540, <8 x double> poison, <8 x i32> zeroinitializer
+  %1542 = fmul <8 x double> %1541, %1043
+  %1543 = fadd <8 x double> %1015, %1542
+  store ptr null, ptr %2, align 8, !noalias !154
+  store ptr null, ptr %3, align 8, !noalias !154
+  store <8 x double> %1543, ptr %44, align 8, !noalias !154
+  %1544 = icmp sgt i64 %61, 0
+  br i1 %1544, label %1545, label %1547
+
+1545:                                             ; preds = %1512
+  store ptr null, ptr %2, align 8, !noalias !154
+  %1546 = call fastcc i32 @_set_inputs(ptr nonnull %2, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %1546, label %1554 [
+    i32 -2, label %1547
+    i32 0, label %1547
+  ], !prof !56
+
+1547:                                             ; preds = %1545, %1545, %1512
+  %1548 = load i64, ptr %39, align 8, !noalias !154
+  %1549 = inttoptr i64 %1548 to ptr
+  %1550 = inttoptr i64 %1534 to ptr
+  %1551 = call i32 %1549(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %1550) #3, !noalias !154
+  %1552 = sext i32 %1551 to i64
+  %1553 = or i64 %1406, %1552
+  br label %1403
+
+1554:                                             ; preds = %1545
+  br label %2194
+
+1555:                                             ; preds = %2155, %1630
+  %1556 = phi i64 [ %2168, %1630 ], [ 0, %2155 ]
+  %1557 = phi i64 [ %2167, %1630 ], [ 8, %2155 ]
+  %1558 = icmp sgt i64 %1557, 0
+  br i1 %1558, label %2166, label %1631
+
+1559:                                             ; preds = %2166
+  %1560 = icmp slt i64 %1556, 0
+  %1561 = select i1 %1560, i64 %181, i64 0
+  %1562 = getelementptr i64, ptr %182, i64 %1556
+  %1563 = getelementptr i64, ptr %1562, i64 %1561
+  %1564 = load i64, ptr %1563, align 8, !noalias !158
+  %1565 = getelementptr i8, ptr %190, i64 32
+  %1566 = load i64, ptr %1565, align 8, !noalias !158
+  %1567 = shl nsw i64 %1566, 3
+  %1568 = select i1 %1560, i64 %151, i64 0
+  %1569 = getelementptr double, ptr %152, i64 %1556
+  %1570 = getelementptr double, ptr %1569, i64 %1568
+  %1571 = load double, ptr %1570, align 8, !noalias !158
+  %1572 = fptosi double %1571 to i64
+  %1573 = xor i64 %1572, -1
+  %1574 = add i64 %197, %1573
+  %1575 = call i64 @llvm.smax.i64(i64 %1574, i64 0)
+  br label %1576
+
+1576:                                             ; preds = %1580, %1559
+  %1577 = phi i64 [ 0, %1559 ], [ %1617, %1580 ]
+  %1578 = phi i64 [ %1575, %1559 ], [ %1616, %1580 ]
+  %1579 = icmp sgt i64 %1578, 0
+  br i1 %1579, label %1615, label %1584
+
+1580:                                             ; preds = %1615, %1626
+  %1581 = phi i64 [ %1625, %1615 ], [ %1627, %1626 ]
+  %1582 = phi i64 [ %1623, %1615 ], [ %1629, %1626 ]
+  %1583 = icmp sgt i64 %1581, 0
+  br i1 %1583, label %1626, label %1576
+
+1584:                                             ; preds = %1576
+  %1585 = icmp slt i64 %1564, 0
+  %1586 = select i1 %1585, i64 %223, i64 0
+  %1587 = add i64 %1564, %1586
+  %1588 = mul i64 %1587, %225
+  %1589 = getelementptr i64, ptr %226, i64 %1588
+  %1590 = select i1 %1560, i64 %161, i64 0
+  %1591 = getelementptr double, ptr %162, i64 %1556
+  %1592 = getelementptr double, ptr %1591, i64 %1590
+  %1593 = load double, ptr %1592, align 8, !noalias !158
+  %1594 = select i1 %1560, i64 %166, i64 0
+  %1595 = getelementptr double, ptr %167, i64 %1556
+  %1596 = getelementptr double, ptr %1595, i64 %1594
+  %1597 = load double, ptr %1596, align 8, !noalias !158
+  %1598 = fptosi double %1593 to i64
+  store i64 %1598, ptr %1589, align 8, !noalias !158
+  %1599 = getelementptr i8, ptr %1589, i64 8
+  %1600 = fptosi double %1597 to i64
+  store i64 %1600, ptr %1599, align 8, !noalias !158
+  %1601 = select i1 %1560, i64 %171, i64 0
+  %1602 = getelementptr double, ptr %172, i64 %1556
+  %1603 = getelementptr double, ptr %1602, i64 %1601
+  %1604 = load double, ptr %1603, align 8, !noalias !158
+  %1605 = getelementptr i8, ptr %1589, i64 16
+  %1606 = fptosi double %1604 to i64
+  store i64 %1606, ptr %1605, align 8, !noalias !158
+  %1607 = getelementptr i8, ptr %1589, i64 24
+  store i64 3, ptr %1607, align 8, !noalias !158
+  %1608 = select i1 %1560, i64 %135, i64 0
+  %1609 = getelementptr double, ptr %136, i64 %1556
+  %1610 = getelementptr double, ptr %1609, i64 %1608
+  %1611 = load double, ptr %1610, align 8, !noalias !158
+  %1612 = select i1 %1585, i64 %230, i64 0
+  %1613 = getelementptr double, ptr %231, i64 %1564
+  %1614 = getelementptr double, ptr %1613, i64 %1612
+  store double %1611, ptr %1614, align 8, !noalias !158
+  store i64 -1, ptr %1563, align 8, !noalias !158
+  br label %1630
+
+1615:                                             ; preds = %1576
+  %1616 = add nsw i64 %1578, -1
+  %1617 = add i64 %1577, 1
+  %1618 = shl nsw i64 %1577, 3
+  %1619 = select i1 %1560, i64 %186, i64 0
+  %1620 = getelementptr i64, ptr %187, i64 %1556
+  %1621 = getelementptr i64, ptr %1620, i64 %1619
+  %1622 = load i64, ptr %1621, align 8, !noalias !158
+  %1623 = add nsw i64 %1622, %1618
+  %1624 = load i64, ptr %232, align 8, !noalias !158
+  %1625 = call i64 @llvm.smax.i64(i64 %1624, i64 0)
+  br label %1580
+
+1626:                                             ; preds = %1580
+  %1627 = add nsw i64 %1581, -1
+  %1628 = inttoptr i64 %1582 to ptr
+  store atomic i64 9221120237041090560, ptr %1628 unordered, align 8, !noalias !158
+  %1629 = add nsw i64 %1582, %1567
+  br label %1580
+
+1630:                                             ; preds = %1584, %2166
+  br label %1555
+
+1631:                                             ; preds = %1555
+  %1632 = xor i64 %2157, -1
+  %1633 = and i64 %1007, %1632
+  %1634 = trunc i64 %1633 to i8
+  %1635 = bitcast i8 %1634 to <8 x i1>
+  %1636 = and <8 x i1> %1384, %1635
+  %1637 = and <8 x i1> %1395, %1635
+  br label %1638
+
+1638:                                             ; preds = %2155, %1631
+  %1639 = phi i64 [ %1633, %1631 ], [ %1007, %2155 ]
+  %1640 = phi i1 [ true, %1631 ], [ %1008, %2155 ]
+  %1641 = phi <8 x i1> [ %1636, %1631 ], [ %1384, %2155 ]
+  %1642 = phi <8 x i1> [ %1637, %1631 ], [ %1395, %2155 ]
+  %1643 = bitcast <8 x i1> %1642 to i8
+  %1644 = zext i8 %1643 to i64
+  %1645 = load <8 x double>, ptr %136, align 8, !noalias !162
+  %1646 = load <8 x double>, ptr %101, align 8, !noalias !162
+  %1647 = icmp eq i8 %1643, 0
+  br i1 %1647, label %1739, label %1648
+
+1648:                                             ; preds = %1638, %1676
+  %1649 = phi i64 [ %1725, %1676 ], [ %1644, %1638 ]
+  %1650 = load <8 x double>, ptr %157, align 8, !noalias !162
+  %1651 = fsub <8 x double> %1650, %1645
+  %1652 = fdiv <8 x double> %1651, %1646
+  store <8 x double> %1652, ptr %104, align 8, !noalias !162
+  %1653 = load i64, ptr %1427, align 8, !noalias !162
+  %1654 = load i64, ptr %232, align 8, !noalias !162
+  call fastcc void @pydy_nested(i64 %95, i64 %85, i64 %118, i64 %87, i64 %1653, i64 %103, i64 %1654) #3, !noalias !162
+  %1655 = getelementptr i8, ptr %190, i64 32
+  %1656 = load i64, ptr %1655, align 8, !noalias !166
+  %1657 = shl nsw i64 %1656, 3
+  %1658 = load i64, ptr %232, align 8, !noalias !166
+  %1659 = icmp eq i64 %1649, 0
+  br i1 %1659, label %1676, label %1660
+
+1660:                                             ; preds = %1648, %1674
+  %1661 = phi i64 [ %1664, %1674 ], [ %1649, %1648 ]
+  %1662 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1661, i1 true)
+  %1663 = add nsw i64 %1661, -1
+  %1664 = and i64 %1661, %1663
+  %1665 = getelementptr i64, ptr %187, i64 %1662
+  %1666 = load i64, ptr %1665, align 8, !noalias !166
+  %1667 = add nsw i64 %1666, 8
+  store i64 %1667, ptr %1665, align 8, !noalias !166
+  %1668 = call i64 @llvm.smax.i64(i64 %1658, i64 0)
+  br label %1669
+
+1669:                                             ; preds = %1660, %1727
+  %1670 = phi i64 [ 0, %1660 ], [ %1729, %1727 ]
+  %1671 = phi i64 [ %1668, %1660 ], [ %1728, %1727 ]
+  %1672 = phi i64 [ %1666, %1660 ], [ %1738, %1727 ]
+  %1673 = icmp sgt i64 %1671, 0
+  br i1 %1673, label %1727, label %1674
+
+1674:                                             ; preds = %1669
+  %1675 = icmp eq i64 %1664, 0
+  br i1 %1675, label %1676, label %1660
+
+1676:                                             ; preds = %1674, %1648
+  %1677 = load <8 x double>, ptr %152, align 8, !noalias !166
+  %1678 = trunc i64 %1649 to i8
+  %1679 = bitcast i8 %1678 to <8 x i1>
+  %1680 = select <8 x i1> %1679, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %1681 = fadd <8 x double> %1677, %1680
+  store <8 x double> %1681, ptr %152, align 8, !noalias !166
+  %1682 = extractelement <8 x double> %1681, i64 0
+  %1683 = fptosi double %1682 to i64
+  %1684 = getelementptr double, ptr %198, i64 %1683
+  %1685 = load double, ptr %1684, align 8, !noalias !166
+  %1686 = insertelement <8 x double> poison, double %1685, i64 0
+  %1687 = extractelement <8 x double> %1681, i64 1
+  %1688 = fptosi double %1687 to i64
+  %1689 = getelementptr double, ptr %198, i64 %1688
+  %1690 = load double, ptr %1689, align 8, !noalias !166
+  %1691 = insertelement <8 x double> %1686, double %1690, i64 1
+  %1692 = extractelement <8 x double> %1681, i64 2
+  %1693 = fptosi double %1692 to i64
+  %1694 = getelementptr double, ptr %198, i64 %1693
+  %1695 = load double, ptr %1694, align 8, !noalias !166
+  %1696 = insertelement <8 x double> %1691, double %1695, i64 2
+  %1697 = extractelement <8 x double> %1681, i64 3
+  %1698 = fptosi double %1697 to i64
+  %1699 = getelementptr double, ptr %198, i64 %1698
+  %1700 = load double, ptr %1699, align 8, !noalias !166
+  %1701 = insertelement <8 x double> %1696, double %1700, i64 3
+  %1702 = extractelement <8 x double> %1681, i64 4
+  %1703 = fptosi double %1702 to i64
+  %1704 = getelementptr double, ptr %198, i64 %1703
+  %1705 = load double, ptr %1704, align 8, !noalias !166
+  %1706 = insertelement <8 x double> %1701, double %1705, i64 4
+  %1707 = extractelement <8 x double> %1681, i64 5
+  %1708 = fptosi double %1707 to i64
+  %1709 = getelementptr double, ptr %198, i64 %1708
+  %1710 = load double, ptr %1709, align 8, !noalias !166
+  %1711 = insertelement <8 x double> %1706, double %1710, i64 5
+  %1712 = extractelement <8 x double> %1681, i64 6
+  %1713 = fptosi double %1712 to i64
+  %1714 = getelementptr double, ptr %198, i64 %1713
+  %1715 = load double, ptr %1714, align 8, !noalias !166
+  %1716 = insertelement <8 x double> %1711, double %1715, i64 6
+  %1717 = extractelement <8 x double> %1681, i64 7
+  %1718 = fptosi double %1717 to i64
+  %1719 = getelementptr double, ptr %198, i64 %1718
+  %1720 = load double, ptr %1719, align 8, !noalias !166
+  %1721 = insertelement <8 x double> %1716, double %1720, i64 7
+  store <8 x double> %1721, ptr %157, align 8, !noalias !166
+  %1722 = fcmp olt <8 x double> %1721, %1042
+  %1723 = bitcast <8 x i1> %1722 to i8
+  %1724 = zext i8 %1723 to i64
+  %1725 = and i64 %1649, %1724
+  %1726 = icmp eq i64 %1725, 0
+  br i1 %1726, label %1739, label %1648
+
+1727:                                             ; preds = %1669
+  %1728 = add nsw i64 %1671, -1
+  %1729 = add i64 %1670, 1
+  %1730 = shl nsw i64 %1670, 3
+  %1731 = add nsw i64 %1730, %1662
+  %1732 = icmp slt i64 %1731, 0
+  %1733 = select i1 %1732, i64 %97, i64 0
+  %1734 = getelementptr double, ptr %98, i64 %1731
+  %1735 = getelementptr double, ptr %1734, i64 %1733
+  %1736 = load i64, ptr %1735, align 8, !noalias !166
+  %1737 = inttoptr i64 %1672 to ptr
+  store atomic i64 %1736, ptr %1737 unordered, align 8, !noalias !166
+  %1738 = add nsw i64 %1672, %1657
+  br label %1669
+
+1739:                                             ; preds = %1676, %1638, %1382
+  %1740 = phi i64 [ %1007, %1382 ], [ %1639, %1638 ], [ %1639, %1676 ]
+  %1741 = phi i1 [ %1008, %1382 ], [ %1640, %1638 ], [ %1640, %1676 ]
+  %1742 = phi <8 x i1> [ %1384, %1382 ], [ %1641, %1638 ], [ %1641, %1676 ]
+  %1743 = load <8 x double>, ptr %157, align 8, !noalias !12
+  %1744 = fcmp oeq <8 x double> %1743, %1042
+  %1745 = and <8 x i1> %1742, %1744
+  %1746 = bitcast <8 x i1> %1745 to i8
+  %1747 = zext i8 %1746 to i64
+  %1748 = icmp eq i8 %1746, 0
+  br i1 %1748, label %1835, label %1749
+
+1749:                                             ; preds = %1739, %1772
+  %1750 = phi i64 [ %1821, %1772 ], [ %1747, %1739 ]
+  %1751 = getelementptr i8, ptr %190, i64 32
+  %1752 = load i64, ptr %1751, align 8, !noalias !170
+  %1753 = shl nsw i64 %1752, 3
+  %1754 = load i64, ptr %232, align 8, !noalias !170
+  %1755 = icmp eq i64 %1750, 0
+  br i1 %1755, label %1772, label %1756
+
+1756:                                             ; preds = %1749, %1770
+  %1757 = phi i64 [ %1760, %1770 ], [ %1750, %1749 ]
+  %1758 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1757, i1 true)
+  %1759 = add nsw i64 %1757, -1
+  %1760 = and i64 %1757, %1759
+  %1761 = getelementptr i64, ptr %187, i64 %1758
+  %1762 = load i64, ptr %1761, align 8, !noalias !170
+  %1763 = add nsw i64 %1762, 8
+  store i64 %1763, ptr %1761, align 8, !noalias !170
+  %1764 = call i64 @llvm.smax.i64(i64 %1754, i64 0)
+  br label %1765
+
+1765:                                             ; preds = %1756, %1823
+  %1766 = phi i64 [ 0, %1756 ], [ %1825, %1823 ]
+  %1767 = phi i64 [ %1764, %1756 ], [ %1824, %1823 ]
+  %1768 = phi i64 [ %1762, %1756 ], [ %1834, %1823 ]
+  %1769 = icmp sgt i64 %1767, 0
+  br i1 %1769, label %1823, label %1770
+
+1770:                                             ; preds = %1765
+  %1771 = icmp eq i64 %1760, 0
+  br i1 %1771, label %1772, label %1756
+
+1772:                                             ; preds = %1770, %1749
+  %1773 = load <8 x double>, ptr %152, align 8, !noalias !170
+  %1774 = trunc i64 %1750 to i8
+  %1775 = bitcast i8 %1774 to <8 x i1>
+  %1776 = select <8 x i1> %1775, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %1777 = fadd <8 x double> %1773, %1776
+  store <8 x double> %1777, ptr %152, align 8, !noalias !170
+  %1778 = extractelement <8 x double> %1777, i64 0
+  %1779 = fptosi double %1778 to i64
+  %1780 = getelementptr double, ptr %198, i64 %1779
+  %1781 = load double, ptr %1780, align 8, !noalias !170
+  %1782 = insertelement <8 x double> poison, double %1781, i64 0
+  %1783 = extractelement <8 x double> %1777, i64 1
+  %1784 = fptosi double %1783 to i64
+  %1785 = getelementptr double, ptr %198, i64 %1784
+  %1786 = load double, ptr %1785, align 8, !noalias !170
+  %1787 = insertelement <8 x double> %1782, double %1786, i64 1
+  %1788 = extractelement <8 x double> %1777, i64 2
+  %1789 = fptosi double %1788 to i64
+  %1790 = getelementptr double, ptr %198, i64 %1789
+  %1791 = load double, ptr %1790, align 8, !noalias !170
+  %1792 = insertelement <8 x double> %1787, double %1791, i64 2
+  %1793 = extractelement <8 x double> %1777, i64 3
+  %1794 = fptosi double %1793 to i64
+  %1795 = getelementptr double, ptr %198, i64 %1794
+  %1796 = load double, ptr %1795, align 8, !noalias !170
+  %1797 = insertelement <8 x double> %1792, double %1796, i64 3
+  %1798 = extractelement <8 x double> %1777, i64 4
+  %1799 = fptosi double %1798 to i64
+  %1800 = getelementptr double, ptr %198, i64 %1799
+  %1801 = load double, ptr %1800, align 8, !noalias !170
+  %1802 = insertelement <8 x double> %1797, double %1801, i64 4
+  %1803 = extractelement <8 x double> %1777, i64 5
+  %1804 = fptosi double %1803 to i64
+  %1805 = getelementptr double, ptr %198, i64 %1804
+  %1806 = load double, ptr %1805, align 8, !noalias !170
+  %1807 = insertelement <8 x double> %1802, double %1806, i64 5
+  %1808 = extractelement <8 x double> %1777, i64 6
+  %1809 = fptosi double %1808 to i64
+  %1810 = getelementptr double, ptr %198, i64 %1809
+  %1811 = load double, ptr %1810, align 8, !noalias !170
+  %1812 = insertelement <8 x double> %1807, double %1811, i64 6
+  %1813 = extractelement <8 x double> %1777, i64 7
+  %1814 = fptosi double %1813 to i64
+  %1815 = getelementptr double, ptr %198, i64 %1814
+  %1816 = load double, ptr %1815, align 8, !noalias !170
+  %1817 = insertelement <8 x double> %1812, double %1816, i64 7
+  store <8 x double> %1817, ptr %157, align 8, !noalias !170
+  %1818 = fcmp oeq <8 x double> %1817, %1042
+  %1819 = bitcast <8 x i1> %1818 to i8
+  %1820 = zext i8 %1819 to i64
+  %1821 = and i64 %1750, %1820
+  %1822 = icmp eq i64 %1821, 0
+  br i1 %1822, label %1835, label %1749
+
+1823:                                             ; preds = %1765
+  %1824 = add nsw i64 %1767, -1
+  %1825 = add i64 %1766, 1
+  %1826 = shl nsw i64 %1766, 3
+  %1827 = add nsw i64 %1826, %1758
+  %1828 = icmp slt i64 %1827, 0
+  %1829 = select i1 %1828, i64 %92, i64 0
+  %1830 = getelementptr double, ptr %93, i64 %1827
+  %1831 = getelementptr double, ptr %1830, i64 %1829
+  %1832 = load i64, ptr %1831, align 8, !noalias !170
+  %1833 = inttoptr i64 %1768 to ptr
+  store atomic i64 %1832, ptr %1833 unordered, align 8, !noalias !170
+  %1834 = add nsw i64 %1768, %1753
+  br label %1765
+
+1835:                                             ; preds = %1772, %1739
+  %1836 = xor <8 x i1> %1742, splat (i1 true)
+  %1837 = and <8 x i1> %1018, %1836
+  %1838 = load <8 x double>, ptr %162, align 8, !noalias !12
+  %1839 = select <8 x i1> %1742, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %1840 = fadd <8 x double> %1838, %1839
+  store <8 x double> %1840, ptr %162, align 8, !noalias !12
+  br i1 %248, label %1841, label %1958
+
+1841:                                             ; preds = %1835
+  %1842 = load <8 x double>, ptr %144, align 8, !noalias !12
+  %1843 = load <8 x double>, ptr %147, align 8, !noalias !12
+  %1844 = getelementptr i8, ptr %36, i64 24
+  %1845 = load double, ptr %1844, align 8, !noalias !174
+  %1846 = fcmp ogt <8 x double> %1357, splat (double 1.000000e-10)
+  %1847 = select <8 x i1> %1846, <8 x double> %1357, <8 x double> splat (double 1.000000e-10)
+  %1848 = getelementptr i8, ptr %36, i64 8
+  %1849 = load double, ptr %1848, align 8, !noalias !174
+  %1850 = fneg double %1849
+  %1851 = insertelement <8 x double> poison, double %1850, i64 0
+  %1852 = shufflevector <8 x double> %1851, <8 x double> poison, <8 x i32> zeroinitializer
+  %1853 = bitcast <8 x double> %1847 to <8 x i64>
+  %1854 = add nsw <8 x i64> %1853, splat (i64 -4604544271217802189)
+  %1855 = ashr <8 x i64> %1854, splat (i64 52)
+  %1856 = and <8 x i64> %1854, splat (i64 -4503599627370496)
+  %1857 = sub <8 x i64> %1853, %1856
+  %1858 = bitcast <8 x i64> %1857 to <8 x double>
+  %1859 = fadd <8 x double> %1858, splat (double -1.000000e+00)
+  %1860 = fadd <8 x double> %1858, splat (double 1.000000e+00)
+  %1861 = fdiv <8 x double> %1859, %1860
+  %1862 = fmul <8 x double> %1861, %1861
+  %1863 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1862, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
+  %1864 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1863, <8 x double> %1862, <8 x double> splat (double 0x3FE2776C50EF9BFE))
+  %1865 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1864, <8 x double> %1862, <8 x double> splat (double 0x3FEEC709DC3A03FD))
+  %1866 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1865, <8 x double> %1862, <8 x double> splat (double 0x40071547652B82FE))
+  %1867 = fmul <8 x double> %1866, %1861
+  %1868 = trunc nsw <8 x i64> %1855 to <8 x i32>
+  %1869 = sitofp <8 x i32> %1868 to <8 x double>
+  %1870 = fadd <8 x double> %1867, %1869
+  %1871 = fmul <8 x double> %1870, %1852
+  %1872 = fcmp ogt <8 x double> %1871, splat (double -1.000000e+03)
+  %1873 = select <8 x i1> %1872, <8 x double> %1871, <8 x double> splat (double -1.000000e+03)
+  %1874 = fcmp olt <8 x double> %1873, splat (double 1.000000e+03)
+  %1875 = select <8 x i1> %1874, <8 x double> %1873, <8 x double> splat (double 1.000000e+03)
+  %1876 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1875)
+  %1877 = fsub <8 x double> %1875, %1876
+  %1878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1877, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
+  %1879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1878, <8 x double> %1877, <8 x double> splat (double 0x3F55D87FE78A6730))
+  %1880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1879, <8 x double> %1877, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
+  %1881 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1880, <8 x double> %1877, <8 x double> splat (double 0x3FAC6B08D704A0BF))
+  %1882 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1881, <8 x double> %1877, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
+  %1883 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1882, <8 x double> %1877, <8 x double> splat (double 0x3FE62E42FEFA39EF))
+  %1884 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1883, <8 x double> %1877, <8 x double> splat (double 1.000000e+00))
+  %1885 = fptosi <8 x double> %1876 to <8 x i32>
+  %1886 = zext <8 x i32> %1885 to <8 x i64>
+  %1887 = shl <8 x i64> %1886, splat (i64 52)
+  %1888 = bitcast <8 x double> %1884 to <8 x i64>
+  %1889 = add <8 x i64> %1887, %1888
+  %1890 = bitcast <8 x i64> %1889 to <8 x double>
+  %1891 = insertelement <8 x double> poison, double %1845, i64 0
+  %1892 = shufflevector <8 x double> %1891, <8 x double> poison, <8 x i32> zeroinitializer
+  %1893 = fmul <8 x double> %1892, %1890
+  %1894 = getelementptr i8, ptr %36, i64 16
+  %1895 = load double, ptr %1894, align 8, !noalias !174
+  %1896 = fcmp une double %1895, 0.000000e+00
+  br i1 %1896, label %1897, label %1939
+
+1897:                                             ; preds = %1841
+  %1898 = insertelement <8 x double> poison, double %1895, i64 0
+  %1899 = shufflevector <8 x double> %1898, <8 x double> poison, <8 x i32> zeroinitializer
+  %1900 = bitcast <8 x double> %1842 to <8 x i64>
+  %1901 = add <8 x i64> %1900, splat (i64 -4604544271217802189)
+  %1902 = ashr <8 x i64> %1901, splat (i64 52)
+  %1903 = and <8 x i64> %1901, splat (i64 -4503599627370496)
+  %1904 = sub <8 x i64> %1900, %1903
+  %1905 = bitcast <8 x i64> %1904 to <8 x double>
+  %1906 = fadd <8 x double> %1905, splat (double -1.000000e+00)
+  %1907 = fadd <8 x double> %1905, splat (double 1.000000e+00)
+  %1908 = fdiv <8 x double> %1906, %1907
+  %1909 = fmul <8 x double> %1908, %1908
+  %1910 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1909, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
+  %1911 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1910, <8 x double> %1909, <8 x double> splat (double 0x3FE2776C50EF9BFE))
+  %1912 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1911, <8 x double> %1909, <8 x double> splat (double 0x3FEEC709DC3A03FD))
+  %1913 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1912, <8 x double> %1909, <8 x double> splat (double 0x40071547652B82FE))
+  %1914 = fmul <8 x double> %1913, %1908
+  %1915 = trunc nsw <8 x i64> %1902 to <8 x i32>
+  %1916 = sitofp <8 x i32> %1915 to <8 x double>
+  %1917 = fadd <8 x double> %1914, %1916
+  %1918 = fmul <8 x double> %1917, %1899
+  %1919 = fcmp ogt <8 x double> %1918, splat (double -1.000000e+03)
+  %1920 = select <8 x i1> %1919, <8 x double> %1918, <8 x double> splat (double -1.000000e+03)
+  %1921 = fcmp olt <8 x double> %1920, splat (double 1.000000e+03)
+  %1922 = select <8 x i1> %1921, <8 x double> %1920, <8 x double> splat (double 1.000000e+03)
+  %1923 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1922)
+  %1924 = fsub <8 x double> %1922, %1923
+  %1925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1924, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
+  %1926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1925, <8 x double> %1924, <8 x double> splat (double 0x3F55D87FE78A6730))
+  %1927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1926, <8 x double> %1924, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
+  %1928 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1927, <8 x double> %1924, <8 x double> splat (double 0x3FAC6B08D704A0BF))
+  %1929 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1928, <8 x double> %1924, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
+  %1930 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1929, <8 x double> %1924, <8 x double> splat (double 0x3FE62E42FEFA39EF))
+  %1931 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1930, <8 x double> %1924, <8 x double> splat (double 1.000000e+00))
+  %1932 = fptosi <8 x double> %1923 to <8 x i32>
+  %1933 = zext <8 x i32> %1932 to <8 x i64>
+  %1934 = shl <8 x i64> %1933, splat (i64 52)
+  %1935 = bitcast <8 x double> %1931 to <8 x i64>
+  %1936 = add <8 x i64> %1934, %1935
+  %1937 = bitcast <8 x i64> %1936 to <8 x double>
+  %1938 = fmul <8 x double> %1893, %1937
+  br label %1939
+
+1939:                                             ; preds = %1897, %1841
+  %1940 = phi <8 x double> [ %1938, %1897 ], [ %1893, %1841 ]
+  %1941 = getelementptr i8, ptr %36, i64 32
+  %1942 = load double, ptr %1941, align 8, !noalias !174
+  %1943 = insertelement <8 x double> poison, double %1942, i64 0
+  %1944 = shufflevector <8 x double> %1943, <8 x double> poison, <8 x i32> zeroinitializer
+  %1945 = fcmp ogt <8 x double> %1940, %1944
+  %1946 = select <8 x i1> %1945, <8 x double> %1940, <8 x double> %1944
+  %1947 = fcmp olt <8 x double> %1843, %1946
+  %1948 = select <8 x i1> %1947, <8 x double> %1843, <8 x double> %1946
+  %1949 = fmul <8 x double> %1043, %1948
+  %1950 = fcmp ogt <8 x double> %1357, splat (double 1.000000e-04)
+  %1951 = select <8 x i1> %1950, <8 x double> %1357, <8 x double> splat (double 1.000000e-04)
+  %1952 = select <8 x i1> %1742, <8 x double> %1951, <8 x double> %1842
+  store <8 x double> %1952, ptr %144, align 8, !noalias !12
+  %1953 = getelementptr i8, ptr %36, i64 40
+  %1954 = load double, ptr %1953, align 8, !noalias !12
+  %1955 = insertelement <8 x double> poison, double %1954, i64 0
+  %1956 = shufflevector <8 x double> %1955, <8 x double> poison, <8 x i32> zeroinitializer
+  %1957 = select <8 x i1> %1837, <8 x double> splat (double 1.000000e+00), <8 x double> %1956
+  store <8 x double> %1957, ptr %147, align 8, !noalias !12
+  br label %1958
+
+1958:                                             ; preds = %1939, %1835
+  %1959 = phi <8 x double> [ %1949, %1939 ], [ %1016, %1835 ]
+  %1960 = bitcast <8 x i1> %1837 to i8
+  %1961 = icmp eq i8 %1960, 0
+  br i1 %1961, label %2034, label %1962
+
+1962:                                             ; preds = %1958
+  %1963 = trunc i64 %1383 to i8
+  %1964 = bitcast i8 %1963 to <8 x i1>
+  %1965 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1357)
+  %1966 = fcmp ueq <8 x double> %1965, splat (double 0x7FF0000000000000)
+  %1967 = or <8 x i1> %1966, %1964
+  %1968 = getelementptr i8, ptr %36, i64 24
+  %1969 = load double, ptr %1968, align 8, !noalias !177
+  %1970 = fcmp ogt <8 x double> %1357, splat (double 1.000000e-10)
+  %1971 = select <8 x i1> %1970, <8 x double> %1357, <8 x double> splat (double 1.000000e-10)
+  %1972 = load double, ptr %36, align 8, !noalias !177
+  %1973 = fneg double %1972
+  %1974 = insertelement <8 x double> poison, double %1973, i64 0
+  %1975 = shufflevector <8 x double> %1974, <8 x double> poison, <8 x i32> zeroinitializer
+  %1976 = bitcast <8 x double> %1971 to <8 x i64>
+  %1977 = add nsw <8 x i64> %1976, splat (i64 -4604544271217802189)
+  %1978 = ashr <8 x i64> %1977, splat (i64 52)
+  %1979 = and <8 x i64> %1977, splat (i64 -4503599627370496)
+  %1980 = sub <8 x i64> %1976, %1979
+  %1981 = bitcast <8 x i64> %1980 to <8 x double>
+  %1982 = fadd <8 x double> %1981, splat (double -1.000000e+00)
+  %1983 = fadd <8 x double> %1981, splat (double 1.000000e+00)
+  %1984 = fdiv <8 x double> %1982, %1983
+  %1985 = fmul <8 x double> %1984, %1984
+  %1986 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1985, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
+  %1987 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1986, <8 x double> %1985, <8 x double> splat (double 0x3FE2776C50EF9BFE))
+  %1988 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1987, <8 x double> %1985, <8 x double> splat (double 0x3FEEC709DC3A03FD))
+  %1989 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1988, <8 x double> %1985, <8 x double> splat (double 0x40071547652B82FE))
+  %1990 = fmul <8 x double> %1989, %1984
+  %1991 = trunc nsw <8 x i64> %1978 to <8 x i32>
+  %1992 = sitofp <8 x i32> %1991 to <8 x double>
+  %1993 = fadd <8 x double> %1990, %1992
+  %1994 = fmul <8 x double> %1993, %1975
+  %1995 = fcmp ogt <8 x double> %1994, splat (double -1.000000e+03)
+  %1996 = select <8 x i1> %1995, <8 x double> %1994, <8 x double> splat (double -1.000000e+03)
+  %1997 = fcmp olt <8 x double> %1996, splat (double 1.000000e+03)
+  %1998 = select <8 x i1> %1997, <8 x double> %1996, <8 x double> splat (double 1.000000e+03)
+  %1999 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1998)
+  %2000 = fsub <8 x double> %1998, %1999
+  %2001 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2000, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
+  %2002 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2001, <8 x double> %2000, <8 x double> splat (double 0x3F55D87FE78A6730))
+  %2003 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2002, <8 x double> %2000, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
+  %2004 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2003, <8 x double> %2000, <8 x double> splat (double 0x3FAC6B08D704A0BF))
+  %2005 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2004, <8 x double> %2000, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
+  %2006 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2005, <8 x double> %2000, <8 x double> splat (double 0x3FE62E42FEFA39EF))
+  %2007 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2006, <8 x double> %2000, <8 x double> splat (double 1.000000e+00))
+  %2008 = fptosi <8 x double> %1999 to <8 x i32>
+  %2009 = zext <8 x i32> %2008 to <8 x i64>
+  %2010 = shl <8 x i64> %2009, splat (i64 52)
+  %2011 = bitcast <8 x double> %2007 to <8 x i64>
+  %2012 = add <8 x i64> %2010, %2011
+  %2013 = bitcast <8 x i64> %2012 to <8 x double>
+  %2014 = insertelement <8 x double> poison, double %1969, i64 0
+  %2015 = shufflevector <8 x double> %2014, <8 x double> poison, <8 x i32> zeroinitializer
+  %2016 = fmul <8 x double> %2015, %2013
+  %2017 = getelementptr i8, ptr %36, i64 32
+  %2018 = load double, ptr %2017, align 8, !noalias !177
+  %2019 = insertelement <8 x double> poison, double %2018, i64 0
+  %2020 = shufflevector <8 x double> %2019, <8 x double> poison, <8 x i32> zeroinitializer
+  %2021 = fcmp ogt <8 x double> %2016, %2020
+  %2022 = select <8 x i1> %2021, <8 x double> %2016, <8 x double> %2020
+  %2023 = select <8 x i1> %1967, <8 x double> splat (double 2.500000e-01), <8 x double> %2022
+  %2024 = fmul <8 x double> %1043, %2023
+  %2025 = select i1 %248, <8 x double> %2024, <8 x double> zeroinitializer
+  %2026 = select <8 x i1> %1837, <8 x double> %2025, <8 x double> %1959
+  %2027 = select <8 x i1> %1967, <8 x double> splat (double 4.000000e+00), <8 x double> splat (double 2.000000e+00)
+  %2028 = select <8 x i1> %1964, <8 x double> splat (double 3.000000e+00), <8 x double> %2027
+  %2029 = load <8 x double>, ptr %177, align 8, !noalias !12
+  %2030 = select <8 x i1> %1837, <8 x double> %2028, <8 x double> %2029
+  store <8 x double> %2030, ptr %177, align 8, !noalias !12
+  %2031 = load <8 x double>, ptr %167, align 8, !noalias !12
+  %2032 = select <8 x i1> %1837, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %2033 = fadd <8 x double> %2031, %2032
+  store <8 x double> %2033, ptr %167, align 8, !noalias !12
+  br label %2034
+
+2034:                                             ; preds = %1962, %1958
+  %2035 = phi <8 x double> [ %2026, %1962 ], [ %1959, %1958 ]
+  store <8 x double> %2035, ptr %141, align 8, !noalias !12
+  %2036 = select <8 x i1> %1742, <8 x double> %1042, <8 x double> %1015
+  store <8 x double> %2036, ptr %136, align 8, !noalias !12
+  %2037 = call i64 @llvm.smax.i64(i64 %233, i64 0)
+  br label %2038
+
+2038:                                             ; preds = %2034, %2172
+  %2039 = phi i64 [ 0, %2034 ], [ %2174, %2172 ]
+  %2040 = phi i64 [ %2037, %2034 ], [ %2173, %2172 ]
+  %2041 = icmp sgt i64 %2040, 0
+  br i1 %2041, label %2172, label %2042
+
+2042:                                             ; preds = %2038
+  %2043 = load <8 x double>, ptr %157, align 8, !noalias !12
+  %2044 = fcmp oeq <8 x double> %2043, splat (double 0x7FF0000000000000)
+  %2045 = and <8 x i1> %1742, %2044
+  %2046 = bitcast <8 x i1> %2045 to i8
+  %2047 = zext i8 %2046 to i64
+  %2048 = icmp eq i8 %2046, 0
+  br i1 %2048, label %2125, label %2049
+
+2049:                                             ; preds = %2042, %2124
+  %2050 = phi i64 [ %2190, %2124 ], [ 0, %2042 ]
+  %2051 = phi i64 [ %2189, %2124 ], [ 8, %2042 ]
+  %2052 = icmp sgt i64 %2051, 0
+  br i1 %2052, label %2188, label %2125
+
+2053:                                             ; preds = %2188
+  %2054 = icmp slt i64 %2050, 0
+  %2055 = select i1 %2054, i64 %181, i64 0
+  %2056 = getelementptr i64, ptr %182, i64 %2050
+  %2057 = getelementptr i64, ptr %2056, i64 %2055
+  %2058 = load i64, ptr %2057, align 8, !noalias !180
+  %2059 = getelementptr i8, ptr %190, i64 32
+  %2060 = load i64, ptr %2059, align 8, !noalias !180
+  %2061 = shl nsw i64 %2060, 3
+  %2062 = select i1 %2054, i64 %151, i64 0
+  %2063 = getelementptr double, ptr %152, i64 %2050
+  %2064 = getelementptr double, ptr %2063, i64 %2062
+  %2065 = load double, ptr %2064, align 8, !noalias !180
+  %2066 = fptosi double %2065 to i64
+  %2067 = xor i64 %2066, -1
+  %2068 = add i64 %197, %2067
+  %2069 = call i64 @llvm.smax.i64(i64 %2068, i64 0)
+  br label %2070
+
+2070:                                             ; preds = %2074, %2053
+  %2071 = phi i64 [ 0, %2053 ], [ %2111, %2074 ]
+  %2072 = phi i64 [ %2069, %2053 ], [ %2110, %2074 ]
+  %2073 = icmp sgt i64 %2072, 0
+  br i1 %2073, label %2109, label %2078
+
+2074:                                             ; preds = %2109, %2120
+  %2075 = phi i64 [ %2119, %2109 ], [ %2121, %2120 ]
+  %2076 = phi i64 [ %2117, %2109 ], [ %2123, %2120 ]
+  %2077 = icmp sgt i64 %2075, 0
+  br i1 %2077, label %2120, label %2070
+
+2078:                                             ; preds = %2070
+  %2079 = icmp slt i64 %2058, 0
+  %2080 = select i1 %2079, i64 %223, i64 0
+  %2081 = add i64 %2058, %2080
+  %2082 = mul i64 %2081, %225
+  %2083 = getelementptr i64, ptr %226, i64 %2082
+  %2084 = select i1 %2054, i64 %161, i64 0
+  %2085 = getelementptr double, ptr %162, i64 %2050
+  %2086 = getelementptr double, ptr %2085, i64 %2084
+  %2087 = load double, ptr %2086, align 8, !noalias !180
+  %2088 = select i1 %2054, i64 %166, i64 0
+  %2089 = getelementptr double, ptr %167, i64 %2050
+  %2090 = getelementptr double, ptr %2089, i64 %2088
+  %2091 = load double, ptr %2090, align 8, !noalias !180
+  %2092 = fptosi double %2087 to i64
+  store i64 %2092, ptr %2083, align 8, !noalias !180
+  %2093 = getelementptr i8, ptr %2083, i64 8
+  %2094 = fptosi double %2091 to i64
+  store i64 %2094, ptr %2093, align 8, !noalias !180
+  %2095 = select i1 %2054, i64 %171, i64 0
+  %2096 = getelementptr double, ptr %172, i64 %2050
+  %2097 = getelementptr double, ptr %2096, i64 %2095
+  %2098 = load double, ptr %2097, align 8, !noalias !180
+  %2099 = getelementptr i8, ptr %2083, i64 16
+  %2100 = fptosi double %2098 to i64
+  store i64 %2100, ptr %2099, align 8, !noalias !180
+  %2101 = getelementptr i8, ptr %2083, i64 24
+  store i64 0, ptr %2101, align 8, !noalias !180
+  %2102 = select i1 %2054, i64 %135, i64 0
+  %2103 = getelementptr double, ptr %136, i64 %2050
+  %2104 = getelementptr double, ptr %2103, i64 %2102
+  %2105 = load double, ptr %2104, align 8, !noalias !180
+  %2106 = select i1 %2079, i64 %230, i64 0
+  %2107 = getelementptr double, ptr %231, i64 %2058
+  %2108 = getelementptr double, ptr %2107, i64 %2106
+  store double %2105, ptr %2108, align 8, !noalias !180
+  store i64 -1, ptr %2057, align 8, !noalias !180
+  br label %2124
+
+2109:                                             ; preds = %2070
+  %2110 = add nsw i64 %2072, -1
+  %2111 = add i64 %2071, 1
+  %2112 = shl nsw i64 %2071, 3
+  %2113 = select i1 %2054, i64 %186, i64 0
+  %2114 = getelementptr i64, ptr %187, i64 %2050
+  %2115 = getelementptr i64, ptr %2114, i64 %2113
+  %2116 = load i64, ptr %2115, align 8, !noalias !180
+  %2117 = add nsw i64 %2116, %2112
+  %2118 = load i64, ptr %232, align 8, !noalias !180
+  %2119 = call i64 @llvm.smax.i64(i64 %2118, i64 0)
+  br label %2074
+
+2120:                                             ; preds = %2074
+  %2121 = add nsw i64 %2075, -1
+  %2122 = inttoptr i64 %2076 to ptr
+  store atomic i64 9221120237041090560, ptr %2122 unordered, align 8, !noalias !180
+  %2123 = add nsw i64 %2076, %2061
+  br label %2074
+
+2124:                                             ; preds = %2078, %2188
+  br label %2049
+
+2125:                                             ; preds = %2049, %2042
+  %2126 = phi i1 [ %1741, %2042 ], [ true, %2049 ]
+  br label %267
+
+2127:                                             ; preds = %260
+  %2128 = add nsw i64 %262, -1
+  %2129 = add i64 %261, 1
+  %2130 = icmp slt i64 %261, 0
+  %2131 = select i1 %2130, i64 %181, i64 0
+  %2132 = getelementptr i64, ptr %182, i64 %261
+  %2133 = getelementptr i64, ptr %2132, i64 %2131
+  %2134 = load i64, ptr %2133, align 8, !noalias !12
+  %2135 = shl nuw i64 1, %261
+  %2136 = icmp slt i64 %2134, 0
+  %2137 = select i1 %2136, i64 0, i64 %2135
+  %2138 = or i64 %263, %2137
+  br label %260
+
+2139:                                             ; preds = %343, %314
+  %2140 = icmp eq i64 %275, 0
+  br i1 %2140, label %495, label %496
+
+2141:                                             ; preds = %664, %512
+  br label %2194
+
+2142:                                             ; preds = %991
+  %2143 = add nsw i64 %993, -1
+  %2144 = add i64 %992, 1
+  br i1 %994, label %1003, label %996
+
+2145:                                             ; preds = %1228
+  br label %2194
+
+2146:                                             ; preds = %1351
+  %2147 = add nsw i64 %1353, -1
+  %2148 = add i64 %1352, 1
+  %2149 = shl i64 %1352, 6
+  %2150 = getelementptr i8, ptr %93, i64 %2149
+  %2151 = load <8 x double>, ptr %2150, align 8, !noalias !12
+  %2152 = fmul <8 x double> %2151, zeroinitializer
+  %2153 = fadd <8 x double> %1354, %2152
+  br label %1351
+
+2154:                                             ; preds = %1369
+  br label %2194
+
+2155:                                             ; preds = %1431
+  %2156 = zext i8 %1396 to i64
+  %2157 = and i64 %1406, %2156
+  %2158 = load i64, ptr %1400, align 8, !noalias !12
+  %2159 = sitofp i64 %2158 to double
+  %2160 = insertelement <8 x double> poison, double %2159, i64 0
+  %2161 = shufflevector <8 x double> %2160, <8 x double> poison, <8 x i32> zeroinitializer
+  %2162 = select <8 x i1> %1395, <8 x double> %2161, <8 x double> zeroinitializer
+  %2163 = load <8 x double>, ptr %172, align 8, !noalias !12
+  %2164 = fadd <8 x double> %2163, %2162
+  store <8 x double> %2164, ptr %172, align 8, !noalias !12
+  %2165 = icmp eq i64 %2157, 0
+  br i1 %2165, label %1638, label %1555
+
+2166:                                             ; preds = %1555
+  %2167 = add nsw i64 %1557, -1
+  %2168 = add i64 %1556, 1
+  %2169 = shl nuw i64 1, %1556
+  %2170 = and i64 %2157, %2169
+  %2171 = icmp eq i64 %2170, 0
+  br i1 %2171, label %1630, label %1559
+
+2172:                                             ; preds = %2038
+  %2173 = add nsw i64 %2040, -1
+  %2174 = add i64 %2039, 1
+  %2175 = shl i64 %2039, 6
+  %2176 = getelementptr i8, ptr %93, i64 %2175
+  %2177 = load <8 x double>, ptr %2176, align 8, !noalias !12
+  %2178 = getelementptr i8, ptr %88, i64 %2175
+  %2179 = load <8 x double>, ptr %2178, align 8, !noalias !12
+  %2180 = select <8 x i1> %1742, <8 x double> %2177, <8 x double> %2179
+  store <8 x double> %2180, ptr %2178, align 8, !noalias !12
+  %2181 = add nsw i64 %245, %2039
+  %2182 = shl i64 %2181, 6
+  %2183 = getelementptr i8, ptr %116, i64 %2182
+  %2184 = load <8 x double>, ptr %2183, align 8, !noalias !12
+  %2185 = getelementptr i8, ptr %116, i64 %2175
+  %2186 = load <8 x double>, ptr %2185, align 8, !noalias !12
+  %2187 = select <8 x i1> %1742, <8 x double> %2184, <8 x double> %2186
+  store <8 x double> %2187, ptr %2185, align 8, !noalias !12
+  br label %2038
+
+2188:                                             ; preds = %2049
+  %2189 = add nsw i64 %2051, -1
+  %2190 = add i64 %2050, 1
+  %2191 = shl nuw i64 1, %2050
+  %2192 = and i64 %2191, %2047
+  %2193 = icmp eq i64 %2192, 0
+  br i1 %2193, label %2124, label %2053
+
+2194:                                             ; preds = %1554, %2154, %2145, %1225, %2141, %1012, %495
+  %2195 = phi i64 [ 0, %1554 ], [ 0, %2141 ], [ 1, %495 ], [ 0, %1012 ], [ 0, %2154 ], [ 0, %1225 ], [ 0, %2145 ]
+  ret i64 %2195
 }
 
 
 
 declare i64 @llvm.smax.i64(i64, i64) #0
+
+declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #0
 
 attributes #0 = { nounwind willreturn memory(none) }
 attributes #1 = { noinline }
@@ -3274,156 +3407,187 @@ attributes #2 = { nounwind willreturn memory(none) }
 attributes #3 = { nounwind }
 attributes #4 = { nounwind willreturn }
 
-!0 = !{!"branch_weights", i32 1, i32 99}
-!1 = !{!"branch_weights", i32 99, i32 1}
-!2 = !{!3}
-!3 = distinct !{!3, !4}
-!4 = distinct !{!4}
-!5 = !{!6, !8}
+!0 = !{!1, !3}
+!1 = distinct !{!1, !2}
+!2 = distinct !{!2}
+!3 = distinct !{!3, !2}
+!4 = !{!"branch_weights", i32 1, i32 99}
+!5 = !{!6, !1, !3}
 !6 = distinct !{!6, !7}
 !7 = distinct !{!7}
-!8 = distinct !{!8, !7}
-!9 = !{!10, !12, !6, !8}
+!8 = !{!"branch_weights", i32 99, i32 1}
+!9 = !{!10}
 !10 = distinct !{!10, !11}
 !11 = distinct !{!11}
-!12 = distinct !{!12, !11}
-!13 = !{!14, !16, !10, !12, !6, !8}
-!14 = distinct !{!14, !15}
-!15 = distinct !{!15}
-!16 = distinct !{!16, !15}
-!17 = !{!18, !20, !10, !12, !6, !8}
-!18 = distinct !{!18, !19}
-!19 = distinct !{!19}
-!20 = distinct !{!20, !19}
-!21 = !{!22, !24, !10, !12, !6, !8}
-!22 = distinct !{!22, !23}
-!23 = distinct !{!23}
-!24 = distinct !{!24, !23}
-!25 = !{!26, !28, !10, !12, !6, !8}
-!26 = distinct !{!26, !27}
-!27 = distinct !{!27}
-!28 = distinct !{!28, !27}
-!29 = !{!30, !32, !10, !12, !6, !8}
-!30 = distinct !{!30, !31}
-!31 = distinct !{!31}
-!32 = distinct !{!32, !31}
-!33 = !{!34, !36, !10, !12, !6, !8}
-!34 = distinct !{!34, !35}
-!35 = distinct !{!35}
-!36 = distinct !{!36, !35}
-!37 = !{!38, !40, !10, !12, !6, !8}
-!38 = distinct !{!38, !39}
-!39 = distinct !{!39}
-!40 = distinct !{!40, !39}
-!41 = !{!42, !44, !6, !8}
-!42 = distinct !{!42, !43}
-!43 = distinct !{!43}
-!44 = distinct !{!44, !43}
-!45 = !{!46, !48, !42, !44, !6, !8}
-!46 = distinct !{!46, !47}
-!47 = distinct !{!47}
-!48 = distinct !{!48, !47}
-!49 = !{!"branch_weights", i32 1, i32 49, i32 49}
-!50 = !{!51, !53, !42, !44, !6, !8}
-!51 = distinct !{!51, !52}
-!52 = distinct !{!52}
-!53 = distinct !{!53, !52}
-!54 = !{!55, !57, !51, !53, !42, !44, !6, !8}
-!55 = distinct !{!55, !56}
-!56 = distinct !{!56}
-!57 = distinct !{!57, !56}
-!58 = !{!59, !61, !51, !53, !42, !44, !6, !8}
-!59 = distinct !{!59, !60}
-!60 = distinct !{!60}
-!61 = distinct !{!61, !60}
-!62 = !{!63, !65, !51, !53, !42, !44, !6, !8}
-!63 = distinct !{!63, !64}
-!64 = distinct !{!64}
-!65 = distinct !{!65, !64}
-!66 = !{!67, !69, !51, !53, !42, !44, !6, !8}
-!67 = distinct !{!67, !68}
-!68 = distinct !{!68}
-!69 = distinct !{!69, !68}
-!70 = !{!71, !73, !42, !44, !6, !8}
-!71 = distinct !{!71, !72}
-!72 = distinct !{!72}
-!73 = distinct !{!73, !72}
-!74 = !{!75, !77, !42, !44, !6, !8}
-!75 = distinct !{!75, !76}
-!76 = distinct !{!76}
-!77 = distinct !{!77, !76}
-!78 = !{!79, !81, !42, !44, !6, !8}
-!79 = distinct !{!79, !80}
-!80 = distinct !{!80}
-!81 = distinct !{!81, !80}
-!82 = !{!83, !85, !6, !8}
-!83 = distinct !{!83, !84}
-!84 = distinct !{!84}
-!85 = distinct !{!85, !84}
-!86 = !{!87, !89, !83, !85, !6, !8}
-!87 = distinct !{!87, !88}
-!88 = distinct !{!88}
-!89 = distinct !{!89, !88}
-!90 = !{!91, !93, !6, !8}
-!91 = distinct !{!91, !92}
-!92 = distinct !{!92}
-!93 = distinct !{!93, !92}
-!94 = !{!95, !91, !93, !6, !8}
-!95 = distinct !{!95, !96}
-!96 = distinct !{!96}
-!97 = !{!98, !91, !93, !6, !8}
+!12 = !{!13, !15}
+!13 = distinct !{!13, !14}
+!14 = distinct !{!14}
+!15 = distinct !{!15, !14}
+!16 = !{!17, !19, !13, !15}
+!17 = distinct !{!17, !18}
+!18 = distinct !{!18}
+!19 = distinct !{!19, !18}
+!20 = !{!21, !23, !17, !19, !13, !15}
+!21 = distinct !{!21, !22}
+!22 = distinct !{!22}
+!23 = distinct !{!23, !22}
+!24 = !{!25, !27, !17, !19, !13, !15}
+!25 = distinct !{!25, !26}
+!26 = distinct !{!26}
+!27 = distinct !{!27, !26}
+!28 = !{!29, !31, !17, !19, !13, !15}
+!29 = distinct !{!29, !30}
+!30 = distinct !{!30}
+!31 = distinct !{!31, !30}
+!32 = !{!33, !35, !17, !19, !13, !15}
+!33 = distinct !{!33, !34}
+!34 = distinct !{!34}
+!35 = distinct !{!35, !34}
+!36 = !{!37, !39, !17, !19, !13, !15}
+!37 = distinct !{!37, !38}
+!38 = distinct !{!38}
+!39 = distinct !{!39, !38}
+!40 = !{!41, !43, !17, !19, !13, !15}
+!41 = distinct !{!41, !42}
+!42 = distinct !{!42}
+!43 = distinct !{!43, !42}
+!44 = !{!45, !47, !17, !19, !13, !15}
+!45 = distinct !{!45, !46}
+!46 = distinct !{!46}
+!47 = distinct !{!47, !46}
+!48 = !{!49, !51, !13, !15}
+!49 = distinct !{!49, !50}
+!50 = distinct !{!50}
+!51 = distinct !{!51, !50}
+!52 = !{!53, !55, !49, !51, !13, !15}
+!53 = distinct !{!53, !54}
+!54 = distinct !{!54}
+!55 = distinct !{!55, !54}
+!56 = !{!"branch_weights", i32 1, i32 49, i32 49}
+!57 = !{!58, !60, !49, !51, !13, !15}
+!58 = distinct !{!58, !59}
+!59 = distinct !{!59}
+!60 = distinct !{!60, !59}
+!61 = !{!62, !64, !58, !60, !49, !51, !13, !15}
+!62 = distinct !{!62, !63}
+!63 = distinct !{!63}
+!64 = distinct !{!64, !63}
+!65 = !{!66, !68, !58, !60, !49, !51, !13, !15}
+!66 = distinct !{!66, !67}
+!67 = distinct !{!67}
+!68 = distinct !{!68, !67}
+!69 = !{!70, !72, !58, !60, !49, !51, !13, !15}
+!70 = distinct !{!70, !71}
+!71 = distinct !{!71}
+!72 = distinct !{!72, !71}
+!73 = !{!74, !76, !49, !51, !13, !15}
+!74 = distinct !{!74, !75}
+!75 = distinct !{!75}
+!76 = distinct !{!76, !75}
+!77 = !{!78, !80, !49, !51, !13, !15}
+!78 = distinct !{!78, !79}
+!79 = distinct !{!79}
+!80 = distinct !{!80, !79}
+!81 = !{!82, !84, !49, !51, !13, !15}
+!82 = distinct !{!82, !83}
+!83 = distinct !{!83}
+!84 = distinct !{!84, !83}
+!85 = !{!86, !88, !13, !15}
+!86 = distinct !{!86, !87}
+!87 = distinct !{!87}
+!88 = distinct !{!88, !87}
+!89 = !{!90, !92, !86, !88, !13, !15}
+!90 = distinct !{!90, !91}
+!91 = distinct !{!91}
+!92 = distinct !{!92, !91}
+!93 = !{!94, !96, !13, !15}
+!94 = distinct !{!94, !95}
+!95 = distinct !{!95}
+!96 = distinct !{!96, !95}
+!97 = !{!98, !100, !102, !94, !96, !13, !15}
 !98 = distinct !{!98, !99}
 !99 = distinct !{!99}
-!100 = !{!101, !103, !91, !93, !6, !8}
-!101 = distinct !{!101, !102}
-!102 = distinct !{!102}
-!103 = distinct !{!103, !102}
-!104 = !{!105, !107, !6, !8}
-!105 = distinct !{!105, !106}
-!106 = distinct !{!106}
-!107 = distinct !{!107, !106}
-!108 = !{!109, !111, !6, !8}
-!109 = distinct !{!109, !110}
-!110 = distinct !{!110}
-!111 = distinct !{!111, !110}
-!112 = !{!113, !109, !111, !6, !8}
-!113 = distinct !{!113, !114}
-!114 = distinct !{!114}
-!115 = !{!116, !118, !6, !8}
-!116 = distinct !{!116, !117}
-!117 = distinct !{!117}
-!118 = distinct !{!118, !117}
-!119 = !{!120, !122, !6, !8}
-!120 = distinct !{!120, !121}
-!121 = distinct !{!121}
-!122 = distinct !{!122, !121}
-!123 = !{!124, !120, !122, !6, !8}
+!100 = distinct !{!100, !101}
+!101 = distinct !{!101}
+!102 = distinct !{!102, !101}
+!103 = !{!104, !106, !108, !94, !96, !13, !15}
+!104 = distinct !{!104, !105}
+!105 = distinct !{!105}
+!106 = distinct !{!106, !107}
+!107 = distinct !{!107}
+!108 = distinct !{!108, !107}
+!109 = !{!110, !112, !94, !96, !13, !15}
+!110 = distinct !{!110, !111}
+!111 = distinct !{!111}
+!112 = distinct !{!112, !111}
+!113 = !{!114, !116, !13, !15}
+!114 = distinct !{!114, !115}
+!115 = distinct !{!115}
+!116 = distinct !{!116, !115}
+!117 = !{!118, !120, !13, !15}
+!118 = distinct !{!118, !119}
+!119 = distinct !{!119}
+!120 = distinct !{!120, !119}
+!121 = !{!122, !124, !126, !118, !120, !13, !15}
+!122 = distinct !{!122, !123}
+!123 = distinct !{!123}
 !124 = distinct !{!124, !125}
 !125 = distinct !{!125}
-!126 = !{!127, !129, !120, !122, !6, !8}
-!127 = distinct !{!127, !128}
-!128 = distinct !{!128}
-!129 = distinct !{!129, !128}
-!130 = !{!131, !120, !122, !6, !8}
+!126 = distinct !{!126, !125}
+!127 = !{!128, !118, !120, !13, !15}
+!128 = distinct !{!128, !129}
+!129 = distinct !{!129}
+!130 = !{!131, !133, !13, !15}
 !131 = distinct !{!131, !132}
 !132 = distinct !{!132}
-!133 = !{!134, !136, !6, !8}
-!134 = distinct !{!134, !135}
-!135 = distinct !{!135}
-!136 = distinct !{!136, !135}
-!137 = !{!138, !140, !6, !8}
-!138 = distinct !{!138, !139}
-!139 = distinct !{!139}
-!140 = distinct !{!140, !139}
-!141 = !{!142, !144, !138, !140, !6, !8}
-!142 = distinct !{!142, !143}
-!143 = distinct !{!143}
-!144 = distinct !{!144, !143}
-!145 = !{!146, !148, !6, !8}
-!146 = distinct !{!146, !147}
-!147 = distinct !{!147}
-!148 = distinct !{!148, !147}
-!149 = !{!150, !152, !6, !8}
-!150 = distinct !{!150, !151}
-!151 = distinct !{!151}
-!152 = distinct !{!152, !151}
+!133 = distinct !{!133, !132}
+!134 = !{!135, !137, !13, !15}
+!135 = distinct !{!135, !136}
+!136 = distinct !{!136}
+!137 = distinct !{!137, !136}
+!138 = !{!139, !141, !135, !137, !13, !15}
+!139 = distinct !{!139, !140}
+!140 = distinct !{!140}
+!141 = distinct !{!141, !140}
+!142 = !{!143, !145, !147, !139, !141, !135, !137, !13, !15}
+!143 = distinct !{!143, !144}
+!144 = distinct !{!144}
+!145 = distinct !{!145, !146}
+!146 = distinct !{!146}
+!147 = distinct !{!147, !146}
+!148 = !{!149, !151, !153, !135, !137, !13, !15}
+!149 = distinct !{!149, !150}
+!150 = distinct !{!150}
+!151 = distinct !{!151, !152}
+!152 = distinct !{!152}
+!153 = distinct !{!153, !152}
+!154 = !{!155, !157, !135, !137, !13, !15}
+!155 = distinct !{!155, !156}
+!156 = distinct !{!156}
+!157 = distinct !{!157, !156}
+!158 = !{!159, !161, !13, !15}
+!159 = distinct !{!159, !160}
+!160 = distinct !{!160}
+!161 = distinct !{!161, !160}
+!162 = !{!163, !165, !13, !15}
+!163 = distinct !{!163, !164}
+!164 = distinct !{!164}
+!165 = distinct !{!165, !164}
+!166 = !{!167, !169, !163, !165, !13, !15}
+!167 = distinct !{!167, !168}
+!168 = distinct !{!168}
+!169 = distinct !{!169, !168}
+!170 = !{!171, !173, !13, !15}
+!171 = distinct !{!171, !172}
+!172 = distinct !{!172}
+!173 = distinct !{!173, !172}
+!174 = !{!175, !13, !15}
+!175 = distinct !{!175, !176}
+!176 = distinct !{!176}
+!177 = !{!178, !13, !15}
+!178 = distinct !{!178, !179}
+!179 = distinct !{!179}
+!180 = !{!181, !183, !13, !15}
+!181 = distinct !{!181, !182}
+!182 = distinct !{!182}
+!183 = distinct !{!183, !182}

@@ -6,21 +6,20 @@ import numpy as np
 
 from pydy.solvers.lanes.layout import (
     EVALUATION,
-    KERNEL,
     ORIGIN,
     PER_SAMPLE,
     PER_STATE,
     PER_TIME,
     PREPARE,
-    STATES,
     Evaluation,
     LaneProblem,
 )
 from pydy.solvers.loop.compiled import entry, inlined
 from pydy.solvers.loop.entrance import opening
 from pydy.solvers.loop.intrinsics import address_of, call_kernel, call_prepare, get, put
-from pydy.solvers.loop.rates import interval_of
+from pydy.solvers.loop.rates import sampled
 from pydy.solvers.loop.vectors import splat, store
+from pydy.solvers.run.layout import KERNEL, STATES
 from pydy.solvers.tuning import BLOCK
 
 __all__ = ["copy_in", "evaluate_lanes", "rates_of_lanes"]
@@ -30,17 +29,10 @@ __all__ = ["copy_in", "evaluate_lanes", "rates_of_lanes"]
 def _set_inputs(problem):
     """Set the sampled inputs of each lane at its own time."""
     for k in range(problem.tables.shape[0]):
-        tables = problem.tables
-        column, first, number = tables[k, 0], tables[k, 1], tables[k, 2]
-        knots = problem.knots[first : first + number]
         for lane in range(BLOCK):
-            s = max(problem.clock[lane], knots[0])
-            low = interval_of(knots, s, problem.intervals[k, lane])
+            value, low = sampled(problem, k, problem.clock[lane], problem.intervals[k, lane])
             problem.intervals[k, lane] = low
-            s -= knots[low]
-            a = problem.cubics[first + low]
-            value = a[0] + s * (a[1] + s * (a[2] + s * a[3]))
-            problem.r[column * BLOCK + lane] = value
+            problem.r[problem.tables[k, 0] * BLOCK + lane] = value
 
 
 @inlined(always=True)
@@ -82,7 +74,7 @@ def evaluate_lanes(table):
     problem, evaluation = _opened_problem(table), _opened_evaluation(table)
     x, buffer, places = evaluation.x, evaluation.buffer, evaluation.places
     times, out = evaluation.times, evaluation.out
-    n, m, number = problem.words[STATES], len(evaluation.r), times.size
+    n, m, count = problem.words[STATES], len(evaluation.r), times.size
     outputs = buffer.size // BLOCK
     for first in range(0, m, BLOCK):
         for lane in range(BLOCK):
@@ -90,7 +82,7 @@ def evaluate_lanes(table):
             copy_in(evaluation.r, sample, problem.r, lane)
             copy_in(evaluation.p, sample, problem.p, lane)
         call_prepare(problem.words[PREPARE], address_of(problem.p, 0), address_of(problem.c, 0))
-        for k in range(number):
+        for k in range(count):
             for lane in range(BLOCK):
                 sample = min(first + lane, m - 1)
                 place = places[ORIGIN] + 8 * (sample * places[PER_SAMPLE] + k * places[PER_TIME])
@@ -102,5 +94,5 @@ def evaluate_lanes(table):
                 bad = (failed >> lane) & 1 == 1 or (n > 0 and x[lane] != x[lane])
                 for j in range(outputs):
                     value = buffer[j * BLOCK + lane]
-                    out[(j * m + first + lane) * number + k] = np.nan if bad else value
+                    out[(j * m + first + lane) * count + k] = np.nan if bad else value
     return 0

@@ -19,7 +19,7 @@ from pydy.solvers.run.methods import method_arrays
 from pydy.solvers.run.problem import address, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.table import rows_of, table_of
-from pydy.solvers.tuning import BLOCK
+from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE
 
 __all__ = ["LaneResult", "evaluate_samples", "integrate_samples"]
 
@@ -90,7 +90,7 @@ def integrate_samples(
         stages=vectors[6 : 6 + stages].ravel(),
         interpolant=vectors[6 + stages :].ravel(),
         rtol=np.broadcast_to(np.asarray(options.rtol, dtype=float), (n,)).copy(),
-        atol=np.maximum(np.broadcast_to(np.asarray(options.atol, dtype=float), (n,)), 1e-300),
+        atol=np.broadcast_to(np.maximum(options.atol, LEAST_TOLERANCE), (n,)).copy(),
     )
     lanes = Lanes(**{name: lined_up(BLOCK) for name in Lanes._fields})._replace(
         samples=np.full(BLOCK, at.VACANT), place=np.zeros(BLOCK, dtype=np.int64)
@@ -116,7 +116,7 @@ def integrate_samples(
             return LaneResult(queue.counts, queue.reached)
         if stopped():
             raise KeyboardInterrupt
-        elapsed = max(perf_counter() - start, 1e-6)
+        elapsed = max(perf_counter() - start, np.finfo(float).tiny)
         budget = int(min(max(1.0, budget * _SLICE / elapsed), 4.0 * budget))
 
 
@@ -154,14 +154,14 @@ def _problem(kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]]) -> LaneP
     program, addresses = kernel.program, kernel.addresses
     assert addresses is not None
     assert kernel.lanes == BLOCK
-    sizes = (program.num_states, program.num_specifieds, program.num_constants)
+    n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
     tables, knots, cubics = tables_of(sampled)
 
     def room(items: int) -> np.ndarray:
         return lined_up(max(1, items) * BLOCK)
 
     return LaneProblem(
-        words=np.array([*addresses, *sizes]),
+        words=np.array([addresses[0], n, n, addresses[1], *inputs]),
         clock=lined_up(BLOCK),
         r=room(program.num_specifieds),
         p=room(program.num_constants),

@@ -28,7 +28,6 @@ from pydy.solvers.lanes.layout import (
     REJECTED,
     RESTING,
     SPECIFIEDS,
-    STATES,
     STATUS,
     STEPS,
     VACANT,
@@ -37,41 +36,44 @@ from pydy.solvers.lanes.layout import (
     Queue,
 )
 from pydy.solvers.loop.compiled import entry, inlined
+from pydy.solvers.loop.control import (
+    first_size,
+    first_trial,
+    limited,
+    moves,
+    next_size,
+    shorter_size,
+    usable,
+    whole_steps,
+)
 from pydy.solvers.loop.entrance import opening
 from pydy.solvers.loop.intrinsics import address_of, call_prepare, lowest_bit, nested, put
-from pydy.solvers.loop.runge_kutta import combine_row
+from pydy.solvers.loop.runge_kutta import combine_row, error_of_step, set_interpolant
 from pydy.solvers.loop.vectors import (
     absolute,
     bits,
-    ceiling,
     gather,
     load,
     mask_of,
     maximum,
     minimum,
-    power,
-    root,
     splat,
     store,
     where,
 )
 from pydy.solvers.outcome import FINISHED, NOT_FINITE, SINGULAR, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.run.layout import (
-    ALPHA,
-    BETA,
     DENSE_STAGES,
     DEPTH,
     END_IN_ESTIMATE,
     ESTIMATES,
-    EXPONENT,
     GROW,
-    SAFETY,
-    SHRINK,
     STAGES,
+    STATES,
     Memory,
     Method,
 )
-from pydy.solvers.tuning import BLOCK
+from pydy.solvers.tuning import BLOCK, FIRST_ERROR, SLIVER
 
 __all__ = ["step_lanes"]
 
@@ -153,34 +155,16 @@ def _fill(problem, memory, lanes, queue):
 
 
 @inlined(always=True)
-def _norm(a, b, memory, n):
-    """Return the root mean square of a − b in units of the tolerance at ``memory.x``."""
-    total = splat(0.0)
-    for i in range(n):
-        weight = memory.atol[i] + memory.rtol[i] * absolute(load(memory.x, i))
-        e = (load(a, i) - load(b, i)) / weight
-        total = total + e * e
-    return root(total / float(n))
-
-
-@inlined(always=True)
 def _first_size(method, problem, memory, largest, t):
-    """Guess the first step: Hairer, Nørsett, Wanner, Solving ODEs I, II.4."""
-    n = problem.words[STATES]
-    f0, f1 = memory.stages, memory.stages[memory.x.size :]
-    d0 = _norm(memory.x, memory.zero, memory, n)
-    d1 = _norm(f0, memory.zero, memory, n)
-    h0 = where((d0 < 1e-5) | (d1 < 1e-5), 1e-6, 0.01 * d0 / d1)
-    h0 = minimum(h0, largest)
+    """Guess the first step, with one further evaluation."""
+    n, length = problem.words[STATES], memory.x.size
+    trial, slope = first_trial(memory, n, largest, t)
     for i in range(n):
-        store(memory.trial, i, load(memory.x, i) + h0 * load(f0, i))
-    failed = rates_of_lanes(problem, t + h0, address_of(memory.trial, 0), address_of(f1, 0))
-    d2 = _norm(f1, f0, memory, n) / h0
-    steepest = maximum(d1, d2)
-    h1 = power(0.01 / maximum(steepest, 1e-15), method.control[EXPONENT])
-    h1 = where(steepest > 1e-15, h1, maximum(h0 * 1e-3, 1e-6))
-    size = minimum(minimum(100.0 * h0, h1), largest)
-    return where(mask_of(failed), h0 * 1e-3, size)
+        store(memory.trial, i, load(memory.x, i) + trial * load(memory.stages, i))
+    out = address_of(memory.stages, length)
+    failed = rates_of_lanes(problem, t + trial, address_of(memory.trial, 0), out)
+    size = first_size(method, memory, n, t, largest, trial, slope)
+    return where(mask_of(failed), SLIVER * trial, size)
 
 
 @inlined(always=True)
@@ -199,12 +183,13 @@ def _start(method, problem, memory, lanes, queue, fresh):
         evaluations = 2.0
         size = _first_size(method, problem, memory, queue.numbers[LARGEST], t)
     store(lanes.size, 0, where(new, size, load(lanes.size, 0)))
-    store(lanes.last_error, 0, where(new, 1e-4, load(lanes.last_error, 0)))
+    store(lanes.last_error, 0, where(new, FIRST_ERROR, load(lanes.last_error, 0)))
     store(lanes.growth, 0, where(new, method.control[GROW], load(lanes.growth, 0)))
     store(lanes.steps, 0, where(new, 0.0, load(lanes.steps, 0)))
     store(lanes.rejected, 0, where(new, 0.0, load(lanes.rejected, 0)))
     store(lanes.evaluations, 0, where(new, evaluations, load(lanes.evaluations, 0)))
-    store(lanes.reason, 0, where(new, float(STEP_UNDERFLOW), load(lanes.reason, 0)))
+    reason = where(usable(size), float(STEP_UNDERFLOW), float(NOT_FINITE))
+    store(lanes.reason, 0, where(new, reason, load(lanes.reason, 0)))
     for lane in range(BLOCK):
         if (fresh >> lane) & 1 == 1:
             lanes.next[lane], lanes.due[lane] = 0.0, times[0]
@@ -249,59 +234,26 @@ def _take_step(method, problem, memory, t, size):
 
 
 @inlined(always=True)
-def _error(method, problem, memory):
-    """Return the norm of the step's error: 1 is just good enough."""
-    n, length, estimates = problem.words[STATES], memory.x.size, method.shape[ESTIMATES]
-    row, zero = method.shape[STAGES] + 1, address_of(memory.zero, 0)
-    for k in range(estimates):
-        combine_row(method, problem, memory, row + k, address_of(memory.errors, k * length), zero)
-    first = second = splat(0.0)
-    for i in range(n):
-        largest = maximum(absolute(load(memory.x, i)), absolute(load(memory.new, i)))
-        weight = 1.0 / (memory.atol[i] + memory.rtol[i] * largest)
-        e, d = load(memory.errors, i) * weight, load(memory.errors, n + i) * weight
-        first, second = first + e * e, second + d * d
-    if estimates == 2:
-        error = first / root((first + 0.01 * second) * float(n))
-        return where(first == 0.0, 0.0, error)
-    return root(first / float(n))
-
-
-@inlined(always=True)
 def _prepare_interpolant(method, problem, memory, t, size):
     """Compute ``memory.interpolant``; return the bits of the lanes whose solve failed."""
-    n, length, stages = problem.words[STATES], memory.x.size, method.shape[STAGES]
+    length, stages = memory.x.size, method.shape[STAGES]
     x, trial = address_of(memory.x, 0), address_of(memory.trial, 0)
-    zero = address_of(memory.zero, 0)
-    row = stages + 1 + method.shape[ESTIMATES]
     failed = np.int64(0)
-    for k in range(method.shape[DENSE_STAGES]):
-        combine_row(method, problem, memory, row, trial, x)
-        stage = stages + 1 + k
-        out = address_of(memory.stages, stage * length)
-        failed |= rates_of_lanes(problem, t + method.nodes[stage] * size, trial, out)
-        row += 1
-    for i in range(n):
-        increment = load(memory.new, i) - load(memory.x, i)
-        first = size * load(memory.stages, i) - increment
-        store(memory.interpolant, i, increment)
-        store(memory.interpolant, n + i, first)
-        second = increment - first - size * load(memory.stages, stages * n + i)
-        store(memory.interpolant, 2 * n + i, second)
-    for k in range(3, method.shape[DEPTH]):
-        out = address_of(memory.interpolant, k * length)
-        combine_row(method, problem, memory, row, out, zero)
-        row += 1
+    for k in range(stages + 1, stages + 1 + method.shape[DENSE_STAGES]):
+        combine_row(method, problem, memory, k + method.shape[ESTIMATES], trial, x)
+        out = address_of(memory.stages, k * length)
+        failed |= rates_of_lanes(problem, t + method.nodes[k] * size, trial, out)
+    set_interpolant(method, problem, memory, size)
     return failed
 
 
 @inlined(always=True)
 def _write_outputs(method, problem, memory, lanes, queue, within, end):
     """Write the outputs due within the step of the lanes named by `within`, in turns."""
-    t, shorter = load(lanes.time, 0), 1.0 / load(memory.step, 0)
+    t, size = load(lanes.time, 0), load(memory.step, 0)
     left = within
     while left != 0:
-        store(memory.theta, 0, (load(lanes.due, 0) - t) * shorter)
+        store(memory.theta, 0, (load(lanes.due, 0) - t) / size)
         nested(
             address_of(memory.trial, 0),
             address_of(memory.x, 0),
@@ -325,7 +277,7 @@ def step_lanes(table):
     """Step until the queue is empty, or ``BUDGET`` steps are taken."""
     method, problem, memory = _opened_method(table), _opened_problem(table), _opened_memory(table)
     lanes, queue = _opened_lanes(table), _opened_queue(table)
-    n, control, shape = problem.words[STATES], method.control, method.shape
+    n, shape = problem.words[STATES], method.shape
     length, state = memory.x.size, queue.state
     last, largest = queue.times[queue.times.size - 2], queue.numbers[LARGEST]
     end = address_of(memory.stages, shape[STAGES] * length)
@@ -359,12 +311,10 @@ def step_lanes(table):
             size = minimum(h, largest)
         else:  # whole steps between outputs
             goal = load(lanes.due, 0)
-            size = (goal - t) / ceiling((goal - t) / h * (1.0 - 1e-12))
-        after = t + size
-        near = after > goal - 1e-3 * size
-        size, after = where(near, goal - t, size), where(near, goal, after)
+            size = whole_steps(t, h, goal)
+        size, after = limited(t, size, goal)
         size = where(active, size, 0.0)
-        going = t + 0.0625 * size > t
+        going = moves(t, size, after, goal)
         tired = load(lanes.steps, 0) + load(lanes.rejected, 0) >= limit
         stopped = bits((tired | ~going) & active)
         if stopped != 0:
@@ -377,7 +327,7 @@ def step_lanes(table):
             failed |= rates_of_lanes(problem, after, address_of(memory.new, 0), end)
         error = splat(0.0)
         if adaptive:
-            error = _error(method, problem, memory)
+            error = error_of_step(method, problem, memory, t)
         else:
             for i in range(n):
                 error = error + 0.0 * load(memory.new, i)  # NaN where the state is not finite
@@ -412,23 +362,18 @@ def step_lanes(table):
         bad = active & ~good
         store(lanes.steps, 0, load(lanes.steps, 0) + where(good, 1.0, 0.0))
         if adaptive:
-            bounded = maximum(error, 1e-10)
-            easy = power(bounded, -control[ALPHA])
-            if control[BETA] != 0.0:
-                easy = easy * power(load(lanes.last_error, 0), control[BETA])
-            growth = load(lanes.growth, 0)
-            h = size * minimum(growth, maximum(control[SAFETY] * easy, control[SHRINK]))
-            store(lanes.last_error, 0, where(good, maximum(error, 1e-4), load(lanes.last_error, 0)))
-            store(lanes.growth, 0, where(bad, 1.0, control[GROW]))
+            before = load(lanes.last_error, 0)
+            h = next_size(method, size, error, before, load(lanes.growth, 0))
+            store(lanes.last_error, 0, where(good, maximum(error, FIRST_ERROR), before))
+            store(lanes.growth, 0, where(bad, 1.0, method.control[GROW]))
         if bits(bad) != 0:
-            finite = absolute(error) < np.inf
             singular = mask_of(failed)
-            hard = control[SAFETY] * power(maximum(error, 1e-10), -control[EXPONENT])
-            shorter = where(finite & ~singular, size * maximum(hard, control[SHRINK]), 0.25 * size)
+            measured = (absolute(error) < np.inf) & ~singular
+            shorter = shorter_size(method, size, error, measured)
             if not adaptive:
                 shorter = splat(0.0)  # a step that fails cannot be helped
             h = where(bad, shorter, h)
-            reason = where(finite, float(STEP_UNDERFLOW), float(NOT_FINITE))
+            reason = where(measured, float(STEP_UNDERFLOW), float(NOT_FINITE))
             reason = where(singular, float(SINGULAR), reason)
             store(lanes.reason, 0, where(bad, reason, load(lanes.reason, 0)))
             store(lanes.rejected, 0, load(lanes.rejected, 0) + where(bad, 1.0, 0.0))

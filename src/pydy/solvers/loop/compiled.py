@@ -47,19 +47,18 @@ def entry(signature: str) -> Callable[[Callable[..., Any]], Entry]:
 def inlined(
     function: Callable[..., Any] | None = None,
     *,
-    fused: bool = False,
     always: bool = False,
     pasted: bool = False,
     apart: bool = False,
 ) -> Any:
     """Compile a function that other compiled functions call.
 
+    No function's sums may be taken in another order, or its products fused with its sums, but by
+    name (`intrinsics`): that would depend on the processor.
+
     Parameters
     ----------
     function : callable
-    fused : bool
-        Its products are fused with its sums where the processor can. No function's sums may be
-        taken in another order: that would depend on how wide the processor's vectors are.
     always : bool
         It becomes a part of each caller. A call that hands over the tuples of `layout` passes a
         hundred numbers, which takes longer than many a function; LLVM leaves it at that where a
@@ -70,11 +69,10 @@ def inlined(
     apart : bool
         It stays a function: what is rarely called need not be compiled for each caller.
     """
-    flags = {"contract"} if fused else False
     options = dict(OPTIONS)
     if pasted:
         options["inline"] = "always"
-    compile_function: Any = numba.njit(**options, fastmath=flags, forceinline=always)
+    compile_function: Any = numba.njit(**options, forceinline=always)
 
     def decorate(function: Callable[..., Any]) -> Any:
         if apart:

@@ -14,6 +14,7 @@ from pydy.solvers.loop.intrinsics import address_of, call_kernel
 from pydy.solvers.loop.rates import set_inputs
 from pydy.solvers.loop.runge_kutta import interpolate
 from pydy.solvers.run.layout import EVENT, EVENTS, FOUND, LOG_FULL, LOGGED, STATES, WATCHER
+from pydy.solvers.tuning import ROUNDING
 
 __all__ = ["scan_events"]
 
@@ -51,7 +52,7 @@ def _locate(method, problem, memory, watch, t, h, low, high, event):
     then a point on the right side is looked for between them, and `low` is returned without one.
     """
     side, number = watch.sides[event], watch.words[EVENTS]
-    resolution = 2.0**-52 * max(abs(t), abs(t + h)) / h
+    resolution = ROUNDING * max(abs(t), abs(t + h)) / h
     _evaluate(method, problem, memory, watch, t, h, low, 1)
     if watch.values[number + event] * side <= 0.0:
         start, middle = low, high

@@ -5,11 +5,22 @@ from __future__ import annotations
 import math
 
 from pydy.solvers.loop.compiled import entry, inlined
+from pydy.solvers.loop.control import (
+    first_size,
+    first_trial,
+    limited,
+    moves,
+    next_size,
+    shorter_size,
+    usable,
+    whole_steps,
+)
 from pydy.solvers.loop.entrance import opened
 from pydy.solvers.loop.finishing import finish_step, write_reached
 from pydy.solvers.loop.intrinsics import address_of, call_part
 from pydy.solvers.loop.rates import rates
 from pydy.solvers.loop.runge_kutta import error_of_step, prepare_interpolant, take_step
+from pydy.solvers.loop.vectors import maximum, minimum
 from pydy.solvers.outcome import (
     CONSTRAINTS_NOT_MET,
     FINISHED,
@@ -20,15 +31,12 @@ from pydy.solvers.outcome import (
 )
 from pydy.solvers.run.layout import (
     ACTIVE,
-    ALPHA,
-    BETA,
     BUDGET,
     CALLBACK,
     END_IN_ESTIMATE,
     ESTIMATES,
     EVALUATIONS,
     EVENTS,
-    EXPONENT,
     FAILURE,
     GROW,
     GROWTH,
@@ -40,9 +48,6 @@ from pydy.solvers.run.layout import (
     PAUSED,
     PROJECT,
     REJECTED,
-    SAFETY,
-    SHORTEST,
-    SHRINK,
     SIZE,
     STAGES,
     STARTED,
@@ -50,45 +55,23 @@ from pydy.solvers.run.layout import (
     STEPS,
     TIME,
 )
+from pydy.solvers.tuning import FIRST_ERROR, SLIVER
 
 __all__ = ["advance"]
 
 
-@inlined(apart=True)
-def _norm(a, b, memory, n):
-    """Return the root mean square of a − b in units of the tolerance at ``memory.x``."""
-    total = 0.0
-    for i in range(n):
-        e = (a[i] - b[i]) / (memory.atol[i] + memory.rtol[i] * abs(memory.x[i]))
-        total += e * e
-    return math.sqrt(total / n)
-
-
 @inlined(pasted=True)
 def _first_size(method, problem, memory, run, t):
-    """Guess the first step: Hairer, Nørsett, Wanner, Solving ODEs I, II.4."""
-    n = problem.words[STATES]
-    x, trial, f0 = memory.x, memory.trial, memory.stages
-    length = x.size
-    d0 = _norm(x, memory.zero, memory, n)
-    d1 = _norm(f0, memory.zero, memory, n)
-    h0 = 1e-6 if d0 < 1e-5 or d1 < 1e-5 else 0.01 * d0 / d1
-    h0 = min(h0, run.state[LARGEST])
+    """Guess the first step, with one further evaluation."""
+    n, length, largest = problem.words[STATES], memory.x.size, run.state[LARGEST]
+    trial, slope = first_trial(memory, n, largest, t)
     for i in range(n):
-        trial[i] = x[i] + h0 * f0[i]
+        memory.trial[i] = memory.x[i] + trial * memory.stages[i]
     run.counts[EVALUATIONS] += 1
-    f1 = memory.stages[length:]
-    if rates(problem, t + h0, address_of(trial, 0), address_of(f1, 0)) != 0:
-        return h0 * 1e-3
-    d2 = _norm(f1, f0, memory, n) / h0
-    steepest = max(d1, d2)
-    h1 = max(1e-6, h0 * 1e-3)
-    if steepest > 1e-15:
-        h1 = (0.01 / steepest) ** method.control[EXPONENT]
-    h = min(100.0 * h0, h1)
-    if h < SHORTEST * abs(t):
-        h = SHORTEST * abs(t)
-    return min(h, run.state[LARGEST])
+    out = address_of(memory.stages, length)
+    if rates(problem, t + trial, address_of(memory.trial, 0), out) != 0:
+        return SLIVER * trial
+    return first_size(method, memory, n, t, largest, trial, slope)
 
 
 @entry("int64(int64, int64, int64)")
@@ -111,12 +94,12 @@ def advance(table, states, fresh):
             count[FAILURE] = SINGULAR
             return CALLBACK if code < 0 else STEP_UNDERFLOW
         count[STARTED] = 1
-        state[LAST_ERROR], state[GROWTH] = 1e-4, control[GROW]
+        state[LAST_ERROR], state[GROWTH] = FIRST_ERROR, control[GROW]
         if write_reached(problem, memory.x, run):
             return FINISHED
         if h == 0.0:
             h = _first_size(method, problem, memory, run, t)
-            if not 0.0 < h < math.inf:
+            if not usable(h):
                 count[FAILURE] = NOT_FINITE
     while True:
         if count[BUDGET] == 0:
@@ -127,15 +110,12 @@ def advance(table, states, fresh):
             state[SIZE] = h
             return TOO_MANY_STEPS
         if adaptive:
-            size = min(h, state[LARGEST])
-            goal = last
+            size, goal = minimum(h, state[LARGEST]), last
         else:  # whole steps between outputs
             goal = times[count[NEXT]]
-            size = (goal - t) / math.ceil((goal - t) / h * (1.0 - 1e-12))
-        after = t + size
-        if after > goal - 1e-3 * size:
-            size, after = goal - t, goal
-        if not (t + 0.0625 * size > t or after == goal):
+            size = whole_steps(t, h, goal)
+        size, after = limited(t, size, goal)
+        if not moves(t, size, after, goal):
             state[SIZE] = size
             return STEP_UNDERFLOW
         code = take_step(method, problem, memory, run, t, size)
@@ -147,7 +127,7 @@ def advance(table, states, fresh):
         error = 0.0
         if code == 0:
             if adaptive:
-                error = error_of_step(method, problem, memory)
+                error = error_of_step(method, problem, memory, t)
             else:
                 for i in range(length):
                     error += 0.0 * memory.new[i]  # NaN where the state is not finite
@@ -163,13 +143,10 @@ def advance(table, states, fresh):
                     return CALLBACK
         if code != 0 or not error < 1.0:
             count[REJECTED] += 1
-            if code != 0:
-                count[FAILURE], h = SINGULAR, 0.25 * size
-            elif math.isfinite(error):
-                count[FAILURE] = STEP_UNDERFLOW
-                h = size * max(control[SHRINK], control[SAFETY] * error ** -control[EXPONENT])
-            else:
-                count[FAILURE], h = NOT_FINITE, 0.25 * size
+            measured = code == 0 and math.isfinite(error)
+            failure = STEP_UNDERFLOW if measured else NOT_FINITE
+            count[FAILURE] = SINGULAR if code != 0 else failure
+            h = shorter_size(method, size, error, measured)
             if not adaptive:
                 state[SIZE] = size
                 return STEP_UNDERFLOW
@@ -177,9 +154,9 @@ def advance(table, states, fresh):
             continue
         count[STEPS] += 1
         state[TIME], state[LAST_SIZE] = after, size
-        if times[count[NEXT]] == after and watch.words[EVENTS] == 0 and not held:
+        if watch.words[EVENTS] == 0 and times[count[NEXT]] >= after:
             write_reached(problem, memory.new, run)
-        elif watch.words[EVENTS] > 0 or times[count[NEXT]] <= after:
+        else:
             code = prepare_interpolant(method, problem, memory, run, t, size)
             if code != 0:
                 count[FAILURE] = SINGULAR
@@ -188,12 +165,8 @@ def advance(table, states, fresh):
             if code != 0:
                 return code
         if adaptive:
-            error = max(error, 1e-10)
-            factor = control[SAFETY] * error ** -control[ALPHA]
-            if control[BETA] != 0.0:
-                factor *= state[LAST_ERROR] ** control[BETA]
-            h = size * min(state[GROWTH], max(control[SHRINK], factor))
-            state[LAST_ERROR] = max(error, 1e-4)
+            h = next_size(method, size, error, state[LAST_ERROR], state[GROWTH])
+            state[LAST_ERROR] = maximum(error, FIRST_ERROR)
             state[GROWTH] = control[GROW]
         t = after
         for i in range(length):

@@ -35,11 +35,12 @@ def write_reached(problem, x, run):
 
 
 @inlined(pasted=True)
-def _write_outputs(table, method, problem, memory, run, constraints, t, h, end):
+def _interpolate_outputs(table, method, problem, memory, run, constraints, t, h, end, inside):
+    """Write the outputs within the step, and those at the `end` if that is `inside` too."""
     n, times = problem.words[STATES], run.times
     held = constraints.words[ACTIVE] == 1
     k = run.counts[NEXT]
-    while k < times.size and times[k] <= end:
+    while k < times.size and (times[k] < end or (times[k] == end and inside)):
         interpolate(method, problem, memory, (times[k] - t) / h, address_of(run.flat, k * n))
         if held:
             row = address_of(run.flat, k * n)
@@ -63,7 +64,9 @@ def finish_step(table, method, problem, memory, run, constraints, watch, t, h):
         status = call_part(watch.words[SCAN], table, t, h)
         theta = run.state[FOUND]
     end = run.state[TIME] if theta == 1.0 else t + theta * h
-    code = _write_outputs(table, method, problem, memory, run, constraints, t, h, end)
+    code = _interpolate_outputs(
+        table, method, problem, memory, run, constraints, t, h, end, theta < 1.0
+    )
     if code == 0 and status != 0 and theta < 1.0:
         interpolate(method, problem, memory, theta, address_of(memory.trial, 0))
         copy_vector(memory.trial, memory.new)
@@ -73,6 +76,8 @@ def finish_step(table, method, problem, memory, run, constraints, watch, t, h):
     if code != 0:
         run.state[TIME], run.state[SIZE] = t, h
         return code
+    if theta == 1.0:
+        write_reached(problem, memory.new, run)
     if status != 0:
         copy_vector(memory.new, memory.x)
         run.state[TIME], run.state[SIZE], run.counts[STARTED] = end, 0.0, 0

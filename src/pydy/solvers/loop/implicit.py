@@ -12,11 +12,21 @@ import math
 import numpy as np
 
 from pydy.solvers.loop.compiled import entry, inlined
+from pydy.solvers.loop.control import (
+    bounded_first_size,
+    first_trial,
+    limited,
+    moves,
+    norm,
+    unit,
+    usable,
+)
 from pydy.solvers.loop.entrance import opened, opened_newton
 from pydy.solvers.loop.finishing import finish_step, write_reached
 from pydy.solvers.loop.intrinsics import address_of, call_part
-from pydy.solvers.loop.newton import factorise, norm, set_jacobian, solve, solve_columns
+from pydy.solvers.loop.newton import factorise, set_jacobian, solve, solve_columns
 from pydy.solvers.loop.rates import rates
+from pydy.solvers.loop.vectors import minimum
 from pydy.solvers.outcome import (
     CONSTRAINTS_NOT_MET,
     FINISHED,
@@ -48,7 +58,6 @@ from pydy.solvers.run.layout import (
     PREDICTING,
     PROJECT,
     REJECTED,
-    SHORTEST,
     SIZE,
     STARTED,
     STATES,
@@ -57,12 +66,12 @@ from pydy.solvers.run.layout import (
     WANTED,
 )
 from pydy.solvers.tableaus.radau import COMPLEX, ERROR, INTERPOLANT, NODES, REAL, TI, T
+from pydy.solvers.tuning import AFTER_FAILURE, LEAST_ERROR, ROUNDING, SLOW
 
 __all__ = ["advance_implicit"]
 
 _ITERATIONS = 6
 _FURTHER = 4  # for sensitivities, whose equations follow the state's iterates
-_EPS = 2.0**-52
 _NODES, _ERROR = np.array(NODES), np.array(ERROR)
 _T, _TI, _P = np.array(T), np.array(TI), np.array(INTERPOLANT)
 _REAL, _COMPLEX_REAL, _COMPLEX_IMAG = REAL, COMPLEX.real, COMPLEX.imag
@@ -163,7 +172,7 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance, least):
             solve_columns(newton.pair, newton.pair_order, pair, width)
         total = 0.0
         for i in range(n):
-            scale = memory.atol[i] + memory.rtol[i] * abs(memory.x[i])
+            scale = unit(memory, i, memory.x[i], memory.x[i])
             a, b, c = real[i] / scale, pair[i].real / scale, pair[i].imag / scale
             total += a * a + b * b + c * c
         change = math.sqrt(total / (3 * n))
@@ -198,7 +207,7 @@ def _estimate(problem, memory, run, newton, t, h, first):
         guess[i] = (_ERROR[0] * z[0, i] + _ERROR[1] * z[1, i] + _ERROR[2] * z[2, i]) / h
         error[i] = memory.stages[i] + guess[i]
     solve(newton.real, newton.real_order, error)
-    size = norm(error, memory.x, memory.new, memory.rtol, memory.atol)
+    size = norm(error, memory.new, memory, n, t)
     if size < 1.0 or not first:
         return 0, size
     for i in range(n):
@@ -210,7 +219,7 @@ def _estimate(problem, memory, run, newton, t, h, first):
     for i in range(n):
         error[i] = newton.slopes[0, i] + guess[i]
     solve(newton.real, newton.real_order, error)
-    return 0, norm(error, memory.x, memory.new, memory.rtol, memory.atol)
+    return 0, norm(error, memory.new, memory, n, t)
 
 
 @inlined(pasted=True)
@@ -228,18 +237,6 @@ def _set_interpolant(memory, newton, n):
             newton.last[1 + k, i] = memory.interpolant[k * length + i]
 
 
-@inlined(pasted=True)
-def _first_size(problem, memory, run, t):
-    """A cautious first step: a small part of the time in which the state changes by itself."""
-    n = problem.words[STATES]
-    d0 = norm(memory.x[:n], memory.x, memory.x, memory.rtol, memory.atol)
-    d1 = norm(memory.stages[:n], memory.x, memory.x, memory.rtol, memory.atol)
-    h = 1e-6 if d0 < 1e-5 or d1 < 1e-5 else 0.01 * d0 / d1
-    if h < SHORTEST * abs(t):
-        h = SHORTEST * abs(t)
-    return min(h, run.state[LARGEST])
-
-
 @entry("int64(int64, int64, int64)")
 def advance_implicit(table, states, fresh):
     """Step until the end, or until ``BUDGET`` steps are taken, or something else happens."""
@@ -254,7 +251,7 @@ def advance_implicit(table, states, fresh):
     loosest = memory.rtol[0]
     for i in range(n):
         loosest = min(loosest, memory.rtol[i])
-    tolerance = max(10.0 * _EPS / max(loosest, _EPS), min(0.03, math.sqrt(loosest)))
+    tolerance = max(10.0 * ROUNDING / max(loosest, ROUNDING), min(0.03, math.sqrt(loosest)))
     x, derivative = address_of(memory.x, 0), address_of(memory.stages, 0)
     t, h = state[TIME], state[SIZE]
     words, sizes = newton.words, newton.sizes
@@ -271,8 +268,8 @@ def advance_implicit(table, states, fresh):
         if write_reached(problem, memory.x, run):
             return FINISHED
         if h == 0.0:
-            h = _first_size(problem, memory, run, t)
-            if not 0.0 < h < math.inf:
+            h = bounded_first_size(first_trial(memory, n, state[LARGEST], t)[0], t, state[LARGEST])
+            if not usable(h):
                 count[FAILURE] = NOT_FINITE
     while True:
         if count[BUDGET] == 0:
@@ -282,11 +279,8 @@ def advance_implicit(table, states, fresh):
         if count[STEPS] + count[REJECTED] >= count[LIMIT]:
             state[SIZE] = h
             return TOO_MANY_STEPS
-        size = min(h, state[LARGEST])
-        after = t + size
-        if after > last - 1e-3 * size:
-            size, after = last - t, last
-        if not (t + 0.0625 * size > t or after == last):
+        size, after = limited(t, minimum(h, state[LARGEST]), last)
+        if not moves(t, size, after, last):
             state[SIZE] = size
             return STEP_UNDERFLOW
         if words[WANTED] == 1:
@@ -316,7 +310,7 @@ def advance_implicit(table, states, fresh):
             else:
                 count[FAILURE] = NOT_FINITE
             if words[FRESH] == 1 or code != 0:
-                h = 0.5 * size if code == 0 else 0.25 * size
+                h = 0.5 * size if code == 0 else AFTER_FAILURE * size
                 sizes[PREDICTING] = 0.0
             words[WANTED] = 1 - words[FRESH]
             continue
@@ -326,11 +320,11 @@ def advance_implicit(table, states, fresh):
         if code < 0:
             return CALLBACK
         safety = 0.9 * (2 * _ITERATIONS + 1) / (2 * _ITERATIONS + iterations)
-        factor = max(error, 1e-10) ** -0.25
+        factor = max(error, LEAST_ERROR) ** -0.25
         if code != 0 or not error < 1.0:
             count[REJECTED] += 1
             count[FAILURE] = STEP_UNDERFLOW if code == 0 else SINGULAR
-            h = size * max(0.2, safety * factor) if math.isfinite(error) else 0.25 * size
+            h = size * max(0.2, safety * factor) if math.isfinite(error) else AFTER_FAILURE * size
             words[FIRST], words[WANTED] = 1, 1 - words[FRESH]
             continue
         if held:
@@ -341,10 +335,10 @@ def advance_implicit(table, states, fresh):
         count[STEPS] += 1
         if state[LAST_ERROR] > 0.0:  # the error changes as it did in the last step
             factor *= min(
-                1.0, size / state[LAST_SIZE] * (state[LAST_ERROR] / max(error, 1e-10)) ** 0.25
+                1.0, size / state[LAST_SIZE] * (state[LAST_ERROR] / max(error, LEAST_ERROR)) ** 0.25
             )
         factor = min(10.0, safety * factor)
-        state[TIME], state[LAST_SIZE], state[LAST_ERROR] = after, size, max(error, 1e-10)
+        state[TIME], state[LAST_SIZE], state[LAST_ERROR] = after, size, max(error, LEAST_ERROR)
         _set_interpolant(memory, newton, n)
         sizes[PREDICTING] = size
         if watch.words[EVENTS] > 0 or times[count[NEXT]] <= after:
@@ -360,7 +354,7 @@ def advance_implicit(table, states, fresh):
             count[FAILURE] = SINGULAR
             state[SIZE] = size
             return CALLBACK if code < 0 else STEP_UNDERFLOW
-        slow = iterations > 2 and rate > 1e-3
+        slow = iterations > 2 and rate > SLOW
         words[WANTED], words[FRESH], words[FIRST] = (1 if slow else 0), 0, 0
         # The same step size spares a factorisation.
         h = size if 1.0 < factor < 1.2 and not slow else size * max(0.2, factor)

@@ -20,6 +20,7 @@ __all__ = [
     "call_part",
     "call_prepare",
     "combine",
+    "fused",
     "get",
     "intrinsic",
     "lowest_bit",
@@ -82,12 +83,12 @@ _TOGETHER = 4  # sums that grow side by side hide each other's latency, and shar
 
 def _combine_function(module: ir.Module) -> ir.Function:
     """Return the function behind `combine`, one for all of a module's calls."""
-    kind = ir.FunctionType(ir.VoidType(), [_INT] * 8)
+    kind = ir.FunctionType(ir.VoidType(), [_INT] * 9)
     function = cgutils.get_or_insert_function(module, kind, "pydy_combine")
     if not function.is_declaration:
         return function
     builder = _begin(function)
-    y, x, h, stages, offsets, weights, count, blocks = function.args
+    y, x, h, stages, offsets, weights, count, further, blocks = function.args
     three = ir.FunctionType(_BLOCK, [_BLOCK] * 3)
     fma = cgutils.get_or_insert_function(module, three, f"llvm.fma.v{BLOCK}f64")
     step = _load(builder, _pointer(builder, h, _BLOCK))
@@ -101,20 +102,29 @@ def _combine_function(module: ir.Module) -> ir.Function:
         """Write some blocks from `first` on."""
         start = builder.mul(first, _INT(BLOCK))
         starts = [builder.add(start, _INT(BLOCK * k)) for k in range(number)]
-        for total in totals[:number]:
-            builder.store(zero, total)
-        with cgutils.for_range(builder, count) as inner:
-            splat = _splat(builder, builder.load(builder.gep(weights, [inner.index])))
-            offset = builder.load(builder.gep(offsets, [inner.index]))
+
+        def add(term: Any, factor: Any) -> None:
+            """Add a term, its weight times `factor`, to the totals."""
+            weight = _splat(builder, builder.load(builder.gep(weights, [term])))
+            weight = weight if factor is None else builder.fmul(factor, weight)
+            offset = builder.load(builder.gep(offsets, [term]))
             where = builder.gep(stages, [builder.add(offset, start)])
             where = builder.bitcast(where, _BLOCK.as_pointer())
             for k, total in enumerate(totals[:number]):
                 stage = _load(builder, builder.gep(where, [_INT(k)]))
-                builder.store(builder.call(fma, [splat, stage, builder.load(total)]), total)
+                builder.store(builder.call(fma, [weight, stage, builder.load(total)]), total)
+
+        for total in totals[:number]:
+            builder.store(zero, total)
+        with cgutils.for_range(builder, count) as inner:
+            add(inner.index, None)
         for begin, total in zip(starts, totals, strict=False):
             base = _load(builder, _block_at(builder, x, begin))
-            result = builder.call(fma, [step, builder.load(total), base])
-            builder.store(result, _block_at(builder, y, begin)).align = 8
+            builder.store(builder.call(fma, [step, builder.load(total), base]), total)
+        with cgutils.for_range(builder, further) as inner:
+            add(builder.add(count, inner.index), step)
+        for begin, total in zip(starts, totals, strict=False):
+            builder.store(builder.load(total), _block_at(builder, y, begin)).align = 8
 
     _in_groups(builder, blocks, write)
     builder.ret_void()
@@ -122,10 +132,11 @@ def _combine_function(module: ir.Module) -> ir.Function:
 
 
 @intrinsic
-def combine(typingctx, y, x, h, stages, offsets, weights, count, blocks):
+def combine(typingctx, y, x, h, stages, offsets, weights, count, further, blocks):
     """Compute ``y = x + h * sum(weights[j] * stages[offsets[j]:])`` for `blocks` blocks.
 
-    `y`, `x`, `h` (one block), `stages`, `offsets` (int64) and `weights` are addresses. Products are
+    The sum is that of `count` terms; `further` ones, each times h, are added to y afterwards. `y`,
+    `x`, `h` (one block), `stages`, `offsets` (int64) and `weights` are addresses. Products are
     fused with their sums, in order: the same bits for every block, whatever its neighbours.
     """
 
@@ -133,7 +144,7 @@ def combine(typingctx, y, x, h, stages, offsets, weights, count, blocks):
         builder.call(_combine_function(builder.module), arguments)
         return context.get_dummy_value()
 
-    return types.void(*[types.intp] * 8), codegen
+    return types.void(*[types.intp] * 9), codegen
 
 
 def _nested_function(module: ir.Module) -> ir.Function:
@@ -194,6 +205,16 @@ def nested(typingctx, y, x, parts, length, depth, theta, blocks):
         return context.get_dummy_value()
 
     return types.void(*[types.intp] * 7), codegen
+
+
+@intrinsic
+def fused(typingctx, a, b, c):
+    """Return a b + c, rounded once on every processor."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return builder.fma(*arguments)
+
+    return types.float64(*[types.float64] * 3), codegen
 
 
 @intrinsic

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from numba import types
@@ -12,8 +11,9 @@ from pydy.solvers.loop.compiled import inlined
 from pydy.solvers.loop.intrinsics import address_of, call_kernel
 from pydy.solvers.loop.rates import rates, set_inputs
 from pydy.solvers.run.layout import EVALUATIONS, GRADIENT, JACOBIANS, STATES
+from pydy.solvers.tuning import DIFFERENCE, DIFFERENCE_SCALE
 
-__all__ = ["factorise", "norm", "set_jacobian", "solve", "solve_columns"]
+__all__ = ["factorise", "set_jacobian", "solve", "solve_columns"]
 
 
 @inlined(pasted=True)
@@ -34,7 +34,7 @@ def set_jacobian(problem, memory, run, newton, t):
     for i in range(n):
         memory.trial[i] = memory.x[i]
     for j in range(n):
-        step = 1.5e-8 * max(abs(memory.x[j]), 1e-5)
+        step = DIFFERENCE * max(abs(memory.x[j]), DIFFERENCE_SCALE)
         moved = memory.x[j] + step
         step = moved - memory.x[j]
         memory.trial[j] = moved
@@ -139,13 +139,3 @@ def solve_columns(matrix, order, right, width):
         inverse = _quotient(1.0, matrix[i, i])
         for c in range(width):
             right[a + c] *= inverse
-
-
-@inlined
-def norm(a, x, y, rtol, atol):
-    """Return the root mean square of `a` in units of the tolerance."""
-    total = 0.0
-    for i in range(a.size):
-        e = a[i] / (atol[i] + rtol[i] * max(abs(x[i]), abs(y[i])))
-        total += e * e
-    return math.sqrt(total / a.size)

@@ -43,12 +43,10 @@ from pydy.solvers.run.layout import (
     WHEN,
     WHERE,
 )
-from pydy.solvers.tuning import NEARLY_SINGULAR, ROUNDINGS
+from pydy.solvers.tuning import DEPENDENT, NEARLY_SINGULAR, ROUNDING, ROUNDINGS
 
 __all__ = ["project", "project_columns"]
 
-_EPS = 2.0**-52
-_DEPENDENT = 1e-10  # a row this much shorter after orthogonalisation is redundant
 _ITERATIONS = 10
 
 
@@ -60,7 +58,7 @@ def _factor(matrix):
         pivot = matrix[j, j]
         for k in range(j):
             pivot -= matrix[j, k] * matrix[j, k]
-        if not pivot > 4.0 * n * _EPS * matrix[j, j]:
+        if not pivot > 4.0 * n * ROUNDING * matrix[j, j]:
             for i in range(n):
                 for k in range(n):
                     matrix[i, k] = 1.0 if i == k else 0.0
@@ -121,7 +119,7 @@ def _minimum_norm(rows, projection):
             for k in range(n):
                 rows[i, k] *= scale[i]
     for _ in range(m):
-        pivot, longest = -1, _DEPENDENT * _DEPENDENT
+        pivot, longest = -1, DEPENDENT * DEPENDENT
         for i in range(m):
             if left[i] == 1:
                 norm = 0.0
@@ -175,7 +173,7 @@ def _set_rows(kinematics, gradient, rows):
                 term = gradient[i, j] * kinematics[j, k]
                 rows[i, k] += term
                 size += abs(term)
-            if abs(rows[i, k]) <= 4.0 * q * _EPS * size:
+            if abs(rows[i, k]) <= 4.0 * q * ROUNDING * size:
                 rows[i, k] = 0.0  # nothing but rounding, as in the norm of a quaternion
 
 
@@ -239,7 +237,7 @@ def project(table, t, place):
         worst = 0.0
         for i in range(h):
             if values[i] != 0.0:
-                worst = max(worst, abs(values[i]) / (_EPS * values[at_rounding + i]))
+                worst = max(worst, abs(values[i]) / (ROUNDING * values[at_rounding + i]))
             if values[i] != values[i]:
                 return CONSTRAINTS_NOT_MET
         if worst <= 1.0 or (worst >= 0.5 * before and worst <= ROUNDINGS):

@@ -6,11 +6,11 @@ from pydy.solvers.loop.compiled import inlined
 from pydy.solvers.loop.intrinsics import address_of, call_kernel
 from pydy.solvers.run.layout import KERNEL
 
-__all__ = ["interval_of", "rates", "set_inputs"]
+__all__ = ["rates", "sampled", "set_inputs"]
 
 
 @inlined
-def interval_of(knots, s, guess):
+def _interval_of(knots, s, guess):
     """Return the last of the ascending knots that is not after s; most often it is the guess."""
     number = knots.size
     if knots[guess] <= s and (guess == number - 1 or s < knots[guess + 1]):
@@ -25,19 +25,24 @@ def interval_of(knots, s, guess):
     return low
 
 
+@inlined
+def sampled(problem, k, t, guess):
+    """Return input k at a time, and the interval it is in; `guess` is where it may be."""
+    first, number = problem.tables[k, 1], problem.tables[k, 2]
+    knots = problem.knots[first : first + number]
+    s = max(t, knots[0])
+    low = _interval_of(knots, s, guess)
+    s -= knots[low]
+    a = problem.cubics[first + low]
+    return a[0] + s * (a[1] + s * (a[2] + s * a[3])), low
+
+
 @inlined(apart=True)
 def _sample(problem, t):
     """Set the sampled inputs of a time; their end values are held."""
     tables = problem.tables
     for k in range(tables.shape[0]):
-        first, number = tables[k, 1], tables[k, 2]
-        knots = problem.knots[first : first + number]
-        s = max(t, knots[0])
-        low = interval_of(knots, s, tables[k, 3])
-        tables[k, 3] = low
-        s -= knots[low]
-        a = problem.cubics[first + low]
-        problem.r[tables[k, 0]] = a[0] + s * (a[1] + s * (a[2] + s * a[3]))
+        problem.r[tables[k, 0]], tables[k, 3] = sampled(problem, k, t, tables[k, 3])
 
 
 @inlined

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import math
-
 from pydy.solvers.loop.compiled import inlined
-from pydy.solvers.loop.intrinsics import address_of, combine, get, nested, put
+from pydy.solvers.loop.control import unit
+from pydy.solvers.loop.intrinsics import address_of, combine, fused, get, nested, put
 from pydy.solvers.loop.rates import rates
+from pydy.solvers.loop.vectors import item, number, root, store, where
 from pydy.solvers.run.layout import (
     BLOCKS,
     DENSE_STAGES,
@@ -23,6 +23,7 @@ __all__ = [
     "error_of_step",
     "interpolate",
     "prepare_interpolant",
+    "set_interpolant",
     "take_step",
 ]
 
@@ -37,6 +38,12 @@ def copy_vector(source, target):
 @inlined(always=True)
 def combine_row(method, problem, memory, row, y, x):
     """Compute y = x + h · (one row of the tableau · stages); y and x are addresses."""
+    _combine(method, problem, memory, row, y, x, 1)
+
+
+@inlined(always=True)
+def _combine(method, problem, memory, row, y, x, latest):
+    """Compute the terms of a row of the tableau, with its last one or without it (1 or 0)."""
     first = method.rows[row]
     combine(
         y,
@@ -45,35 +52,26 @@ def combine_row(method, problem, memory, row, y, x):
         address_of(memory.stages, 0),
         address_of(method.offsets, first),
         address_of(method.weights, first),
-        method.rows[row + 1] - first,
+        method.rows[row + 1] - first - 1,
+        latest,
         problem.words[BLOCKS],
     )
 
 
-@inlined(fused=True)
+@inlined
 def _combine_latest(method, problem, memory, row, y, h):
     """Compute y = x + h · (one row of the tableau · stages); y is an address.
 
     The latest stage comes last and number by number: a kernel has just written it so, and what is
     written in parts can be read as a whole only much later. It counts where vectors are short.
     """
-    first, last = method.rows[row], method.rows[row + 1] - 1
-    count = last - first
     short = problem.words[BLOCKS] == 1
-    combine(
-        y,
-        address_of(memory.x, 0),
-        address_of(memory.step, 0),
-        address_of(memory.stages, 0),
-        address_of(method.offsets, first),
-        address_of(method.weights, first),
-        count if short else count + 1,
-        problem.words[BLOCKS],
-    )
+    _combine(method, problem, memory, row, y, address_of(memory.x, 0), 0 if short else 1)
     if short:
+        last = method.rows[row + 1] - 1
         weight, source = h * method.weights[last], method.offsets[last]
         for i in range(problem.words[STATES]):
-            put(y + 8 * i, get(y + 8 * i) + weight * memory.stages[source + i])
+            put(y + 8 * i, fused(weight, memory.stages[source + i], get(y + 8 * i)))
 
 
 @inlined(pasted=True)
@@ -94,64 +92,57 @@ def take_step(method, problem, memory, run, t, h):
     return 0
 
 
-@inlined
-def _square_sums(memory, n):
-    """Sum the squares of both estimates in units of the tolerance."""
-    x, new, errors, rtol, atol = memory.x, memory.new, memory.errors, memory.rtol, memory.atol
-    first = second = 0.0
-    length = x.size
-    for i in range(n):
-        weight = 1.0 / (atol[i] + rtol[i] * max(abs(x[i]), abs(new[i])))
-        e = errors[i] * weight
-        d = errors[length + i] * weight
-        first += e * e
-        second += d * d
-    return first, second
-
-
-@inlined(pasted=True)
-def error_of_step(method, problem, memory):
-    """Return the norm of the step's error: 1 is just good enough."""
+@inlined(always=True)
+def error_of_step(method, problem, memory, like):
+    """Return the norm of the step's error: 1 is just good enough. `like` is a float or a block."""
     length, n = memory.x.size, problem.words[STATES]
-    row = method.shape[STAGES] + 1
+    estimates, row = method.shape[ESTIMATES], method.shape[STAGES] + 1
     zero = address_of(memory.zero, 0)
-    for k in range(method.shape[ESTIMATES]):
+    for k in range(estimates):
         combine_row(method, problem, memory, row + k, address_of(memory.errors, k * length), zero)
-    first, second = _square_sums(memory, n)
-    if method.shape[ESTIMATES] == 2:
-        if first == 0.0:
-            return 0.0
-        return first / math.sqrt((first + 0.01 * second) * n)
-    return math.sqrt(first / n)
+    further = memory.errors[length:]
+    first, second = number(0.0, like), number(0.0, like)
+    for i in range(n):
+        weight = 1.0 / unit(memory, i, item(memory.x, i, like), item(memory.new, i, like))
+        e, d = item(memory.errors, i, like) * weight, item(further, i, like) * weight
+        first, second = first + e * e, second + d * d
+    if estimates == 2:
+        return where(first == 0.0, 0.0, first / root((first + 0.01 * second) * float(n)))
+    return root(first / float(n))
 
 
 @inlined(pasted=True)
 def prepare_interpolant(method, problem, memory, run, t, h):
     """Compute ``memory.interpolant`` for the step just taken, the end's derivative included."""
-    length = memory.x.size
+    length, stages = memory.x.size, method.shape[STAGES]
     x, trial = address_of(memory.x, 0), address_of(memory.trial, 0)
-    stages = method.shape[STAGES]
-    row = stages + 1 + method.shape[ESTIMATES]
-    for k in range(method.shape[DENSE_STAGES]):
-        combine_row(method, problem, memory, row, trial, x)
-        stage = stages + 1 + k
-        out = address_of(memory.stages, stage * length)
+    for k in range(stages + 1, stages + 1 + method.shape[DENSE_STAGES]):
+        combine_row(method, problem, memory, k + method.shape[ESTIMATES], trial, x)
+        out = address_of(memory.stages, k * length)
         run.counts[EVALUATIONS] += 1
-        code = rates(problem, t + method.nodes[stage] * h, trial, out)
+        code = rates(problem, t + method.nodes[k] * h, trial, out)
         if code != 0:
             return code
-        row += 1
-    interpolant, end = memory.interpolant, stages * length
-    for i in range(length):
-        increment = memory.new[i] - memory.x[i]
-        first = h * memory.stages[i] - increment
-        interpolant[i], interpolant[length + i] = increment, first
-        interpolant[2 * length + i] = increment - first - h * memory.stages[end + i]
-    zero = address_of(memory.zero, 0)
-    for k in range(3, method.shape[DEPTH]):
-        combine_row(method, problem, memory, row, address_of(interpolant, k * length), zero)
-        row += 1
+    set_interpolant(method, problem, memory, h)
     return 0
+
+
+@inlined(always=True)
+def set_interpolant(method, problem, memory, h):
+    """Compute ``memory.interpolant`` from all stages; h is a float or a block."""
+    length, n, stages = memory.x.size, problem.words[STATES], method.shape[STAGES]
+    zero, end = address_of(memory.zero, 0), memory.stages[stages * length :]
+    ones, twos = memory.interpolant[length:], memory.interpolant[2 * length :]
+    for i in range(n):
+        increment = item(memory.new, i, h) - item(memory.x, i, h)
+        first = h * item(memory.stages, i, h) - increment
+        store(memory.interpolant, i, increment)
+        store(ones, i, first)
+        store(twos, i, increment - first - h * item(end, i, h))
+    row = stages + 1 + method.shape[ESTIMATES] + method.shape[DENSE_STAGES]
+    for k in range(3, method.shape[DEPTH]):
+        out = address_of(memory.interpolant, k * length)
+        combine_row(method, problem, memory, row + k - 3, out, zero)
 
 
 @inlined(always=True)

@@ -3,10 +3,12 @@
 numba's own Python knows scalars and arrays. Here it learns a block, a vector register or two of the
 processor, so that code for eight trajectories reads like code for one::
 
-    error = load(errors, i) / (atol + rtol * maximum(absolute(old), absolute(new)))
+    error = item(errors, i, like) / (atol + rtol * maximum(absolute(old), absolute(new)))
     size = where(error < 1.0, longer, shorter)
 
-Every operation works place by place: no place's result depends on its neighbours.
+The functions take floats as well, and give the same bits: what is written with them serves one
+trajectory and eight. Every operation works place by place: no place's result depends on its
+neighbours.
 """
 
 from __future__ import annotations
@@ -30,10 +32,12 @@ __all__ = [
     "bits",
     "ceiling",
     "gather",
+    "item",
     "load",
     "mask_of",
     "maximum",
     "minimum",
+    "number",
     "power",
     "root",
     "splat",
@@ -84,13 +88,34 @@ def _spread(builder: Any, value: Any, kind: Any = _DOUBLES) -> Any:
     return builder.shuffle_vector(one, one, ir.Constant(_INTS, [0] * BLOCK))
 
 
-def _all(value: float) -> Any:
-    return ir.Constant(_DOUBLES, [value] * BLOCK)
+def _same(builder: Any, *values: Any) -> Any:
+    """Return floats as they are, or vectors of all if one is a vector."""
+    if all(value.type == _DOUBLE for value in values):
+        return values
+    return [_spread(builder, value) for value in values]
+
+
+def _kind(*kinds: Any) -> Any:
+    """Return the type of what is computed of some: blocks, if one is a block."""
+    return block if block in kinds else types.float64
+
+
+def _alike(*kinds: Any) -> list[Any]:
+    """Return the types of operands, a number's as a float's."""
+    return [kind if kind == block else types.float64 for kind in kinds]
+
+
+def _all(value: float | int, kind: Any = _DOUBLES) -> Any:
+    """Return a constant, a vector of it if `kind` is one."""
+    return ir.Constant(kind, [value] * BLOCK if isinstance(kind, ir.VectorType) else value)
 
 
 def _call(builder: Any, name: str, *arguments: Any) -> Any:
-    kind = ir.FunctionType(_DOUBLES, [_DOUBLES] * len(arguments))
-    function = cgutils.get_or_insert_function(builder.module, kind, f"llvm.{name}.v{BLOCK}f64")
+    kind = arguments[0].type
+    suffix = f"v{BLOCK}f64" if kind == _DOUBLES else "f64"
+    function = cgutils.get_or_insert_function(
+        builder.module, ir.FunctionType(kind, [kind] * len(arguments)), f"llvm.{name}.{suffix}"
+    )
     return builder.call(function, arguments)
 
 
@@ -141,6 +166,13 @@ def _block_at(context: Any, builder: Any, kind: Any, array: Any, k: Any) -> Any:
     return builder.bitcast(builder.gep(data, [place]), _DOUBLES.as_pointer())
 
 
+def _item_at(context: Any, builder: Any, kind: Any, array: Any, k: Any, one: Any) -> Any:
+    """Return where item k of a contiguous array is: a block if `one` is one, else a float."""
+    if one == block:
+        return _block_at(context, builder, kind, array, k)
+    return builder.gep(make_array(kind)(context, builder, array).data, [k])
+
+
 @intrinsic
 def load(typingctx, array, k):
     """Return block k of a contiguous array."""
@@ -154,16 +186,30 @@ def load(typingctx, array, k):
 
 
 @intrinsic
+def item(typingctx, array, k, like):
+    """Return block k of a contiguous array if `like` is a block, float k if it is a float."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        array, k, _ = arguments
+        where = _item_at(context, builder, signature.args[0], array, k, signature.args[2])
+        value = builder.load(where)
+        value.align = 8
+        return value
+
+    return _kind(like)(array, types.intp, *_alike(like)), codegen
+
+
+@intrinsic
 def store(typingctx, array, k, value):
-    """Write block k of a contiguous array."""
+    """Write item k, a block or a float as `value` is, of a contiguous array."""
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
         array, k, value = arguments
-        where = _block_at(context, builder, signature.args[0], array, k)
+        where = _item_at(context, builder, signature.args[0], array, k, signature.args[2])
         builder.store(value, where).align = 8
         return context.get_dummy_value()
 
-    return types.void(array, types.intp, block), codegen
+    return types.void(array, types.intp, *_alike(value)), codegen
 
 
 @intrinsic
@@ -192,6 +238,16 @@ def splat(typingctx, value):
     return block(types.float64), codegen
 
 
+@intrinsic
+def number(typingctx, value, like):
+    """Return one number, a block of it if `like` is a block."""
+
+    def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        return _same(builder, *arguments)[0]
+
+    return _kind(like)(types.float64, *_alike(like)), codegen
+
+
 def _choose(builder: Any, comparison: str, x: Any, y: Any) -> Any:
     return builder.select(builder.fcmp_ordered(comparison, x, y), x, y)
 
@@ -201,9 +257,9 @@ def maximum(typingctx, x, y):
     """Return the larger of two, y where either is NaN."""
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return _choose(builder, ">", *(_spread(builder, a) for a in arguments))
+        return _choose(builder, ">", *_same(builder, *arguments))
 
-    return block(x, y), codegen
+    return _kind(x, y)(*_alike(x, y)), codegen
 
 
 @intrinsic
@@ -211,19 +267,22 @@ def minimum(typingctx, x, y):
     """Return the smaller of two, y where either is NaN."""
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return _choose(builder, "<", *(_spread(builder, a) for a in arguments))
+        return _choose(builder, "<", *_same(builder, *arguments))
 
-    return block(x, y), codegen
+    return _kind(x, y)(*_alike(x, y)), codegen
 
 
 @intrinsic
 def where(typingctx, condition, x, y):
-    """Return x where a mask is true, else y."""
+    """Return x where a condition is true, else y."""
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        return builder.select(arguments[0], *(_spread(builder, a) for a in arguments[1:]))
+        vectors = signature.return_type == block
+        choices = [_spread(builder, a) for a in arguments[1:]] if vectors else arguments[1:]
+        return builder.select(arguments[0], *choices)
 
-    return block(mask, x, y), codegen
+    result = block if condition == mask else _kind(x, y)
+    return result(condition, *_alike(x, y)), codegen
 
 
 def _of_one(name: str, doc: str) -> Any:
@@ -231,7 +290,7 @@ def _of_one(name: str, doc: str) -> Any:
         def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
             return _call(builder, name, arguments[0])
 
-        return block(block), codegen
+        return _kind(x)(*_alike(x)), codegen
 
     function.__doc__ = doc
     return intrinsic(function)
@@ -276,25 +335,28 @@ def power(typingctx, x, exponent):
     """
 
     def codegen(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+        x, exponent = _same(builder, *arguments)
+        vectors = x.type == _DOUBLES
+        doubles, longs, ints = (_DOUBLES, _LONGS, _INTS) if vectors else (_DOUBLE, _LONG, _INT)
+
         def polynomial(coefficients: tuple[float, ...], variable: Any) -> Any:
-            total = _all(coefficients[0])
+            total = _all(coefficients[0], doubles)
             for coefficient in coefficients[1:]:
-                total = _call(builder, "fma", total, variable, _all(coefficient))
+                total = _call(builder, "fma", total, variable, _all(coefficient, doubles))
             return total
 
-        places = ir.Constant(_LONGS, [52] * BLOCK)
-        as_bits = builder.bitcast(arguments[0], _LONGS)
-        above = builder.sub(as_bits, ir.Constant(_LONGS, [_LOWEST] * BLOCK))
-        k = builder.ashr(above, places)
-        m = builder.bitcast(builder.sub(as_bits, builder.shl(k, places)), _DOUBLES)
-        z = builder.fdiv(builder.fsub(m, _all(1.0)), builder.fadd(m, _all(1.0)))
+        places, one = _all(52, longs), _all(1.0, doubles)
+        as_bits = builder.bitcast(x, longs)
+        k = builder.ashr(builder.sub(as_bits, _all(_LOWEST, longs)), places)
+        m = builder.bitcast(builder.sub(as_bits, builder.shl(k, places)), doubles)
+        z = builder.fdiv(builder.fsub(m, one), builder.fadd(m, one))
         series = builder.fmul(polynomial(_LOGARITHM, builder.fmul(z, z)), z)
-        logarithm = builder.fadd(builder.sitofp(builder.trunc(k, _INTS), _DOUBLES), series)
-        y = builder.fmul(logarithm, _spread(builder, arguments[1]))
-        y = _choose(builder, "<", _choose(builder, ">", y, _all(-1000.0)), _all(1000.0))
+        logarithm = builder.fadd(builder.sitofp(builder.trunc(k, ints), doubles), series)
+        y = _choose(builder, ">", builder.fmul(logarithm, exponent), _all(-1000.0, doubles))
+        y = _choose(builder, "<", y, _all(1000.0, doubles))
         whole = _call(builder, "rint", y)
         fraction = polynomial(_EXPONENTIAL, builder.fsub(y, whole))
-        scale = builder.shl(builder.sext(builder.fptosi(whole, _INTS), _LONGS), places)
-        return builder.bitcast(builder.add(builder.bitcast(fraction, _LONGS), scale), _DOUBLES)
+        scale = builder.shl(builder.sext(builder.fptosi(whole, ints), longs), places)
+        return builder.bitcast(builder.add(builder.bitcast(fraction, longs), scale), doubles)
 
-    return block(block, types.float64), codegen
+    return _kind(x)(*_alike(x), types.float64), codegen

@@ -8,12 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from pydy._kernel import Kernel
-from pydy.solvers.tuning import ROUNDINGS
+from pydy.solvers.tuning import DEPENDENT, ROUNDING, ROUNDINGS
 
 __all__ = ["CompiledConstraints", "satisfied"]
-
-_DEPENDENT = 1e-9
-_EPS = 2.0**-52
 
 
 def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
@@ -25,7 +22,7 @@ def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
     bounds : ndarray, shape (h,)
         On their rounding errors, in units of 2⁻⁵²; see `pydy._graph.rounding`.
     """
-    return bool((np.abs(residuals) <= ROUNDINGS * _EPS * bounds).all())
+    return bool((np.abs(residuals) <= ROUNDINGS * ROUNDING * bounds).all())
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +138,7 @@ def _dependent(rows: np.ndarray) -> list[bool]:
         for _ in range(2):  # once more for what rounding left
             rest = rest - basis.T @ (basis @ rest)
         size = np.linalg.norm(rest)
-        found.append(bool(size < _DEPENDENT))
+        found.append(bool(size < DEPENDENT))
         if not found[-1]:
             basis = np.vstack([basis, rest / size])
     return found

@@ -48,14 +48,12 @@ from pydy.solvers.run.problem import address
 from pydy.solvers.run.shipped import stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
-from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR
+from pydy.solvers.tuning import BLOCK, CROWD, CROWDED, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
 
 __all__ = ["Integration"]
 
 _TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
 
-_CROWD, _CROWDED = 100, 1e-9  # so many events within so much of the whole time are accumulating
-_EPS = np.finfo(float).eps
 _PROJECT = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_double, ctypes.c_int64)
 
 
@@ -205,15 +203,15 @@ class Integration:
         """Return whether some tolerance may be too small for double precision."""
         if self.name != IMPLICIT and tableau_of(self.name).error_order is None:
             return False
-        return bool(self.memory.rtol[: self.n].min(initial=1.0) < 10.0 * _EPS)
+        return bool(self.memory.rtol[: self.n].min(initial=1.0) < 10.0 * ROUNDING)
 
     def _check_tolerances(self) -> None:
         n = self.n
         rtol, atol, x = self.memory.rtol[:n], self.memory.atol[:n], self.memory.x[:n]
-        k = int(np.argmin(rtol))
-        if rtol[k] < 10.0 * _EPS and atol[k] < 10.0 * _EPS * max(abs(x[k]), 1.0):
+        k, least = int(np.argmin(rtol)), 10.0 * ROUNDING
+        if rtol[k] < least and atol[k] < least * max(abs(x[k]), 1.0):
             self._stop(
-                TOLERANCE_TOO_SMALL, rtol=rtol[k], atol=atol[k], epsilon=_EPS, least=10.0 * _EPS
+                TOLERANCE_TOO_SMALL, rtol=rtol[k], atol=atol[k], epsilon=ROUNDING, least=least
             )
 
     def _start(self) -> None:
@@ -264,7 +262,7 @@ class Integration:
         self._raise_callback()
         size = 1.0 + np.abs(before[: self.states])
         moved = np.abs(x[: self.states] - before[: self.states])
-        if code != 0 or (moved > 1e-3 * size).any():
+        if code != 0 or (moved > STARTING_MOVE * size).any():
             k = int(np.argmax(moved / size))
             after = float(x[k])
             self.memory.x[:] = before
@@ -314,7 +312,7 @@ class Integration:
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         values, rates = call.evaluate(wanted.values, x, t), call.evaluate(wanted.rates, x, t)
         told = {r.index for r in self.records if r.time == t}
-        sides, near = self.watch.sides, 2.0 * _EPS * abs(t)
+        sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
         for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
             side = int(sides[k])
             reaches = value == 0.0 or (rate * side < 0.0 <= value * side <= near * abs(rate))
@@ -357,10 +355,10 @@ class Integration:
 
     def _accumulates(self, event: int, t: float) -> bool:
         number = len(self.watch.fired)
-        same = [r.time for r in self.records[-_CROWD * number :] if r.index == event][-_CROWD:]
-        if len(same) >= 2 and t - same[-2] <= 16.0 * _EPS * max(abs(t), self.span):
+        same = [r.time for r in self.records[-CROWD * number :] if r.index == event][-CROWD:]
+        if len(same) >= 2 and t - same[-2] <= 16.0 * ROUNDING * max(abs(t), self.span):
             return True
-        return len(same) == _CROWD and t - same[0] < _CROWDED * self.span
+        return len(same) == CROWD and t - same[0] < CROWDED * self.span
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts

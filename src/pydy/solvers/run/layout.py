@@ -71,9 +71,6 @@ FACTORED, PREDICTING = range(2)
 PAUSED, EVENT, LOG_FULL, CALLBACK = -1, -2, -3, -4
 # Progress.counts[FAILURE] is the code of what the last rejected step met.
 
-# The first step, in units of the time: far enough above rounding to be shortened if need be.
-SHORTEST = 2.0**-44
-
 
 class Method(NamedTuple):
     """A tableau as arrays.

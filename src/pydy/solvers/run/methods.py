@@ -8,13 +8,12 @@ import numpy as np
 
 from pydy.solvers.run.layout import DEPTH, Method
 from pydy.solvers.tableaus import tableau_of
+from pydy.solvers.tuning import GROW, SAFETY, SHRINK
 
 __all__ = ["IMPLICIT", "method_arrays"]
 
 IMPLICIT = "radau"
 _DEPTH = 3  # its collocation polynomial is a cubic
-
-_SAFETY, _SHRINK, _GROW = 0.9, 0.2, 6.0
 
 
 @cache
@@ -35,6 +34,7 @@ def method_arrays(name: str, length: int) -> Method:
         *tableau.dense_stages,
         *tableau.interpolant,
     ):
+        row = row or {0: 0.0}  # compiled code takes the last term of each by itself
         offsets += [stage * length for stage in row]
         weights += list(row.values())
         rows.append(len(offsets))
@@ -48,7 +48,7 @@ def method_arrays(name: str, length: int) -> Method:
     exponent = 1.0 / ((tableau.error_order or 0) + 1)
     # K. Gustafsson's PI controller with the weights of DOPRI5 (Hairer, Nørsett, Wanner, IV.2).
     alpha = exponent - 0.75 * tableau.damping
-    control = (exponent, alpha, tableau.damping, _SAFETY, _SHRINK, _GROW)
+    control = (exponent, alpha, tableau.damping, SAFETY, SHRINK, GROW)
     return _frozen(
         Method(
             shape=np.array(counts, dtype=np.int64),

@@ -39,7 +39,7 @@ from pydy.solvers.run.problem import (
 )
 from pydy.solvers.run.table import rows_of, table_of
 from pydy.solvers.sensitivities import CompiledSensitivities
-from pydy.solvers.tuning import BLOCK
+from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE
 
 __all__ = ["Workspace"]
 
@@ -192,7 +192,7 @@ class Workspace:
         start = address(flat)
         self._memory_rows = [n for place, size in places for n in (start + 8 * place, size, 1)]
         memory.rtol[:n], memory.atol[:n] = self._tolerances()
-        np.maximum(memory.atol, 1e-300, out=memory.atol)  # 0 / 0 would be no error
+        np.maximum(memory.atol, LEAST_TOLERANCE, out=memory.atol)
         return method, memory
 
     def _tolerances(self) -> tuple[np.ndarray, np.ndarray]:
