@@ -95,9 +95,7 @@ def spatial_four_bar(rate=3.0, lengths=(1.0, 1.5), twist=0.5, angle=0.9):
     gap = point.pos_from(origin) - target.pos_from(origin)
     rows = [gap.dot(e) for e in inertial] + [frame.z.dot(back.x), frame.z.dot(back.y)]
     half = np.sin(sum(twists) / 2) / np.sin((twists[1] - twists[0]) / 2) / np.tan(angle / 2)
-    start = dict(
-        zip([*q, *u], [angle, 2 * np.arctan(half), -angle, rate, 0.0, -rate], strict=True)
-    )
+    start = dict(zip([*q, *u], [angle, 2 * np.arctan(half), -angle, rate, 0.0, -rate], strict=True))
     return _defined(inertial, q, u, bodies, rows), start
 
 
