@@ -156,10 +156,15 @@ def test_an_interrupt_ends_the_work_within_a_moment_and_keeps_finished_blocks(tm
     system.integrate_ensemble(
         initial_conditions={s: v[:2] for s, v in values["initial_conditions"].items()}
     )  # whatever has to be compiled
+    # Where the tests run in the background, a shell has SIGINT ignored.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
     waiting.start()
-    with pytest.raises(KeyboardInterrupt):
-        system.integrate_ensemble(**values, **options, rtol=1e-11, atol=1e-11)
-    waiting.join()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            system.integrate_ensemble(**values, **options, rtol=1e-11, atol=1e-11)
+    finally:
+        waiting.join()
+        signal.signal(signal.SIGINT, before)
     status = xr.open_zarr(store, consolidated=False).status.values
     blocks = status.reshape(-1, 100)
     assert ((blocks == 0).all(axis=1) | (blocks == -1).all(axis=1)).all()
