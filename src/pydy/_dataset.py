@@ -18,6 +18,7 @@ __all__ = [
     "ENERGIES",
     "KINDS",
     "OUTPUTS",
+    "SENSITIVITY",
     "STATES",
     "Parts",
     "from_dataset",

@@ -1537,6 +1537,8 @@ class System:
         times: ArrayLike | None = None,
         ode_solver: Any = "dop853",
         product: bool = False,
+        sensitivities: Any = None,
+        control_sensitivities: Any = False,
         reduce: Any = None,
         chunks: Any = None,
         store: Any = None,
@@ -1564,6 +1566,11 @@ class System:
         product : bool, optional
             Whether each one-dimensional array gets a dimension of its own, named after its symbol
             (``initial_q1`` for an initial condition of ``q1``): the samples are all combinations.
+        sensitivities : iterable of symbols or names, optional
+            Parameters by which every trajectory is differentiated, as in `simulate`: the variable
+            ``sensitivity`` along ``quantity``, states and outputs, and ``parameter``.
+        control_sensitivities : bool, optional
+            As in `simulate`.
         reduce : optional
             What to keep instead of all times: ``'final'``; ``('max', name)`` or ``('min', name)``
             of a state or output; ``'events'`` or ``('events', number)`` for the first times of each
@@ -1608,7 +1615,7 @@ class System:
         Notes
         -----
         Trajectories are integrated one by one, by the same solvers, where specifieds are Python
-        functions, with `events` or ``constraints='project'``, and with 'radau'.
+        functions, with `sensitivities`, `events` or ``constraints='project'``, and with 'radau'.
 
         Examples
         --------
@@ -1641,6 +1648,7 @@ class System:
             workers=workers,
             progress=progress,
             units=units,
+            sensitivities=(sensitivities, control_sensitivities, self._dependent),
         )
         if store is not None:
             return ensemble.into(store, resume)

@@ -24,9 +24,10 @@ from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel, KernelCall
 from pydy._system.balance import GROUPS
 from pydy._system.causes import explain
+from pydy._system.parameters import Parameter, read_parameters
 from pydy._system.projections import Projections
 from pydy._system.samples import by_samples, marker, mean_spacing
-from pydy._system.sensitivities import Parameter, Sensitive, read_parameters
+from pydy._system.sensitivities import Sensitive
 from pydy._system.simulation import begin
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.adjoint import AdjointGradient

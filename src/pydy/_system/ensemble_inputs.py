@@ -11,6 +11,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, number, real_array, text, whole
 from pydy._names import latex_of, name_of, unique_names
+from pydy._system.ensemble_sensitivities import differentiated
 from pydy._system.inputs import check_times
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import prepare
@@ -19,6 +20,7 @@ from pydy._system.tuning import BLOCK_BYTES, LARGEST_BLOCK, SMALLEST_BLOCK
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.ensemble.engine import Ensemble
+from pydy.ensemble.labels import PARAMETER, QUANTITY, SENSITIVITY
 from pydy.ensemble.model import Model
 from pydy.ensemble.samples import Coordinate, Samples, block_sizes
 from pydy.ensemble.work import Work, read_reductions
@@ -47,6 +49,16 @@ class _Axes:
         self.dims: dict[str, int] = {}
         self.coordinates: dict[str, Coordinate] = {}
         self._from: dict[str, str] = {}
+
+    def reserve(self, names: Iterable[str]) -> None:
+        """Take further names; no state or output may have them."""
+        for name in names:
+            if name in self.taken:
+                raise ValueError(
+                    f"`sensitivities` give the result a variable or dimension `{name}`, which is "
+                    "the name of a state or output too. Rename that."
+                )
+            self.taken.add(name)
 
     def add(self, what: str, value: Any, name: str, attrs: dict[str, Any]) -> tuple[Any, Any]:
         """Take one value; return it as (dims, float array).
@@ -175,6 +187,7 @@ def make_ensemble(
     workers: int | None,
     progress: bool,
     units: Mapping[Any, str] | None,
+    sensitivities: tuple[Any, Any, Any] = (None, False, None),
 ) -> Ensemble:
     """Check everything and put it together.
 
@@ -189,6 +202,8 @@ def make_ensemble(
         Of the solver, events and constraints included.
     product, chunks, reduce, workers, progress, units
         As in `System.integrate_ensemble`.
+    sensitivities : (parameters, control, dependent)
+        As for `simulation.simulate`.
     """
     definition = now.definition
     varied, common = split_specifieds(given[2])
@@ -208,6 +223,8 @@ def make_ensemble(
     variables = (*definition.states, *definition.outputs_symbols)
     names = dict(zip(variables, unique_names(variables), strict=True))
     axes = _Axes(product, names.values())
+    if sensitivities[0] is not None:
+        axes.reserve((SENSITIVITY, QUANTITY, PARAMETER))
     labels = {s: f"initial_{names[s]}" for s in definition.states}
     others = (*definition.constants, *definition.specifieds)
     for s, name in zip(others, unique_names(others), strict=True):
@@ -231,6 +248,9 @@ def make_ensemble(
         columns = (aligned[0], aligned[1], aligned[2])
         check_samples(definition, driven(now.model, definition, plan), start, plan, columns, shape)
     integrated, rest = prepare(solver, definition, now.model, plan, dict(options))
+    wanted = differentiated(now, integrated, plan, solver, rest, sensitivities)
+    if wanted is not None:
+        rest = wanted.options
     own = {k: v for k, v in rest.items() if k not in ("events", "constraints")}
     read = read_options(solver.name, solver.adaptive, own)
     read = Options(
@@ -249,12 +269,14 @@ def make_ensemble(
         sampled=plan.sampled,
         functions=tuple((columns, function) for columns, function, _ in plan.functions),
         jacobian=assembly.jacobian_program("rates", "x") if solver.name == "radau" else None,
+        sensitivities=None if wanted is None else wanted.model,
     )
     reductions = read_reductions(reduce, model, lambda key: names.get(key, name_of(key)))
     described = _attributes(definition, names, units)
     work = Work(model, reductions, described)
     # Work with few samples goes to all threads; large results come in pieces.
     row = 8.0 * len(names) * (len(times) if not reductions else 8)
+    row *= 1 if wanted is None else 1 + len(wanted.model.names)
     # One by one takes long: an interrupt should find blocks that are finished.
     most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK
     default = int(min(max(BLOCK_BYTES / row, SMALLEST_BLOCK), most))

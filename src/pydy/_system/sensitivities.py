@@ -13,118 +13,27 @@ from functools import cache
 from typing import Any
 
 import numpy as np
-import sympy as sm
 
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.stored import stored_program
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.llvm.columns import compile_columns, lanes_for
-from pydy._checks import Places, describe, one_or_more
+from pydy._checks import describe
 from pydy._graph.columns import Columns
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy._system.parameters import Parameter, read_parameters
 from pydy._system.samples import by_samples, mean_spacing
-from pydy._system.tuning import UNSOLVED_COLUMNS
-from pydy.analysis.tuning import FREE
+from pydy.analysis.dependence import follow
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event
-from pydy.solvers.sensitivities import CompiledSensitivities
+from pydy.solvers.sensitivities import CompiledSensitivities, scales_of
 from pydy.solvers.solver import Solver
 
-__all__ = ["Parameter", "Sensitive", "Wanted", "read_parameters"]
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """Something that a motion depends on.
-
-    Attributes
-    ----------
-    symbol : symbol
-        A constant, a state for its initial condition, or a specified.
-    kind : {'constants', 'states', 'specifieds'}
-    place : int
-        In p, x or r.
-    samples : SampledInput or None
-        The samples of a specified, of which each is a parameter; those of this one alone.
-    """
-
-    symbol: Any
-    kind: str
-    place: int
-    samples: SampledInput | None = None
-
-    @property
-    def count(self) -> int:
-        """The number of columns."""
-        return 1 if self.samples is None else len(self.samples.times)
-
-
-def read_parameters(
-    definition: Definition, plan: SpecifiedsPlan, wanted: Any, argument: str = "sensitivities"
-) -> tuple[Parameter, ...]:
-    """Return the parameters that a user named, in the argument of a name.
-
-    Raises
-    ------
-    ValueError
-        One that the system does not have, or has twice; or a specified of which no derivative is
-        taken.
-    """
-    symbols = one_or_more(argument, wanted)
-    if not symbols:
-        raise ValueError(
-            f"`{argument}` must name at least one constant, initial condition or specified."
-        )
-    for _, _, label in plan.functions:
-        raise ValueError(
-            f"`{argument}` needs the derivatives of the specifieds, but {label} is a Python "
-            "function, which has none. Give it as a SymPy expression of states, time and "
-            "constants, or as samples, pydy.inputs.SampledInput(times, values)."
-        )
-    found: dict[tuple[str, int], Parameter] = {}
-    for symbol in symbols:
-        parameter = _parameter(definition, plan, symbol, argument)
-        place = (parameter.kind, parameter.place)
-        if place in found:
-            raise ValueError(
-                f"`{argument}` has `{parameter.symbol}` more than once. Keep one of them."
-            )
-        found[place] = parameter
-    return tuple(found.values())
-
-
-def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any, argument: str) -> Parameter:
-    kinds = ("constants", "states", "specifieds")
-    for kind in kinds:
-        place = definition.places[kind].get(key, argument)
-        if place is not None:
-            break
-    else:
-        everything = [s for kind in kinds for s in definition.places[kind].symbols]
-        what = "constants, states (for their initial conditions) and specifieds of the system"
-        Places(everything, what).find(key, argument)  # raises, with names that are alike
-        raise AssertionError(key)
-    symbol = definition.places[kind].symbols[place]
-    if kind != "specifieds":
-        return Parameter(symbol, kind, place)
-    if symbol in plan.expressions:
-        raise ValueError(
-            f"`{argument}` has the specified `{symbol}`, which is given as the expression "
-            f"`{plan.expressions[symbol]}`. Name the constants in it instead."
-        )
-    for columns, samples in plan.sampled:
-        if place in columns:
-            return Parameter(symbol, kind, place, samples.of([columns.tolist().index(place)]))
-    if isinstance(symbol, sm.Derivative) and symbol not in plan.given:
-        raise ValueError(
-            f"`{argument}` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
-            "instead, or the constants in its expression."
-        )
-    return Parameter(symbol, kind, place)
+__all__ = ["Sensitive", "Wanted"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,6 +50,8 @@ class Sensitive:
     p : ndarray
     argument : str
         That named the parameters.
+    apart : bool, optional
+        Whether several columns are taken at a time; by default, whether the back end can.
     """
 
     definition: Definition
@@ -149,6 +60,7 @@ class Sensitive:
     parameters: tuple[Parameter, ...]
     p: np.ndarray
     argument: str = "sensitivities"
+    apart: bool | None = None
     columns: Columns = field(init=False)
 
     def __post_init__(self) -> None:
@@ -178,8 +90,9 @@ class Sensitive:
 
     @property
     def _side_by_side(self) -> bool:
-        """Whether the back end takes several columns at a time."""
-        return isinstance(self.model.backend, LLVMBackend)
+        """Whether several columns are taken at a time."""
+        native = isinstance(self.model.backend, LLVMBackend)
+        return native if self.apart is None else self.apart
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -188,6 +101,17 @@ class Sensitive:
 
         By default it is that of the derivatives of the states and of their sensitivities by time.
         """
+        if not blocks and self._side_by_side:
+            columns = self.columns
+            return self.model.kernel_by(
+                ("sensitivities", columns), lambda: compile_columns(self.split_program())
+            )
+        return self.model.compiled_by(
+            ("sensitivities", blocks, self.columns), lambda: self.program(*blocks)
+        )
+
+    def program(self, *blocks: str) -> Program:
+        """Return the Program of `kernel`, all columns one after the other."""
         columns, assembly = self.columns, self.model.assembly
 
         def make() -> Program:
@@ -198,15 +122,11 @@ class Sensitive:
             nodes = [(name, getattr(assembly, name)) for name in blocks]
             return columns.program(graph, nodes, assembly.sizes, assembly.passes)
 
-        def stored() -> Program:
-            what = f"sensitivities of {', '.join(blocks)} {columns}"
-            return stored_program(assembly, what, make)
+        what = f"sensitivities of {', '.join(blocks)} {columns}"
+        return stored_program(assembly, what, make)
 
-        if not blocks and self._side_by_side:
-            return self.model.kernel_by(("sensitivities", columns), self._compiled_apart)
-        return self.model.compiled_by(("sensitivities", blocks, columns), stored)
-
-    def _compiled_apart(self) -> Kernel:
+    def split_program(self) -> SplitProgram:
+        """Return the Programs of the derivatives by time, one column's apart."""
         columns, assembly = self.columns, self.model.assembly
 
         @cache
@@ -217,7 +137,7 @@ class Sensitive:
         what = f"of sensitivities {columns}"
         shared = stored_program(assembly, f"shared part {what}", lambda: made()[0])
         column = stored_program(assembly, f"one column {what}", lambda: made()[1])
-        return compile_columns(SplitProgram(shared, column, columns.table()))
+        return SplitProgram(shared, column, columns.table())
 
     def call(self) -> KernelCall:
         """Return the equations with sensitivities and their numbers, for native solvers."""
@@ -226,13 +146,13 @@ class Sensitive:
             self.kernel(),
             self.p,
             np.concatenate([self.plan.values, np.zeros(self.columns.weights)]),
-            (*self.plan.sampled, *self._weights()),
+            (*self.plan.sampled, *self.weights()),
             None,
             lambda: tuple(map(str, model.layout.states)),
             lambda: model.compiled_jacobian("rates", "x"),
         )
 
-    def _weights(self) -> list[tuple[np.ndarray, SampledInput]]:
+    def weights(self) -> list[tuple[np.ndarray, SampledInput]]:
         """Return the derivatives of sampled inputs by their samples, with their places in r."""
         result, start = [], len(self.definition.specifieds)
         for parameter in self.parameters:
@@ -275,17 +195,22 @@ class Sensitive:
 
     def _jump(self, event: Event) -> Kernel:
         """Return the Kernel of what an event does to sensitivities."""
-        states = self.definition.states
-        after = [event.reset.get(s, s) for s in states] if event.reset else []
+        after = self._after(event)
+        key = ("jump", event.expression, *after, self.columns)
+        return self.model.compiled_by(key, lambda: self.jump_program(event))
 
-        def make() -> Program:
-            own = self.model.assembly.fork()
-            crossing, *moved = own.read([event.expression, *after], f"the event `{event.name}`")
-            return self.columns.jump_program(
-                own.graph, crossing, moved, own.rates, own.sizes, own.passes
-            )
+    def _after(self, event: Event) -> list[Any]:
+        """Return the states after an event that changes some."""
+        return [event.reset.get(s, s) for s in self.definition.states] if event.reset else []
 
-        return self.model.compiled_by(("jump", event.expression, *after, self.columns), make)
+    def jump_program(self, event: Event) -> Program:
+        """Return the Program of what an event does to sensitivities."""
+        own = self.model.assembly.fork()
+        what = f"the event `{event.name}`"
+        crossing, *moved = own.read([event.expression, *self._after(event)], what)
+        return self.columns.jump_program(
+            own.graph, crossing, moved, own.rates, own.sizes, own.passes
+        )
 
     def rows(self, times: np.ndarray) -> np.ndarray:
         """Return r with its further inputs at some times, shape (m, s + w) or (1, s + w)."""
@@ -326,57 +251,59 @@ class Sensitive:
             A parameter is a dependent initial condition, or the constraints cannot be solved for
             the dependent ones.
         """
-        n, k = self.columns.states, self.columns.count
-        values = np.zeros((n, k))
+        values = self.independent(dependent)
+        if self.tied:
+            self._complete(values, x0, t, list(dependent))
+        return values
+
+    @property
+    def tied(self) -> list[str]:
+        """The blocks of constraints that initial conditions satisfy."""
+        equations = self.definition.equations
+        return [block for block in ("holonomic", "velocity") if getattr(equations, block)]
+
+    def independent(self, dependent: Sequence[int]) -> np.ndarray:
+        """Return the sensitivities of the initial state, zero for the dependent ones."""
+        values = np.zeros((self.columns.states, self.columns.count))
         column = 0
         for parameter in self.parameters:
             if parameter.kind == "states":
                 if parameter.place in dependent:
-                    names = describe([self.definition.states[d] for d in dependent])
                     raise ValueError(
                         f"`{self.argument}` has the initial condition of `{parameter.symbol}`, "
-                        f"which follows from the others by the constraints, as do {names}. Name "
-                        "independent ones, or make it independent: call "
-                        "set_dependent_initial_conditions(dep_vars=…) with other variables."
+                        "which follows from the others by the constraints, as do "
+                        f"{self._named(dependent)}. Name independent ones, or make it independent: "
+                        "call set_dependent_initial_conditions(dep_vars=…) with other variables."
                     )
                 values[parameter.place, column] = 1.0
             column += parameter.count
-        equations = self.definition.equations
-        blocks = [b for b in ("holonomic", "velocity") if getattr(equations, b)]
-        if blocks:
-            self._complete(values, x0, t, list(dependent), blocks)
         return values
 
-    def _complete(
-        self, values: np.ndarray, x0: np.ndarray, t: float, dependent: list[int], blocks: list[str]
-    ) -> None:
+    def _named(self, places: Sequence[int]) -> str:
+        return describe([self.definition.states[k] for k in places])
+
+    def _complete(self, values: np.ndarray, x0: np.ndarray, t: float, dependent: list[int]) -> None:
         """Let the dependent initial conditions follow the others."""
-        n = self.columns.states
-        instant = np.array([t])
+        n, instant = self.columns.states, np.array([t])
         args = (instant, x0[None], self.plan.rows(x0[None], instant), self.p)
-        rows = [
-            self.model.evaluate(self.model.compiled_jacobian(block, "x"), *args) for block in blocks
-        ]
-        gradient = np.concatenate([row.reshape(-1, n) for row in rows])
-        moved = np.concatenate(
-            [
-                self._sweep(self.kernel(b), instant, x0[None], values[None]).reshape(
-                    -1, self.columns.count
-                )
-                for b in blocks
-            ]
+        model = self.model
+        rows = [model.evaluate(model.compiled_jacobian(b, "x"), *args) for b in self.tied]
+        moved = [self._sweep(self.kernel(b), instant, x0[None], values[None]) for b in self.tied]
+        gradient, residuals = (np.concatenate(part, axis=1)[0] for part in (rows, moved))
+        gradient = gradient.reshape(-1, n)
+        if not follow(values, gradient, residuals.reshape(len(gradient), -1), dependent):
+            raise ValueError(self.unsolved(dependent))
+
+    def unsolved(self, dependent: Sequence[int]) -> str:
+        """Return what to say where the constraints do not give the dependent conditions."""
+        which = "for any: none is named as dependent"
+        if len(dependent):
+            which = f"for {self._named(dependent)}"
+        return (
+            f"`{self.argument}` needs to know how the dependent initial conditions follow from "
+            f"the others, but the constraints cannot be solved {which}. Call "
+            "set_dependent_initial_conditions(dep_vars=…) with variables for which they can."
         )
-        solved, *_ = np.linalg.lstsq(gradient[:, dependent], -moved, rcond=FREE)
-        values[dependent] += solved
-        size = (np.abs(gradient) @ np.abs(values) + np.abs(moved)).max(axis=0)
-        if (np.abs(gradient[:, dependent] @ solved + moved) > UNSOLVED_COLUMNS * size).any():
-            names = describe([self.definition.states[d] for d in dependent]) if dependent else ""
-            which = f"for {names}" if names else "for any: none is named as dependent"
-            raise ValueError(
-                f"`{self.argument}` needs to know how the dependent initial conditions follow from "
-                f"the others, but the constraints cannot be solved {which}. Call "
-                "set_dependent_initial_conditions(dep_vars=…) with variables for which they can."
-            )
 
 
 class Wanted:
@@ -438,7 +365,10 @@ class Wanted:
             if spacing is not None and solver.adaptive:
                 options = {"max_step": spacing, **options}
             controlled = self._controlled or spacing is not None
-            scales = self._scales(parameters, start[0], p) if controlled else None
+            scales = None
+            if controlled:
+                sized = [parameter.sized for parameter in parameters]
+                scales = scales_of(sized, start[0], plan.values, p, columns.count)
             events = options.get("events")
             compiled = sensitive.compiled(scales, () if events is None else events.sources)
             options = {**options, "sensitivities": compiled}
@@ -464,22 +394,3 @@ class Wanted:
         if getattr(error, "states", None) is not None:
             error.states = error.states[:, :n]
         error.state = error.state[:n]
-
-    def _scales(self, parameters: Sequence[Parameter], x0: np.ndarray, p: np.ndarray) -> np.ndarray:
-        """Return the parameters' sizes.
-
-        An initial condition passes through zero, so that what it is at the start says little: its
-        size is at least 1. Else a derivative by a speed of 1e-17 would have no error to speak of.
-        """
-        sizes = []
-        for parameter in parameters:
-            if parameter.samples is not None:
-                own = np.abs(parameter.samples.values).max()
-            elif parameter.kind == "specifieds":
-                own = abs(self.sensitive.plan.values[parameter.place])
-            elif parameter.kind == "constants":
-                own = abs(p[parameter.place])
-            else:
-                own = max(abs(x0[parameter.place]), 1.0)
-            sizes += [own if own > 0.0 else 1.0] * parameter.count
-        return np.array(sizes + [1.0] * (self.sensitive.columns.count - len(sizes)))

@@ -20,7 +20,6 @@ __all__ = [
     "SMALLEST_BLOCK",
     "TRIED",
     "UNSOLVED",
-    "UNSOLVED_COLUMNS",
 ]
 
 TRIED = 64
@@ -44,9 +43,8 @@ NO_INERTIA = 1e-12
 HELD = 1e-12
 """Residuals of constraints that hold, whatever the sizes of the states."""
 
-UNSOLVED, UNSOLVED_COLUMNS = 1e-8, 1e-6
-"""What dependent speeds, and sensitivities, leave of equations that they do not solve, in units of
-the terms."""
+UNSOLVED = 1e-8
+"""What dependent speeds leave of equations that they do not solve, in units of the terms."""
 
 CANCELLED = 1e-14
 """What coefficients that cancel leave, in units of their row and of the largest speed."""

@@ -23,6 +23,7 @@ __all__ = [
     "STILL",
     "TO_ROUNDING",
     "UNDETERMINED",
+    "UNSOLVED_COLUMNS",
     "WHOLE_SHARE",
     "ZERO_ROOT",
 ]
@@ -38,6 +39,9 @@ UNDETERMINED = 1e-8
 
 SOLVABLE = 1e-13
 """The same for a step to a periodic orbit, whose damping leaves no direction free."""
+
+UNSOLVED_COLUMNS = 1e-6
+"""What sensitivities leave of equations that they do not solve, in units of the terms."""
 
 WHOLE_SHARE = 1e-9
 """Shares of a direction that differ by less are equal, and written without a factor."""

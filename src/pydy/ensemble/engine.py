@@ -126,7 +126,8 @@ class Ensemble:
 
     def _dataset(self, variables: dict[str, Variable]) -> Any:
         times = self.work.model.times
-        return to_dataset(variables, self.samples.coordinates, times, self.attrs)
+        labels = self.work.labels
+        return to_dataset(variables, self.samples.coordinates, times, self.attrs, labels)
 
     def _blocks(self) -> list[Block]:
         return [block for _, block in self.samples.blocks(self.sizes)]
@@ -226,7 +227,7 @@ class Ensemble:
         else:
             first = self.samples.of(self._first())
             example = to_dataset(self._example(), first.coordinates, times, self.attrs)
-            stores.create(path, token, example, self.samples, self.sizes)
+            stores.create(path, token, example, self.samples, self.sizes, self.work.labels)
         left = stores.missing(path, self._blocks())
         scheduler = self._scheduler()
         if scheduler is None:

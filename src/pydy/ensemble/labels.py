@@ -8,10 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from pydy._dataset import SENSITIVITY
 from pydy._optional import require
 from pydy.ensemble.samples import Coordinate
 
-__all__ = ["Form", "Variable", "check_forms", "to_dataset"]
+__all__ = ["PARAMETER", "QUANTITY", "SENSITIVITY", "Form", "Variable", "check_forms", "to_dataset"]
+
+PARAMETER, QUANTITY = "parameter", "quantity"  # the dimensions of sensitivities
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,13 +87,21 @@ def to_dataset(
     coordinates: Mapping[str, Coordinate],
     times: np.ndarray,
     attrs: Mapping[str, Any] | None = None,
+    labels: Mapping[str, Sequence[str]] | None = None,
 ) -> Any:
-    """Return the Dataset of some variables; it has times only where a variable does."""
+    """Return the Dataset of some variables; it has times only where a variable does.
+
+    The same goes for the labels of other dimensions.
+    """
     xarray = require("xarray", "ensemble", "System.integrate_ensemble")
     coords: dict[str, Any] = {
         name: (c.dims, c.values, dict(c.attrs)) for name, c in coordinates.items()
     }
     if any("time" in v.dims for v in variables.values()):
         coords["time"] = ("time", times)
+    along = {d for v in variables.values() for d in v.dims}
+    for dim, names in (labels or {}).items():
+        if dim in along:
+            coords[dim] = (dim, list(names))
     data = {name: (v.dims, v.values, dict(v.attrs)) for name, v in variables.items()}
     return xarray.Dataset(data, coords, dict(attrs or {}))

@@ -3,19 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from pydy import _forks
+from pydy._backends.llvm.columns import compile_columns
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
+from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy.ensemble.columns import EnsembleSensitivities
 from pydy.solvers.options import Options
 from pydy.solvers.tuning import LANES
 
-__all__ = ["Model", "Results", "evaluate_outputs", "run"]
+__all__ = ["Model", "Results", "evaluate_output_columns", "evaluate_outputs", "run"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,6 +41,7 @@ class Model:
         Those that Python functions ``g(x, t)`` give; this costs a call each time.
     jacobian : Program or None
         ∂f/∂x, for an implicit method.
+    sensitivities : EnsembleSensitivities or None
     """
 
     rates: Program
@@ -50,11 +54,13 @@ class Model:
     sampled: tuple[tuple[np.ndarray, Any], ...] = ()
     functions: tuple[tuple[np.ndarray, Callable[..., Any]], ...] = ()
     jacobian: Program | None = None
+    sensitivities: EnsembleSensitivities | None = None
 
     @property
     def in_lanes(self) -> bool:
         """Whether trajectories are integrated several at a time."""
         asks = self.options.events is not None or self.options.constraints is not None
+        asks = asks or self.sensitivities is not None
         return self.method != "radau" and not self.functions and not asks
 
 
@@ -70,6 +76,10 @@ class Results:
         The time up to which each was integrated.
     events : list
         For each sample, pairs of the number of an event and its time; empty without events.
+    columns : ndarray, shape (n, k, m, times), or None
+        Sensitivities of the states.
+    moments : list
+        For each sample, the derivatives (k,) of the times of its events.
     """
 
     states: np.ndarray
@@ -79,22 +89,32 @@ class Results:
     status: np.ndarray
     reached: np.ndarray
     events: list[list[tuple[int, float]]] = field(default_factory=list)
+    columns: np.ndarray | None = None
+    moments: list[list[np.ndarray]] = field(default_factory=list)
 
 
 _KERNELS: dict[tuple[str, int], Kernel] = {}
-_KEPT = 8  # of several models, for blocks that come one by one
+_KEPT = 64  # of several models with all that events need, for blocks that come one by one
 _LOCK = _forks.Lock()
 
 
-def _kernel(program: Program, lanes: int) -> Kernel:
+def _kernel(program: Program | SplitProgram, lanes: int) -> Kernel:
     """Return the Kernel of a Program, compiled or loaded once in a process."""
     key = (program.digest, lanes)
     with _LOCK:
         if key not in _KERNELS:
             while len(_KERNELS) >= _KEPT:
                 del _KERNELS[next(iter(_KERNELS))]
-            _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
+            if isinstance(program, SplitProgram):
+                _KERNELS[key] = compile_columns(program)
+            else:
+                _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
         return _KERNELS[key]
+
+
+def _single(program: Program) -> Kernel:
+    """Return the Kernel of one state at a time."""
+    return _kernel(program, 1)
 
 
 def run(
@@ -107,6 +127,8 @@ def run(
     states: np.ndarray | None = None,
 ) -> Results:
     """Integrate m samples: x (m, n), r (m, s), p (m, k); into `states` (n, m, times) if given."""
+    if model.sensitivities is not None:
+        return _run_with_columns(model, model.sensitivities, x, r, p, times, stopped, states)
     if states is None:
         states = np.empty((x.shape[1], len(x), len(times)))
     if not model.in_lanes:
@@ -155,6 +177,31 @@ def evaluate_outputs(
     return out
 
 
+def evaluate_output_columns(
+    model: Model,
+    r: np.ndarray,
+    p: np.ndarray,
+    times: np.ndarray,
+    states: np.ndarray,
+    columns: np.ndarray,
+) -> np.ndarray:
+    """Return the sensitivities of the outputs, shape (o, k, m, times), from those of the states."""
+    beside = model.sensitivities
+    assert beside is not None
+    (n, wanted, m, number), every = columns.shape, beside.start.shape[1]
+    if beside.outputs is None:
+        return np.empty((0, wanted, m, number))
+    whole = np.zeros((n * (1 + every), m, number))
+    whole[:n] = states
+    whole[n:].reshape(n, every, m, number)[:, :wanted] = columns
+    r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
+    from pydy.solvers.lanes.runs import evaluate_samples
+
+    kernel, sampled = _kernel(beside.outputs, LANES), (*model.sampled, *beside.sampled)
+    found = evaluate_samples(kernel, r, p, sampled, times, whole)
+    return found.reshape(-1, every, m, number)[:, :wanted]
+
+
 # -- one by one -----------------------------------------------------------------------------------
 
 
@@ -172,6 +219,36 @@ def _inputs(
     return inputs
 
 
+def _run_with_columns(
+    model: Model,
+    beside: EnsembleSensitivities,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+    times: np.ndarray,
+    stopped: Callable[[], bool],
+    states: np.ndarray | None,
+) -> Results:
+    """Integrate states with their sensitivities."""
+    (m, n), columns = x.shape, beside.start.shape[1]
+    r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
+    t, sampled = float(times[0]), (*model.sampled, *beside.sampled)
+    whole = np.empty((n * (1 + columns), m, len(times)))
+    start = np.array(
+        [
+            beside.beginning(x[k], t, Inputs(r[k], sampled), np.ascontiguousarray(p[k]), _single)
+            for k in range(m)
+        ]
+    )
+    results = _run_one_by_one(model, start.reshape(m, len(whole)), r, p, times, stopped, whole)
+    table = whole[n:].reshape(n, columns, m, len(times))
+    results.states, results.columns = whole[:n], table[:, : len(beside.names)]
+    if states is not None:
+        states[:] = results.states
+        results.states = states
+    return results
+
+
 def _run_one_by_one(
     model: Model,
     x: np.ndarray,
@@ -185,8 +262,11 @@ def _run_one_by_one(
     from pydy._errors import IntegrationError, warn_user
     from pydy.solvers.run.integration import Integration
 
-    m, n = x.shape
-    kernel = _kernel(model.rates, 1)
+    (m, n), beside = x.shape, model.sensitivities
+    kernel = _kernel(model.rates if beside is None else beside.rates, 1)
+    sampled, options = model.sampled, model.options
+    if beside is not None:
+        sampled = (*sampled, *beside.sampled)
     counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
     states[:] = np.nan
     results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
@@ -198,19 +278,23 @@ def _run_one_by_one(
             kernel,
             np.ascontiguousarray(p[k]),
             np.ascontiguousarray(r[k]),
-            model.sampled,
+            sampled,
             _inputs(model, r[k], stopped) if model.functions else None,
             lambda: model.states,
             None if jacobian is None else lambda: _kernel(jacobian, 1),
         )
+        args = (r[k], p[k])
+        if beside is not None:
+            options = replace(
+                model.options, sensitivities=beside.compiled(x[k], r[k], p[k], _single)
+            )
+        one = Integration(model.method, _Rates(call), n, times, args, options, stopped)
         try:
-            args = (r[k], p[k])
-            one = Integration(model.method, _Rates(call), n, times, args, model.options, stopped)
             found = one.run(x[k])
             info = one.info()
             passage = passage or one.passage()
         except IntegrationError as error:
-            found, info = error.states, error.info
+            found, info = one.reached(), error.info
         results.states[:, k, : len(found)] = found.T
         _take(results, k, info)
     if passage:
@@ -222,7 +306,9 @@ def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:
     results.steps[k], results.rejected[k] = info["steps"], info["rejected"]
     results.evaluations[k], results.status[k] = info["evaluations"], info["code"]
     results.reached[k] = info["time"]
-    results.events.append([(record.index, record.time) for record in info["events"]])
+    records = info["events"]
+    results.events.append([(record.index, record.time) for record in records])
+    results.moments.append([record.time_sensitivity for record in records])
 
 
 class _Rates:

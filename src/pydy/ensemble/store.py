@@ -27,6 +27,7 @@ __all__ = ["check", "create", "missing", "opened", "token_of", "write", "write_c
 _TOKEN, _READY = "pydy_ensemble", "pydy_ready"
 _VARIABLES, _COORDINATES = "pydy_variables", "pydy_coordinates"
 _FILES = "pydy_names"  # in the store, of those variables and dimensions that have another one there
+_LABELS = "pydy_labels"
 _SETTING = Lock()  # zarr's configuration belongs to all threads
 
 
@@ -53,7 +54,9 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
     if events is not None:
         kernels += [events.values, events.resets]
         about_events = events.names, events.directions, events.terminal, events.resetting
+    beside = model.sensitivities
     programs = [model.rates, model.outputs, model.jacobian]
+    programs += [] if beside is None else beside.programs
     programs += [None if k is None else k.program for k in kernels]
     functions = [r for r in work.reductions if callable(r)]
     inputs = [(columns, getattr(f, "identity", f)) for columns, f in model.functions]
@@ -73,6 +76,7 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
             (model.times, samples.x, samples.r, samples.p),
             [(n, c.dims, c.values) for n, c in samples.coordinates.items()],
             [(c, s.breaks, s.values, s.interpolation) for c, s in model.sampled],
+            None if beside is None else beside.identity,
         )
     )
 
@@ -118,13 +122,22 @@ def check(path: str, token: str, resume: bool) -> bool:
     return True
 
 
-def create(path: str, token: str, example: Any, samples: Samples, sizes: Sequence[int]) -> None:
+def create(
+    path: str,
+    token: str,
+    example: Any,
+    samples: Samples,
+    sizes: Sequence[int],
+    labels: Mapping[str, Sequence[str]],
+) -> None:
     """Make a store with all coordinates and no results yet.
 
     Parameters
     ----------
     example : xarray.Dataset
         Of one sample, with all attributes and coordinates; its own sizes do not count.
+    labels : mapping
+        Of further dimensions. They are attributes: Zarr has no settled form for arrays of text.
     """
     zarr = require("zarr", "ensemble", "`store`")
     files = file_names(map(str, (*example.variables, *example.dims)))
@@ -133,6 +146,7 @@ def create(path: str, token: str, example: Any, samples: Samples, sizes: Sequenc
         _VARIABLES: list(map(str, example.data_vars)),
         _COORDINATES: list(map(str, example.coords)),
         _FILES: {name: file for name, file in files.items() if name != file},
+        _LABELS: {d: list(names) for d, names in labels.items() if d in example.dims},
     }
     group = zarr.open_group(path, mode="w", attributes=about)
     dims = tuple(samples.dims)
@@ -157,7 +171,9 @@ def opened(path: str, chunks: Any) -> Any:
     """Return a store as a Dataset, under the names that its variables have outside."""
     xarray = require("xarray", "ensemble", "System.integrate_ensemble")
     dataset = xarray.open_zarr(path, consolidated=False, chunks=chunks)
-    return dataset.rename({file: name for name, file in dataset.attrs.get(_FILES, {}).items()})
+    labels = dataset.attrs.pop(_LABELS, {})
+    dataset = dataset.rename({file: name for name, file in dataset.attrs.get(_FILES, {}).items()})
+    return dataset.assign_coords(labels)
 
 
 def _stored(group: Any, name: str) -> Any:

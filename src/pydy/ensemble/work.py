@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import shown
-from pydy.ensemble.labels import Variable, to_dataset
-from pydy.ensemble.model import Model, Results, evaluate_outputs, run
+from pydy.ensemble.labels import PARAMETER, QUANTITY, SENSITIVITY, Variable, to_dataset
+from pydy.ensemble.model import Model, Results, evaluate_output_columns, evaluate_outputs, run
 from pydy.ensemble.samples import Samples
 from pydy.solvers.outcome import OUTCOMES
 
@@ -41,6 +41,7 @@ class _EventTimes:
 
 Reduction = Extreme | _Final | _EventTimes | Callable[[Any], Any]
 _Outputs = Callable[[np.ndarray, np.ndarray], np.ndarray]  # of times and states
+_Slopes = Callable[[np.ndarray, np.ndarray, np.ndarray], np.ndarray]  # and of their sensitivities
 
 
 def _refusal(entry: Any) -> str:
@@ -143,6 +144,13 @@ class Work:
         found = self._reduced(
             results, times, lambda t, x: evaluate_outputs(model, r, p, t, x, stopped)
         )
+        if results.columns is not None:
+            found |= self._differentiated(
+                results,
+                times,
+                lambda t, x: evaluate_outputs(model, r, p, t, x, stopped),
+                lambda t, x, s: evaluate_output_columns(model, r, p, t, x, s),
+            )
         for name in ("steps", "rejected", "evaluations", "status"):
             found[name] = Variable((), getattr(results, name))
         found["end_time"] = Variable((), results.reached)
@@ -196,6 +204,82 @@ class Work:
                 found |= self._event_times(results, entry.occurrences)
         return found
 
+    def _differentiated(
+        self, results: Results, times: np.ndarray, outputs: _Outputs, slopes: _Slopes
+    ) -> dict[str, Variable]:
+        """Return the sensitivities of what `_reduced` returns.
+
+        The derivative of an extreme is that at its time: the time has none of its own among those
+        that are kept.
+        """
+        states, columns = results.states, results.columns
+        assert columns is not None
+        attrs = {"role": SENSITIVITY}
+
+        def every(part: slice) -> np.ndarray:
+            """Return the derivatives of all states and outputs, shape (q, k, m, times)."""
+            own = columns[..., part]
+            further = slopes(times[part], states[..., part], own)
+            return np.concatenate([own, further])
+
+        if not self.reductions or self.function:
+            table = np.ascontiguousarray(every(slice(None)).transpose(2, 3, 0, 1))
+            return {SENSITIVITY: Variable(("time", QUANTITY, PARAMETER), table, attrs)}
+        rows: list[np.ndarray] = []  # (k, m)
+        found: dict[str, Variable] = {}
+        extremes = [e for e in self.reductions if isinstance(e, Extreme)]
+        along = self._values([e.name for e in extremes], states, times, outputs)
+        whole = every(slice(None)) if extremes else columns
+        for entry in self.reductions:
+            if isinstance(entry, Extreme):
+                values = along[entry.name] if entry.kind == "max" else -along[entry.name]
+                when = np.where(np.isnan(values), -np.inf, values).argmax(axis=1)
+                place, m = self.names.index(entry.name), np.arange(len(when))
+                rows.append(whole[place][:, m, when])
+            elif isinstance(entry, _Final):
+                rows += list(every(slice(-1, None))[..., 0])
+            elif isinstance(entry, _EventTimes):
+                found |= self._event_moments(results, entry.occurrences)
+        if rows:
+            table = np.ascontiguousarray(np.array(rows).transpose(2, 0, 1))
+            found[SENSITIVITY] = Variable((QUANTITY, PARAMETER), table, attrs)
+        return found
+
+    @property
+    def labels(self) -> dict[str, list[str]]:
+        """What stands along the dimensions of sensitivities."""
+        if self.model.sensitivities is None:
+            return {}
+        quantities = list(self.names)
+        if self.reductions and not self.function:
+            quantities = []
+            for entry in self.reductions:
+                if isinstance(entry, Extreme):
+                    quantities.append(f"{entry.name}_{entry.kind}")
+                elif isinstance(entry, _Final):
+                    quantities += self.names
+        return {QUANTITY: quantities, PARAMETER: list(self.model.sensitivities.names)}
+
+    def _event_moments(self, results: Results, occurrences: int) -> dict[str, Variable]:
+        """Return the derivatives of the first times of each event."""
+        wanted, beside = self.model.options.events, self.model.sensitivities
+        assert wanted is not None
+        assert beside is not None
+        found = {}
+        for index, name in enumerate(wanted.names):
+            table = np.full((len(results.events), occurrences, len(beside.names)), np.nan)
+            for k, (events, moments) in enumerate(
+                zip(results.events, results.moments, strict=True)
+            ):
+                pairs = zip(events, moments, strict=True)
+                mine = [moment for (number, _), moment in pairs if number == index]
+                for j, moment in enumerate(mine[:occurrences]):
+                    table[k, j] = moment
+            found[f"{name}_times_{SENSITIVITY}"] = Variable(
+                ("occurrence", PARAMETER), table, {"role": SENSITIVITY}
+            )
+        return found
+
     def _event_times(self, results: Results, occurrences: int) -> dict[str, Variable]:
         wanted = self.model.options.events
         assert wanted is not None
@@ -214,7 +298,7 @@ class Work:
     def _by_function(self, variables: dict[str, Variable], samples: Samples) -> dict[str, Variable]:
         """Call the user's function and check what it returns."""
         assert self.function is not None
-        dataset = to_dataset(variables, samples.coordinates, self.model.times)
+        dataset = to_dataset(variables, samples.coordinates, self.model.times, labels=self.labels)
         labels = {name: dataset.variables[name] for name in dataset.coords}
         try:
             result = self.function(dataset)

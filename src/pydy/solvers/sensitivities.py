@@ -12,7 +12,7 @@ of hybrid systems", ACM Transactions on Modeling and Computer Simulation 12 (200
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -20,7 +20,7 @@ import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
 
-__all__ = ["CompiledSensitivities", "Jump"]
+__all__ = ["CompiledSensitivities", "Jump", "Sized", "scales_of"]
 
 
 class Jump(NamedTuple):
@@ -135,3 +135,46 @@ class CompiledSensitivities:
         rates = call.evaluate(call.kernel, np.concatenate([after, moved.ravel()]), t)[:n]
         jump = moved + np.outer(part["after_rates"] - rates, moment)
         return Jump(moment, jump, depth, error)
+
+
+class Sized(NamedTuple):
+    """What tells the size of a parameter.
+
+    Attributes
+    ----------
+    group : {'x', 'r', 'p'}
+        The array that holds it: it is an initial condition, a specified or a constant.
+    place : int
+    columns : int
+        One, or the number of samples.
+    size : float or None
+        The largest of the samples.
+    """
+
+    group: str
+    place: int
+    columns: int = 1
+    size: float | None = None
+
+
+def scales_of(
+    parameters: Sequence[Sized], x: np.ndarray, r: np.ndarray, p: np.ndarray, columns: int
+) -> np.ndarray:
+    """Return the sizes of parameters, shape (..., columns), from arrays of shape (..., n).
+
+    An initial condition passes through zero, so that what it is at the start says little: its size
+    is at least 1. Else a derivative by a speed of 1e-17 would have no error to speak of. Columns
+    that are left over have the size 1.
+    """
+    arrays = {"x": x, "r": r, "p": p}
+    scales, column = np.ones((*x.shape[:-1], columns)), 0
+    for parameter in parameters:
+        own = np.abs(arrays[parameter.group][..., parameter.place])
+        if parameter.size is not None:
+            own = np.full_like(own, parameter.size)
+        elif parameter.group == "x":
+            own = np.maximum(own, 1.0)
+        own = np.where(own > 0.0, own, 1.0)
+        scales[..., column : column + parameter.columns] = own[..., None]
+        column += parameter.columns
+    return scales

@@ -398,6 +398,10 @@ class Integration:
 
     # -- results ----------------------------------------------------------------------------------
 
+    def reached(self) -> np.ndarray:
+        """Return the rows of the times that the latest run reached, with what is beside states."""
+        return self._rows[: self.progress.counts[at.NEXT]]
+
     def info(self) -> dict[str, Any]:
         """Return the statistics."""
         state, count = self.progress.state, self.progress.counts

@@ -1,0 +1,114 @@
+"""Parameters of a motion as a user names them: constants, initial conditions, specifieds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._assembly.definition import Definition
+from pydy._checks import Places, one_or_more
+from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.inputs import SampledInput
+from pydy.solvers.sensitivities import Sized
+
+__all__ = ["Parameter", "read_parameters"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """Something that a motion depends on.
+
+    Attributes
+    ----------
+    symbol : symbol
+        A constant, a state for its initial condition, or a specified.
+    kind : {'constants', 'states', 'specifieds'}
+    place : int
+        In p, x or r.
+    samples : SampledInput or None
+        The samples of a specified, of which each is a parameter; those of this one alone.
+    """
+
+    symbol: Any
+    kind: str
+    place: int
+    samples: SampledInput | None = None
+
+    @property
+    def count(self) -> int:
+        """The number of columns."""
+        return 1 if self.samples is None else len(self.samples.times)
+
+    @property
+    def sized(self) -> Sized:
+        """What tells its size."""
+        group = {"constants": "p", "states": "x", "specifieds": "r"}[self.kind]
+        most = None if self.samples is None else float(np.abs(self.samples.values).max())
+        return Sized(group, self.place, self.count, most)
+
+
+def read_parameters(
+    definition: Definition, plan: SpecifiedsPlan, wanted: Any, argument: str = "sensitivities"
+) -> tuple[Parameter, ...]:
+    """Return the parameters that a user named, in the argument of a name.
+
+    Raises
+    ------
+    ValueError
+        One that the system does not have, or has twice; or a specified of which no derivative is
+        taken.
+    """
+    symbols = one_or_more(argument, wanted)
+    if not symbols:
+        raise ValueError(
+            f"`{argument}` must name at least one constant, initial condition or specified."
+        )
+    for _, _, label in plan.functions:
+        raise ValueError(
+            f"`{argument}` needs the derivatives of the specifieds, but {label} is a Python "
+            "function, which has none. Give it as a SymPy expression of states, time and "
+            "constants, or as samples, pydy.inputs.SampledInput(times, values)."
+        )
+    found: dict[tuple[str, int], Parameter] = {}
+    for symbol in symbols:
+        parameter = _parameter(definition, plan, symbol, argument)
+        place = (parameter.kind, parameter.place)
+        if place in found:
+            raise ValueError(
+                f"`{argument}` has `{parameter.symbol}` more than once. Keep one of them."
+            )
+        found[place] = parameter
+    return tuple(found.values())
+
+
+def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any, argument: str) -> Parameter:
+    kinds = ("constants", "states", "specifieds")
+    for kind in kinds:
+        place = definition.places[kind].get(key, argument)
+        if place is not None:
+            break
+    else:
+        everything = [s for kind in kinds for s in definition.places[kind].symbols]
+        what = "constants, states (for their initial conditions) and specifieds of the system"
+        Places(everything, what).find(key, argument)  # raises, with names that are alike
+        raise AssertionError(key)
+    symbol = definition.places[kind].symbols[place]
+    if kind != "specifieds":
+        return Parameter(symbol, kind, place)
+    if symbol in plan.expressions:
+        raise ValueError(
+            f"`{argument}` has the specified `{symbol}`, which is given as the expression "
+            f"`{plan.expressions[symbol]}`. Name the constants in it instead."
+        )
+    for columns, samples in plan.sampled:
+        if place in columns:
+            return Parameter(symbol, kind, place, samples.of([columns.tolist().index(place)]))
+    if isinstance(symbol, sm.Derivative) and symbol not in plan.given:
+        raise ValueError(
+            f"`{argument}` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
+            "instead, or the constants in its expression."
+        )
+    return Parameter(symbol, kind, place)
