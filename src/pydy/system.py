@@ -1672,28 +1672,28 @@ class System:
         Parameters
         ----------
         path : path
-            The suffix decides: ``.c`` (C99, with a header beside it), ``.fmu`` (a functional
-            mock-up unit for Model Exchange and Co-Simulation), ``.js`` (an ECMAScript module) or
-            ``.py`` (functions that need NumPy or JAX only).
+            The suffix selects the format: ``.c`` (C99, with a header beside it), ``.fmu`` (a
+            functional mock-up unit for Model Exchange and Co-Simulation), ``.js`` (an ECMAScript
+            module) or ``.py`` (functions that need only NumPy or JAX).
         name : str, optional
-            Of the model; by default the file's.
+            Name of the model; by default the stem of the file.
         events : Event or sequence of Event, optional
-            Exported with their resets; in an FMU as event indicators.
+            Events to export with their resets; event indicators in an FMU.
         inputs : iterable of specifieds, optional
-            Those that become inputs although `specifieds` gives them by a function or by samples.
+            Specifieds given by a function or by samples that become inputs.
         **options
-            ``fmi`` ('3.0' or '2.0') and ``binary`` (False leaves the compiled library out) for
+            ``fmi`` ('3.0' or '2.0') and ``binary`` (False omits the compiled library) for
             ``.fmu``; ``target`` ('numpy' or 'jax') for ``.py``.
 
         Returns
         -------
         Exported
-            ``path``, ``files``, and ``names``: what stands for names that are no identifiers.
+            ``path``, ``files``, and ``names``, the identifiers of names that are not valid ones.
 
         Raises
         ------
         ValueError
-            Another suffix, or a specified that only Python can compute.
+            Unknown suffix, or a specified given by a function or by samples.
         GeneratorError
             No C compiler was found for the binary of an FMU, or it failed.
 
@@ -1736,20 +1736,21 @@ class System:
     def scene(
         self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
     ) -> Scene:
-        """Return a scene that shows the system, to be set in motion and to be written as HTML.
+        """Return a scene of the system, which can be animated and written as an HTML page.
 
         Parameters
         ----------
         *visuals : pydy.viz.Visual, RigidBody or Particle
-            By default all bodies of the method: the solid with its inertia for each RigidBody, a
-            ball for each Particle, and lines between the points that were located from each other.
+            By default all bodies of the method (a solid with the same inertia for each RigidBody,
+            a ball for each Particle), and lines between points that were located from each other.
         reference_frame : ReferenceFrame, optional
             By default the inertial frame.
         origin : Point, optional
-            By default a point at rest in that frame with which the bodies are connected.
+            By default a point at rest in that frame, connected with the bodies.
         **options
-            `loads`: whether arrows show the forces and torques. Of `pydy.viz.Scene`: `up` (by
-            default against gravity), `ground`, `follow`, `view`, `series`, `units` and `title`.
+            `loads`: whether to show forces and torques as arrows. Options of `pydy.viz.Scene`:
+            `up` (by default against gravity), `ground`, `follow`, `view`, `series`, `units` and
+            `title`.
 
         Returns
         -------
@@ -1758,7 +1759,7 @@ class System:
         Raises
         ------
         ValueError
-            There are no bodies to show, or no point that could be the origin.
+            There are no bodies to show, or no point that can be the origin.
 
         Examples
         --------
@@ -1791,10 +1792,10 @@ class System:
         )
 
     def plot(self, names: list[Any] | None = None, **options: Any) -> Any:
-        """Simulate, and plot the states over time, or some quantities.
+        """Simulate, and plot the states or selected quantities over time.
 
-        ``system.simulate().plot(...)`` in one call; see `pydy.trajectory.Trajectory.plot`. Keep the
-        trajectory where you need it for more than one picture.
+        Equivalent to ``system.simulate().plot(...)``; see `pydy.trajectory.Trajectory.plot`. For
+        several plots, keep the trajectory and use its own method.
 
         Examples
         --------
@@ -1808,8 +1809,9 @@ class System:
         return self.simulate().plot(names, **options)
 
     def animate(self, *visuals: Any, **options: Any) -> Scene:
-        """Simulate, and return a scene that shows the motion; a notebook displays it.
+        """Simulate, and return an animated scene, which a notebook displays.
 
-        ``system.scene(...).animate(system.simulate())`` in one call, with the arguments of `scene`.
+        Equivalent to ``system.scene(...).animate(system.simulate())``, with the arguments of
+        `scene`.
         """
         return self.scene(*visuals, **options).animate(self.simulate())

@@ -112,7 +112,7 @@ class Model:
 
 @dataclass(frozen=True)
 class Exported:
-    """What an export wrote.
+    """The files written by an export.
 
     Attributes
     ----------
@@ -120,7 +120,7 @@ class Exported:
     files : tuple of Path
         All files, `path` first.
     names : dict of str to str
-        Names that are no identifiers, and the identifiers that stand for them.
+        Names that are not valid identifiers, and the identifiers used instead.
     """
 
     path: Path

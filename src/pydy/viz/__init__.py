@@ -1,4 +1,4 @@
-"""See a mechanism move: shapes on frames and points, and one HTML file that anyone can open.
+"""Animate mechanisms: shapes attached to frames and points, written to a single HTML file.
 
 Import what you need from here::
 

@@ -1,4 +1,4 @@
-"""A page that simulates: sliders, and all that its scripts need to compute the motion anew."""
+"""Live pages, which run the simulation in the browser: sliders, and the data for the scripts."""
 
 from __future__ import annotations
 
@@ -30,19 +30,19 @@ __all__ = ["Live", "LivePage", "LiveSystem", "Slider", "live_page"]
 
 @dataclass(frozen=True)
 class Slider:
-    """A number that the reader of a live page chooses.
+    """A value that the reader of a live page can change.
 
     Parameters
     ----------
     low, high : float
-        The range of the slider; the box beside it takes numbers outside too.
+        Range of the slider. The box beside it also accepts numbers outside the range.
     value : float, optional
-        At the start; by default the system's own.
+        Value at the start; by default that of the system.
     unit, label : str, optional
-        What stands behind and before it; by default nothing, and the name of the symbol.
+        Unit and label; by default no unit, and the name of the symbol.
     sets : mapping of states to expressions, optional
-        For a symbol of your own, which needs a `value`: the initial conditions that follow from it,
-        in terms of this symbol and of constants.
+        For a symbol of your own, which requires a `value`: the initial conditions that it sets, as
+        expressions of this symbol and of constants.
 
     Examples
     --------
@@ -84,20 +84,21 @@ class Slider:
 
 @dataclass(frozen=True)
 class Live:
-    """What a live page offers and how it simulates.
+    """Sliders of a live page, and options of its integration.
 
     Parameters
     ----------
     sliders : mapping
-        From a constant, a state (its initial condition), a specified that is a number (an input),
-        their names, or a symbol of your own, to a `Slider` or its first arguments as a tuple.
+        Keys are constants, states (for their initial conditions), specifieds that are numbers
+        (inputs), names of these, or a symbol of your own. Values are a `Slider` or a tuple of its
+        first arguments.
     events : Event or sequence of Event, optional
     constraints : {'auto', 'project', None}, optional
-        By default the state is projected onto the constraints after each step where there are any.
+        By default the state is projected onto the constraints, if there are any, after each step.
     rtol, atol : float, optional
         The error allowed in a step is ``atol + rtol * abs(x)``.
     max_step : float, optional
-        For inputs that are short, which a longer step would miss.
+        Largest step; limit it if an input is shorter than a step.
     """
 
     sliders: Mapping[Any, Any] = field(default_factory=dict)

@@ -56,41 +56,41 @@ class Scene:
     Parameters
     ----------
     reference_frame : ReferenceFrame
-        What the scene is seen from.
+        Frame in which the scene is shown.
     origin : Point
-        Where its zero is.
+        Origin of the scene.
     *visuals : Visual, RigidBody or Particle
-        Bodies get a default shape. They may be set later, as `visualization_frames`.
+        Bodies get a default shape. Can also be set later, as `visualization_frames`.
     up : str or Vector, optional
-        Which way is up on the screen: an axis of the reference frame such as ``'y'`` or ``'-z'``,
+        Upward direction on the screen: an axis of the reference frame such as ``'y'`` or ``'-z'``,
         or a constant vector.
     ground : bool or float, optional
-        The height of the grid, counted upwards from the origin; by default, or True, below
-        everything that moves. False: no grid.
+        Height of the grid above the origin. If True (the default), it is below everything that
+        moves. If False, there is no grid.
     follow : bool, optional
-        Whether the camera goes along with the visuals; by default where they travel far.
+        Whether the camera follows the visuals; by default it does if they travel far.
     view : sequence of 3 numbers, optional
-        From which side the camera looks at the start, in the reference frame.
+        Direction from the scene to the camera at the start, in the reference frame.
     series : mapping of str to expressions, or iterable of expressions, optional
-        What to plot over time below the animation. What is in the trajectory, an output for
-        instance, is taken from there by symbol or name; the rest is evaluated.
+        Quantities to plot over time below the animation. Quantities in the trajectory, such as
+        outputs, are looked up by symbol or name; others are evaluated.
     title : str, optional
     units : mapping of str or symbols to str, optional
         Units of the series, shown with their labels.
     system : System, optional
-        What moves the scene when it is displayed and `animate` was not called.
+        Provides the motion if the scene is displayed without a call of `animate`.
     cameras : sequence of PerspectiveCamera, optional
-        The first gives the `view`. Lights and the size of a window are accepted and not used.
+        The first determines the `view`. Lights and window sizes are accepted and ignored.
 
     Raises
     ------
     TypeError, ValueError
-        An argument is of the wrong kind; the message names it.
+        An argument is invalid; the message names it.
 
     Notes
     -----
-    A scene may also be moved by its attributes `states_symbols`, `states_trajectories`, `constants`
-    and `times`: `display` then animates and shows it.
+    Instead of calling `animate`, you can set the attributes `states_symbols`,
+    `states_trajectories`, `constants` and `times`; `display` then animates the scene and shows it.
 
     Examples
     --------
@@ -183,7 +183,7 @@ class Scene:
         fps: float | None = 60.0,
         speed: float | None = None,
     ) -> Self:
-        """Set the scene in motion.
+        """Set the motion of the scene.
 
         Call it with a Trajectory, ``animate(trajectory)``, or with arrays, ``animate(times,
         states)``.
@@ -191,35 +191,35 @@ class Scene:
         Parameters
         ----------
         trajectory : Trajectory, or array_like, shape (m,)
-            Or the times.
+            A trajectory, or the times.
         states : array_like, shape (m, n), optional
         symbols : sequence of functions of time, optional
-            What the columns of `states` are; a scene of ``system.scene()`` knows.
+            Symbols of the columns of `states`; known if the scene was made by ``system.scene()``.
         constants : mapping of symbols to numbers, optional
-            Those that neither trajectory nor system supplies, or others than theirs.
+            Values that are missing in, or override, those of the trajectory and the system.
         specifieds : mapping of functions of time to numbers or arrays of shape (m,), optional
-            With `symbols` only.
+            Only together with `symbols`.
         series : mapping of str to array_like, shape (m,), optional
-            More to plot over time, already evaluated, such as outputs.
+            Further quantities to plot over time, already evaluated.
         compare : Trajectory, xarray.Dataset, or a list or dictionary of these, optional
-            Other runs, shown faintly beside this one at the same times, under their labels. Of an
-            ensemble's Dataset a dozen members are taken, evenly.
+            Other runs, drawn semi-transparently at the same times, with their labels. Of an
+            ensemble's Dataset up to a dozen members are shown.
         fps : float or None, optional
-            How many instants to keep for each second shown, at most; None keeps all.
+            Maximum number of instants to keep for each second shown; None keeps all.
         speed : float, optional
-            Seconds of the trajectory for each second shown; by default 1, unless that were too
-            short or too long to watch.
+            Seconds of the trajectory for each second shown; by default 1, unless the animation
+            would be too short or too long.
 
         Returns
         -------
         Scene
-            Itself, so that calls can be chained.
+            The scene itself, so that calls can be chained.
 
         Raises
         ------
         TypeError, ValueError
-            The trajectory is one of another system, a frame or point is not related to the scene's,
-            a symbol has no value; the message names the thing and the remedy.
+            The trajectory belongs to another system, a frame or point is not connected to the
+            scene's, or a symbol has no value. The message names it and the remedy.
         """
         if not self.visuals:
             raise ValueError(
@@ -267,7 +267,7 @@ class Scene:
 
     @property
     def times(self) -> np.ndarray:
-        """The instants that are shown, shape (m,); or set them, as `states_trajectories`."""
+        """Times that are shown, shape (m,). Can be set, together with `states_trajectories`."""
         return self._moving().times
 
     @times.setter
@@ -285,7 +285,7 @@ class Scene:
 
     @property
     def visualization_frames(self) -> list[Visual]:
-        """What is shown: set it to other visuals, and animate again."""
+        """Visuals of the scene. After setting them, call `animate` again."""
         return list(self.visuals)
 
     @visualization_frames.setter
@@ -297,7 +297,7 @@ class Scene:
 
     @property
     def cameras(self) -> list[Any]:
-        """Cameras, of which the first says from which side the scene is seen at the start."""
+        """Cameras; the first determines the direction of view at the start."""
         return self._cameras
 
     @cameras.setter
@@ -309,10 +309,10 @@ class Scene:
 
     @property
     def poses(self) -> np.ndarray:
-        """The poses of all visuals at `times`, shape (m, v, 4, 4).
+        """Poses of all visuals at `times`, shape (m, v, 4, 4).
 
-        ``poses[k, i] @ [x, y, z, 1]`` takes a point of visual i from the axes of its frame to those
-        of the scene.
+        ``poses[k, i] @ [x, y, z, 1]`` transforms a point of visual i from the axes of its frame to
+        those of the scene.
         """
         return self._moving().poses
 
@@ -336,7 +336,7 @@ class Scene:
     # -- the page ---------------------------------------------------------------------------------
 
     def html(self, theme: Literal["auto", "light", "dark"] = "auto", live: Any = None) -> str:
-        """Return the page that shows the scene, complete in itself; see `to_html`."""
+        """Return the HTML page of the animation; see `to_html`."""
         chosen = choice(theme, ("auto", "light", "dark"), "`theme`")
         moving = self._moving()
         scene = (self.reference_frame, self.origin, self.visuals, self.series)
@@ -346,18 +346,18 @@ class Scene:
     def to_html(
         self, path: Any, theme: Literal["auto", "light", "dark"] = "auto", live: Any = None
     ) -> Path:
-        """Write the page that shows the scene: one file, which needs no network.
+        """Write the animation to a self-contained HTML file.
 
         Parameters
         ----------
         path : path
             Conventionally with the suffix ``.html``.
         theme : {'auto', 'light', 'dark'}, optional
-            By default that of the reader's system.
+            Colour theme; by default that of the reader's system.
         live : Live or mapping, optional
-            Makes the page simulate: from constants, states (their initial conditions) and inputs,
-            or their names, to the ranges of sliders, such as ``{l: (0.1, 2.0)}``. The reader drags
-            them, and the page computes the motion anew.
+            Makes the page run the simulation, with sliders. Keys are constants, states (for
+            initial conditions) and inputs, or their names; values are ranges, such as ``{l: (0.1,
+            2.0)}``. See `Live`.
 
         Returns
         -------
@@ -366,8 +366,8 @@ class Scene:
         Raises
         ------
         ValueError
-            `live` has something that the system does not have, the scene was not made by
-            `system.scene`, or a specified is given by what only Python can compute.
+            `live` has an unknown key, the scene was not made by `system.scene`, or a specified is
+            given by a Python function or by samples.
         """
         target = file_of(path, "`path`")
         target.write_text(self.html(theme, live), encoding="utf-8")
@@ -396,7 +396,7 @@ class Scene:
         Parameters
         ----------
         window_size : (int, int), optional
-            Accepted and not used: the page is as wide as the notebook.
+            Accepted and ignored: the page is as wide as the notebook.
         axes_arrow_length : float, optional
             Length of the axes at the origin.
         """
@@ -420,7 +420,7 @@ class Scene:
     # -- figures and films ------------------------------------------------------------------------
 
     def to_matplotlib(self, t: float | None = None, axes: Any = None) -> Any:
-        """Draw the scene at one instant with Matplotlib.
+        """Draw the scene at one time with Matplotlib.
 
         Parameters
         ----------
@@ -453,19 +453,19 @@ class Scene:
         size: tuple[float, float] = (7, 5),
         progress: bool = False,
     ) -> Path:
-        """Save a film (``.mp4``, ``.gif``) or a picture of the first instant (``.png``, ``.pdf``…).
+        """Save a video (``.mp4``, ``.gif``) or an image of the start (``.png``, ``.pdf``, …).
 
         Parameters
         ----------
         path : path
-            Its suffix decides.
+            The suffix selects the format.
         fps : float, optional
-            Pictures for each second shown.
+            Frames per second of the video.
         dpi : int, optional
         size : (float, float), optional
             Width and height in inches.
         progress : bool, optional
-            Whether a bar counts the pictures of a film; needs tqdm.
+            Whether to show a progress bar; requires tqdm.
 
         Returns
         -------

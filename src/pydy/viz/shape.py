@@ -1,4 +1,4 @@
-"""The base of all shapes: frozen data, checked when it is made."""
+"""The base class of all shapes: immutable data, validated on creation."""
 
 from __future__ import annotations
 
@@ -40,16 +40,17 @@ class _Spelling(type):
 
 @dataclass(frozen=True, kw_only=True)
 class Shape(metaclass=_Spelling):
-    """What all shapes have in common.
+    """Attributes common to all shapes.
 
     Attributes
     ----------
     colour or color : str or sequence of 3 numbers, optional
-        A CSS name, ``"#rrggbb"``, or red, green, blue from 0 to 1; by default the next of a cycle.
+        A CSS name, ``"#rrggbb"``, or red, green and blue from 0 to 1; by default the next of a
+        cycle of colours.
     opacity : float
-        From 0, not to be seen, to 1.
+        From 0 (invisible) to 1 (opaque).
     name : str, optional
-        For the legend, where visuals of one name share a row.
+        Label in the legend, where visuals with the same name share a row.
     """
 
     colour: Any = None

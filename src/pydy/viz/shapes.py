@@ -1,8 +1,8 @@
-"""Shapes: what a visual looks like. Frozen data, checked when it is made.
+"""Shapes of visuals: immutable data, validated on creation.
 
-Lengths are numbers, or SymPy expressions of constants whose values the trajectory supplies. A
-shape's own axes are those of the frame it is attached to, its own origin is the point; round shapes
-say along which of the three axes they lie.
+Lengths are numbers, or SymPy expressions of constants whose values come from the trajectory. The
+axes of a shape are those of the frame it is attached to, and its origin is the point. Shapes with
+an axis of symmetry have an argument `axis`.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Sphere(Shape):
-    """A ball about the point.
+    """A ball centred at the point.
 
     Examples
     --------
@@ -68,7 +68,7 @@ class Sphere(Shape):
 
 @dataclass(frozen=True)
 class Box(Shape):
-    """A box about the point, with edges along x, y and z: its width, height and depth."""
+    """A box centred at the point, with edges along x, y and z."""
 
     x: Any
     y: Any
@@ -79,7 +79,7 @@ class Box(Shape):
 
 @dataclass(frozen=True)
 class Cylinder(Shape):
-    """A cylinder about the point, along an axis.
+    """A cylinder centred at the point, along an axis.
 
     Examples
     --------
@@ -102,7 +102,7 @@ class Cylinder(Shape):
 
 @dataclass(frozen=True)
 class Cone(Shape):
-    """A cone whose middle is the point and whose tip is in the direction of an axis."""
+    """A cone centred at the point, with its tip in the direction of an axis."""
 
     length: Any
     radius: Any
@@ -116,7 +116,7 @@ class Cone(Shape):
 
 @dataclass(frozen=True)
 class Capsule(Shape):
-    """A cylinder with round ends; `length` is that of the cylinder alone."""
+    """A cylinder with hemispherical ends; `length` is that of the cylinder alone."""
 
     length: Any
     radius: Any
@@ -130,7 +130,7 @@ class Capsule(Shape):
 
 @dataclass(frozen=True)
 class Torus(Shape):
-    """A ring about an axis through the point: `radius` to the middle of a tube of `tube`."""
+    """A torus around an axis; `radius` is that of its centre line, `tube` that of its tube."""
 
     radius: Any
     tube: Any
@@ -145,7 +145,7 @@ class Torus(Shape):
 
 @dataclass(frozen=True)
 class Plane(Shape):
-    """A rectangle about the point, normal to an axis.
+    """A rectangle centred at the point, normal to an axis.
 
     Its edges are along the two other axes in the order x, y, z: those of a plane normal to y have
     the `length` along x and the `width` along z.
@@ -163,16 +163,16 @@ class Plane(Shape):
 
 @dataclass(frozen=True)
 class Arrow(Shape):
-    """An arrow from the point along a SymPy vector, which may change in time: a force, a velocity.
+    """An arrow from the point along a SymPy vector, such as a force or a velocity.
 
     Attributes
     ----------
     vector : sympy.physics.vector.Vector
     scale : float or None
-        Length of the arrow for a vector of magnitude one. None: arrows of one name get the same,
-        with which the longest ever is a third of the scene.
+        Length of the arrow for a vector of magnitude one. If None, all arrows with the same name
+        share a scale such that the longest at any time is a third of the size of the scene.
     radius : length, optional
-        Of the shaft; by default it suits the size of the scene.
+        Radius of the shaft; by default it depends on the size of the scene.
 
     Examples
     --------
@@ -205,14 +205,14 @@ class Arrow(Shape):
 
 @dataclass(frozen=True)
 class Line(Shape):
-    """A line through points that move: a rope, a spring's axis, a rod between two joints.
+    """A line through moving points: a rope, the axis of a spring, a rod between two joints.
 
     Attributes
     ----------
     points : sequence of sympy.physics.vector.Point
         Two or more.
     radius : length, optional
-        Makes it a round rod instead of a thin line.
+        If given, a round rod with this radius instead of a thin line.
 
     Examples
     --------
@@ -239,12 +239,12 @@ class Line(Shape):
 
 @dataclass(frozen=True)
 class Trace(Shape):
-    """The path that the point leaves behind.
+    """The path of the point.
 
     Attributes
     ----------
     duration : float, optional
-        How many seconds of it stay; by default all.
+        Duration of the visible part in seconds; by default all of it.
     """
 
     duration: Any = None
@@ -258,11 +258,12 @@ class Mesh(Shape):
     Attributes
     ----------
     source : path, or (vertices, faces)
-        A file with the suffix ``.stl`` (text or binary) or ``.obj``; or coordinates of shape (n, 3)
-        and, of shape (k, 3), which three of them make each triangle. Coordinates alone stand for
-        their convex hull.
+        A file with the suffix ``.stl`` (text or binary) or ``.obj``; or a pair of vertex
+        coordinates, shape (n, 3), and vertex indices of the triangles, shape (k, 3). If only
+        coordinates are given, their convex hull is shown.
     scale : length
-        What one unit of the file is, in the scene: 0.001 for millimetres in a scene of metres.
+        Length in the scene of one unit in the file: 0.001 for a file in millimetres and a scene in
+        metres.
 
     Examples
     --------

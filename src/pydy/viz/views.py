@@ -1,4 +1,4 @@
-"""Names that scripts written for PyDy's viz package use: visualization frames, cameras, lights."""
+"""Names used by scripts written for PyDy's viz package: visualization frames, cameras, lights."""
 
 from __future__ import annotations
 
@@ -27,8 +27,7 @@ def VisualizationFrame(*args: Any) -> Visual:
     Parameters
     ----------
     *args
-        A name, which may be left out; a ReferenceFrame and a Point or Particle, or a RigidBody; and
-        a shape.
+        An optional name; a ReferenceFrame and a Point or Particle, or a RigidBody; and a shape.
 
     Examples
     --------
@@ -50,14 +49,14 @@ def VisualizationFrame(*args: Any) -> Visual:
 
 
 class PerspectiveCamera:
-    """A camera of PyDy's viz package: the scene is first seen from the side on which it is.
+    """A camera of PyDy's viz package; it determines the direction of view at the start.
 
     Parameters
     ----------
     *args
-        A name, which may be left out; a ReferenceFrame and a Point, or a body.
+        An optional name; a ReferenceFrame and a Point, or a body.
     **options
-        Accepted and not used: the page chooses the distance, and readers turn the view.
+        Accepted and ignored: the page chooses the distance, and the reader can rotate the view.
     """
 
     def __init__(self, *args: Any, **options: Any) -> None:
@@ -75,11 +74,11 @@ class PerspectiveCamera:
 
 
 class OrthoGraphicCamera(PerspectiveCamera):
-    """As `PerspectiveCamera`: the page draws in perspective."""
+    """Like `PerspectiveCamera`; the page always uses a perspective projection."""
 
 
 class PointLight(PerspectiveCamera):
-    """A light of PyDy's viz package; accepted and not used, the page has lights of its own."""
+    """A light of PyDy's viz package; accepted and ignored, since the page has its own lights."""
 
 
 def direction_of(camera: Any, frame: Any, origin: Any) -> np.ndarray | None:

@@ -1,4 +1,4 @@
-"""A visual: a shape, the frame that it turns with, and the point where it is."""
+"""A visual: a shape, the frame that it rotates with, and the point where it is."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ class Visual:
     Parameters
     ----------
     shape : Shape or None
-        None stands for a default that suits the body: the solid with its inertia, a ball for a
+        If None, a default shape of the body: a solid with the same inertia, or a ball for a
         particle.
     *where : ReferenceFrame and Point, Point, RigidBody, or Particle
-        Without a frame the shape keeps the orientation of the scene. A `Line` needs nothing, for it
-        has points of its own.
+        Without a frame the shape keeps the orientation of the scene. A `Line` needs no frame and
+        no point, since it has its own points.
     name : str, optional
-        For the legend; by default the shape's name, the body's, or the point's.
+        Label in the legend; by default the name of the shape, the body or the point.
     trail : bool, optional
-        Whether the page shows the path of the point from the beginning.
+        Whether the page shows the path of the point.
 
     Examples
     --------
