@@ -77,8 +77,8 @@ print("states:", system.states)
 motion = system.simulate(rtol=1e-11, atol=1e-13)
 
 # %%
-# The arrow is the normal force on the ball.  It shrinks to nothing where a real ball would take
-# off; the model knows no take-off and keeps rolling.
+# The arrow is the normal force on the ball.  It vanishes where a real ball would take off; in the
+# model it keeps rolling.
 
 scene = system.scene(
     Visual(Sphere(R, color="lightgrey"), top.locatenew("dome", -R * W.y), name="dome"),

@@ -42,8 +42,8 @@ print(f"{system.num_holonomic_constraints} holonomic constraint, "
 # ------------------------
 # Riding straight ahead, upright, is a steady motion at every speed.  The Jacobians of the equations
 # and of the constraints give the linear model of the motions that the constraints allow.  Eleven of
-# its eigenvalues are zero: position, heading, wheel angles and speed do not matter.  The four of
-# lean and steer remain.
+# its eigenvalues are zero, since nothing depends on position, heading and wheel angles.  The four
+# of lean and steer remain.
 
 
 def lean_and_steer(speed):

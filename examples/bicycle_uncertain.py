@@ -72,7 +72,7 @@ scene.animate(motion, compare=others)
 # The ensemble
 # ------------
 # Of each bicycle we keep two numbers: the largest lean early and late in the ride.  `reduce`
-# computes them in chunks, so that the trajectories never lie in memory together.
+# computes them in chunks, so that all trajectories are never in memory at the same time.
 
 lean = bicycle["phi"]
 
@@ -92,7 +92,7 @@ print(f"{stable.mean():.1%} of {count} bicycles within {SPREAD:.0%} are stable a
 
 # %%
 # The rate of growth over each parameter.  The tilt of the steering axis and the front wheel's
-# inertia decide; the masses matter little.
+# inertia have the largest effect, the masses a small one.
 
 figure, panels = plt.subplots(2, 3, figsize=(9, 5.4), layout="constrained", sharey=True)
 for axes, (symbol, drawn) in zip(panels.flat, samples.items(), strict=False):

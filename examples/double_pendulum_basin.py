@@ -6,8 +6,7 @@ A double pendulum is released at rest from every pair of angles.  How long does 
 its links goes over the top?  The result is a picture with smooth borders and chaos behind them.
 
 One border is known exactly.  Where 2 cos θ₁ + cos θ₂ > 1 the energy is too small to bring either
-link upright, so none of these may ever flip.  And the picture must be symmetric, because a mirror
-image moves like a mirror image.
+link upright, so none of these can flip.  And the picture must be symmetric, because the model is.
 """
 
 import sys
@@ -50,7 +49,7 @@ system = System(
 # %%
 # One pendulum
 # ------------
-# Two releases that differ by a hundredth of a radian: the faint one soon goes its own way.
+# Two releases that differ by a hundredth of a radian: the semi-transparent one soon diverges.
 
 
 def release(q1, q2):

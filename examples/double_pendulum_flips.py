@@ -6,8 +6,8 @@ A double pendulum is released at rest from every pair of angles.  How many turns
 made in the end?  Smooth regions, where neighbours end alike, border on chaotic ones, where they
 have nothing in common.
 
-Where 2 cos θ₁ + cos θ₂ > 1 the energy is too small to bring either link upright: none of these may
-ever flip.  And a mirror image must move like a mirror image.
+Where 2 cos θ₁ + cos θ₂ > 1 the energy is too small to bring either link upright: none of these can
+flip.  Mirror-image initial conditions must give mirror-image motions.
 """
 
 import sys

@@ -83,9 +83,9 @@ system.set_dependent_initial_conditions(use_jac=True)
 # %%
 # Forces as outputs
 # -----------------
-# `system.reaction` cuts bodies free and returns what holds them.  The main bearing holds crank, rod
-# and piston.  So does the wall, whose thrust is therefore among the loads of this cut.  The crank
-# pin holds rod and piston, the wrist pin the piston alone.
+# `system.reaction` cuts bodies free and returns the resultant that holds them.  The main bearing
+# holds crank, rod and piston.  So does the wall, whose thrust is therefore among the loads of this
+# cut.  The crank pin holds rod and piston, the wrist pin the piston alone.
 
 thrust = system.constraint_forces["lambda0"]
 wall = [(wrist_pin, thrust * N.y)]

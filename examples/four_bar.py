@@ -7,7 +7,7 @@ crank is spun up and released.  Gravity is off, so that only the changing inerti
 slows it down and speeds it up again.
 
 Two equations close the loop.  The rocker's angle also follows from the intersection of two circles,
-which is what we compare with; and the energy must be constant.
+with which we compare it.  The energy must be constant.
 """
 
 import sys

@@ -2,8 +2,8 @@
 Furuta pendulum: swing-up and balance
 =====================================
 
-A motor turns an arm in the horizontal plane.  At the arm's end hangs a pendulum that nothing
-drives. The motor has to swing the pendulum up and to balance it there (Furuta's rotary pendulum).
+A motor turns an arm in the horizontal plane.  A pendulum without a motor hangs from the end of the
+arm.  The motor has to swing the pendulum up and to balance it there (Furuta's rotary pendulum).
 
 Two controllers share the work.  The first pumps energy into the pendulum (Åström and Furuta,
 Automatica 36, 2000).  Near the top a linear-quadratic regulator takes over, designed on the exact
@@ -70,8 +70,8 @@ assert np.isclose(unstable, expected, rtol=1e-9)
 # %%
 # Balance
 # -------
-# The regulator weighs angles against torque.  With it as an expression in the equations, the linear
-# model of the closed loop has exactly the poles that the design promises.
+# The regulator minimises a weighted sum of angles and torque.  With it as an expression in the
+# equations, the linear model of the closed loop has exactly the poles that the design promises.
 
 F, G = linear.A, linear.B
 Q, R = np.diag([1.0, 5.0, 0.1, 0.1]), np.array([[20.0]])

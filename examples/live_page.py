@@ -3,10 +3,10 @@ Live page
 =========
 
 A pendulum hangs from a carriage on a spring: a tuned vibration absorber, or a toy that never comes
-to rest, depending on the masses.  The page below simulates.  Drag a slider, and JavaScript made
-from the same equations computes the new motion in your browser.
+to rest, depending on the masses.  The page below runs the simulation.  Drag a slider, and
+JavaScript generated from the same equations computes the new motion in your browser.
 
-The check does without pydy: `System.export` writes the equations as functions that need NumPy
+The check does not use pydy:  `System.export` writes the equations as functions that need NumPy
 alone.  SciPy integrates these, and must end where pydy's own solver ends.
 """
 
@@ -70,7 +70,7 @@ figure.suptitle("Energy moves back and forth between carriage and pendulum")
 # The page
 # --------
 # The rod's length is an expression of the constant l, so that it follows the slider.  A slider is
-# given by its least and greatest value, its start, and its unit.
+# given by its minimum, maximum, initial value and unit.
 
 rod = C.locatenew("rod", -l / 2 * B.y)
 scene = system.scene(

@@ -3,9 +3,9 @@ Trim and feedback of a quadrotor
 ================================
 
 A quadrotor that flies straight ahead against the air leans forward.  How far, and how hard its
-rotors must push, is a trim: states and inputs at which nothing changes but the position.  The
-linear model at the trim goes to python-control.  Its linear-quadratic regulator brings the vehicle
-back after a gust.
+rotors must push, is a trim: states and inputs at which only the position changes.  The linear model
+at the trim goes to python-control.  Its linear-quadratic regulator brings the vehicle back after a
+gust.
 """
 
 import sys
@@ -61,7 +61,7 @@ system = System(
 # %%
 # Trim
 # ----
-# The pitch and the two thrusts are unknown, the speed is given, and the position may move on.
+# The pitch and the two thrusts are unknown, the speed is given, and the position keeps changing.
 # Statics has the same answer: lean and thrust balance weight and drag.
 
 trim = system.find_equilibrium(

@@ -3,7 +3,7 @@ Rattleback
 ==========
 
 A rattleback is a boat-shaped stone that prefers one direction of spin.  Spun one way it turns
-steadily.  Spun the other way it soon begins to rattle, stops, and turns back.  The cause is rolling
+steadily.  Spun the other way it soon begins to rattle, stops, and reverses.  The cause is rolling
 without slip, and a mass distribution that is skewed against the curvature of its underside.
 
 This is the model of Kane and Levinson with their numbers ([1]_), without friction.  We check that
@@ -77,8 +77,8 @@ system = System(
 )
 
 # %%
-# Both ways
-# ---------
+# Both directions
+# ---------------
 # Half a degree of roll is enough to start the rattle.
 
 
@@ -133,11 +133,11 @@ for axes in (top, bottom):
     axes.grid(alpha=0.3)
 
 # %%
-# When does it turn back?
-# -----------------------
+# When does it reverse?
+# ---------------------
 # The moment at which the spin passes zero is an event.  Its derivatives with respect to constants
 # and initial conditions come with one simulation: the solver integrates the variational equations
-# beside the motion.  Multiplied by tolerances they tell which one matters most.
+# together with the motion.  Multiplied by tolerances they show which one matters most.
 
 TOLERANCES = {"I_12": 2e-6, "h": 1e-4, "b": 1e-4, "alpha": np.radians(0.05), "omega_3": 0.1}
 reversal = Event(w[2], direction=1, terminal=True, name="turns back")

@@ -2,13 +2,13 @@
 Rolling disc
 ============
 
-A coin that rolls on a table neither slips nor leaves it.  Two nonholonomic constraints say so: they
-restrict the velocity and cannot be integrated to constraints on the position.  Rolling straight
-ahead, upright, the coin is stable when it is fast enough.  A thin disc of radius r that spins with
-ω leans with the eigenvalues ±√(4g/5r − 12ω²/5), which are imaginary above ω² = g/3r.
+A coin that rolls on a table without slipping has two nonholonomic constraints: they restrict its
+velocity and cannot be integrated to constraints on its position.  Rolling straight ahead, upright,
+the coin is stable when it is fast enough.  A thin disc of radius r that spins with ω leans with the
+eigenvalues ±√(4g/5r − 12ω²/5), which are imaginary above ω² = g/3r.
 
-We compare the exact linear model with that formula.  Then a disc wobbles along a little above the
-critical speed, and must keep its energy.
+We compare the exact linear model with that formula.  Then a disc wobbles a little above the
+critical speed, and its energy must be constant.
 """
 
 import sys
@@ -50,8 +50,8 @@ D.set_ang_vel(N, disc_spin)
 # %%
 # Rolling
 # -------
-# The material point at the contact is at rest: the centre moves as the spin says.  The disc is
-# axisymmetric, so its inertia is constant in the frame that does not roll.
+# The material point at the contact is at rest, which determines the velocity of the centre from the
+# spin.  The disc is axisymmetric, so its inertia is constant in the frame that does not roll.
 
 origin, contact, centre = me.Point("O"), me.Point("P"), me.Point("C")
 origin.set_vel(N, 0)

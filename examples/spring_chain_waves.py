@@ -7,8 +7,8 @@ is released.  It splits into two waves that run in opposite directions.  The wal
 inverted, the free end upright, and both disperse, because on a chain short waves are slower than
 long ones.
 
-A chain of n masses with one end fixed has the modes sin((2j−1)π i/(2n+1)) with the frequencies
-ω = 2 √(k/m) sin((2j−1)π/(4n+2)).  Their sum is the exact motion, and what we compare with.
+A chain of n masses with one end fixed has the modes sin((2j−1)π i/(2n+1)) with the frequencies ω =
+2 √(k/m) sin((2j−1)π/(4n+2)).  Their sum is the exact motion, with which we compare.
 """
 
 import sys

@@ -94,8 +94,8 @@ print(
 # %%
 # Jackknife
 # ---------
-# The engine holds 1 m/s backwards and the hands hold the wheel straight.  The hitch is off by one
-# degree only.  The run ends at 70°.
+# The car drives backwards at 1 m/s with straight steering.  The hitch angle is only one degree at
+# the start.  The run ends at 70°.
 
 
 def hands(wanted):
@@ -171,9 +171,9 @@ assert error < 1e-7
 # %%
 # Steering onto a line
 # --------------------
-# The feedback goes backwards through the chain.  The offset and heading of the trailer ask for a
-# hitch angle, limited to 30°.  The error of the hitch angle asks for a steering angle: with it the
-# hitch follows like a first-order lag over the distance driven.
+# The controller is a cascade.  The offset and heading of the trailer determine a desired hitch
+# angle, limited to 30°.  The error of the hitch angle determines the steering angle, such that the
+# hitch follows as a first-order lag over the distance driven.
 
 offset = axle.pos_from(O).dot(N.y)
 limit = np.radians(30.0)

@@ -3,8 +3,8 @@ A trailer in a turn, forwards and backwards
 ===========================================
 
 A car with a steered front axle and a trailer behind it drives round a circle.  In the steady turn
-the trailer stands at an angle that geometry alone decides, while the motor works against the drag.
-Forwards the trailer returns to that angle after a nudge.  Backwards it leaves it: it jackknifes.
+the hitch angle is determined by geometry alone, while the motor works against the drag.  Driving
+forwards, the trailer returns to that angle after a disturbance.  Driving backwards, it jackknifes.
 """
 
 import sys
@@ -77,9 +77,9 @@ system = System(
 # %%
 # Trim
 # ----
-# Unknown are the hitch angle, the rate of turn and the force of the motor.  The speed is given, and
-# position and heading may move on.  No axle slips, so all of them turn about one point, and the
-# motor's power is what the drag takes at the trailer's axle.
+# The unknowns are the hitch angle, the rate of turn and the force of the motor.  The speed is
+# given, and position and heading keep changing.  No axle slips, so all of them turn about one
+# point, and the motor's power equals the power of the drag at the trailer's axle.
 
 radius = BASE / np.tan(STEER)
 angle = -np.arcsin(TONGUE / radius)
@@ -101,8 +101,7 @@ for speed in (3.0, -3.0):
 # Stability
 # ---------
 # Without slip the hitch obeys β' = −(v/d) sin β − r.  Its eigenvalue −(v/d) cos β is stable
-# forwards and unstable backwards.  Three eigenvalues are zero: position and heading go on as they
-# are.
+# forwards and unstable backwards.  Three eigenvalues are zero, those of position and heading.
 
 for speed, trim in trims.items():
     system.specifieds = trim.specifieds

@@ -32,7 +32,7 @@ SLOPE = 0.009
 # %%
 # Equations
 # ---------
-# Time counts in √(l/g).  θ is the angle of the stance leg to the slope's normal, φ the angle
+# The unit of time is √(l/g).  θ is the angle of the stance leg to the slope's normal, φ the angle
 # between the legs.  The feet have no mass compared with the hip, so the swing leg does not act on
 # the stance leg.  In that limit the published equations are θ'' = sin(θ − γ) and φ'' = sin(θ − γ) +
 # (θ'² − cos(θ − γ)) sin φ.  We enter them as forces on two unit masses, whose positions on a line
@@ -77,7 +77,7 @@ strike = Event(
 # %%
 # The gait
 # --------
-# A shooting method finds the motion that repeats itself after each strike.
+# A shooting method finds the motion that repeats after each strike.
 
 system = System(
     kane,
