@@ -828,7 +828,7 @@ class System:
             As in `evaluate_ode`.
         wrt : {'states', 'specifieds', 'constants'}, symbol or name, or a list, optional
             With respect to what, in the order of the arrays x, r and p; a list may hold states,
-            specifieds and constants together.
+            specifieds, constants and groups of these together.
         of : {'ode', 'outputs', 'holonomic', 'velocity'}, output, expression, or list, optional
             Of the state derivatives, all outputs, the residuals of constraints, or of any outputs
             and expressions of states, specifieds and constants.
@@ -1487,12 +1487,13 @@ class System:
 
         Parameters
         ----------
-        sensitivities : iterable of symbols or names, optional
+        sensitivities : symbol, name, group, or iterable of these, optional
             Parameters by which the states are differentiated along the motion: constants; states,
-            for their initial conditions; specifieds that are numbers or samples. The derivatives
-            are integrated beside the states, through events and constraints, and are the
-            trajectory's `sensitivity`. Dependent initial conditions, as
-            `set_dependent_initial_conditions` solved for them last, follow the others.
+            for their initial conditions; specifieds that are numbers or samples; ``'constants'``,
+            ``'states'`` or ``'specifieds'`` for all of a kind. The derivatives are integrated
+            beside the states, through events and constraints, and are the trajectory's
+            `sensitivity`. Dependent initial conditions, as `set_dependent_initial_conditions`
+            solved for them last, follow the others.
         control_sensitivities : bool, optional
             Whether the step control of a native solver looks at them too, and not at the states
             alone.
@@ -1566,7 +1567,7 @@ class System:
         product : bool, optional
             Whether each one-dimensional array gets a dimension of its own, named after its symbol
             (``initial_q1`` for an initial condition of ``q1``): the samples are all combinations.
-        sensitivities : iterable of symbols or names, optional
+        sensitivities : symbol, name, group, or iterable of these, optional
             Parameters by which every trajectory is differentiated, as in `simulate`: the variable
             ``sensitivity`` along ``quantity``, states and outputs, and ``parameter``.
         control_sensitivities : bool, optional

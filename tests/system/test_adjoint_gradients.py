@@ -200,6 +200,13 @@ def test_constants_in_expressions_for_specifieds():
     agree(found.values, forward(system, [a, w], np.array([1.0, 0.0, 0.0, 0.0]), **TIGHT))
 
 
+def test_groups_may_stand_in_lists():
+    system = oscillator()
+    found = system.adjoint_gradient(["constants", "x0"], final="x0", **TIGHT)
+    assert found.names == ("c0", "k0", "m0", "x0")
+    assert found["x0"] == system.adjoint_gradient("x0", final="x0", **TIGHT)["x0"]
+
+
 # -- events ---------------------------------------------------------------------------------------
 
 
@@ -276,6 +283,35 @@ def test_the_time_and_speed_at_which_a_terminal_event_ends():
     )
 
 
+def test_an_event_that_a_jump_of_an_input_makes_happen_has_a_time_of_its_own():
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
+    system.ode_solver, system.times = "dop853", [0.0, 0.5, 1.5]
+    (x0, v0), (force,) = system.states, system.specifieds_symbols
+    system.constants, system.initial_conditions = {"k0": 2.0, "c0": 0.3}, {"x0": 0.1}
+    push = SampledInput([0.0, 0.6, 1.5], [1.0, -2.0, -2.0], "previous")
+    system.specifieds = {force: push}
+    for ends, value in ((False, x0), (True, x0 + me.dynamicsymbols._t)):
+        kick = Event(force + 0.5, terminal=ends, reset={v0: -0.5 * v0}, name="kick")
+        found = system.adjoint_gradient(
+            ["constants", "x0"], final=value, integral=v0**2, events=kick, **TIGHT
+        )
+        for k, symbol in enumerate([*system.constants_symbols, x0]):
+            ahead, behind = (_moved(system, symbol, h, value, v0**2, kick) for h in (1e-4, -1e-4))
+            assert found.values[k] == pytest.approx((ahead - behind) / 2e-4, abs=1e-7)
+
+
+def _moved(system, symbol, change, final, integral, event):
+    """The scalar at a slightly changed number."""
+    kind = "initial_conditions" if symbol in system.states else "constants"
+    before = getattr(system, kind)
+    named = {str(key).removesuffix("(t)"): value for key, value in before.items()}
+    name = symbol.name
+    setattr(system, kind, {**named, name: named.get(name, 1.0) + change})
+    found = system.adjoint_gradient([symbol], final=final, integral=integral, events=event, **TIGHT)
+    setattr(system, kind, before)
+    return found.value
+
+
 def test_an_event_that_is_only_grazed_is_refused():
     system, (y, v), (g, *_) = ball()
     system.initial_conditions = {y: 0.0, v: 10.0}
@@ -320,6 +356,9 @@ def test_what_cannot_be_done_is_said():
     with pytest.raises(ValueError, match="simulate\\(sensitivities"):
         system.adjoint_gradient(["m0"], final="x0")
     pendulum = cart(1)
+    pendulum.specifieds = {"F": SampledInput([0, 1, 2], [0, 1, 0], "pchip")}
+    with pytest.raises(ValueError, match=r"`wrt` has `F.t.`, whose samples are .* 'pchip'"):
+        pendulum.adjoint_gradient(["F"], final="q0", max_steps=1)  # said before a step is taken
     pendulum.specifieds = {"F": lambda x, t: 0.0}
     with pytest.raises(ValueError, match="`wrt` needs the derivatives of the specifieds"):
         pendulum.adjoint_gradient(["m0"], final="q0")

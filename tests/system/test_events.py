@@ -582,3 +582,14 @@ def test_aggregated_states_go_on_through_events():
     assert x.shape == (41, 3)
     close(x[:, 2], -9.81 * system.times, 1e-9)
     assert info["events"][0].after.shape == (3,)
+
+
+@pytest.mark.parametrize("solver", ["dop853", "rk4", "radau"])
+def test_a_jump_of_an_input_makes_an_event_happen_once(solver):
+    # A floor leaps from −1 to 5 at t = 0.3, above the ball, and throws it up.
+    floor = SampledInput([0.0, 0.3, 2.0], [-1.0, 5.0, 5.0], "previous")
+    system = ball(solver, specifieds={PUSH: floor}, times=[0.0, 0.3, 0.5])
+    leap = Event(Z - PUSH, direction=-1, reset={V: 2.0}, name="leap")
+    x, info = run(system, [leap], **({"step": 5e-3} if solver == "rk4" else {"max_step": 0.05}))
+    assert moments(info) == [0.3]
+    close(x[-1, 1], 2.0 - 0.2 * (9.81 - 5.0 / 1.3), 1e-6)

@@ -35,6 +35,13 @@ def test_the_gradient_of_an_output_is_its_row_of_the_jacobian(cart):
             np.testing.assert_allclose(found, whole[k], rtol=1e-12, atol=1e-15)
 
 
+def test_groups_stand_in_lists_for_their_symbols(cart):
+    found = cart.evaluate_jacobian(STATE, wrt=["constants", "q1"])
+    constants = cart.evaluate_jacobian(STATE, wrt="constants")
+    assert np.array_equal(found[:, :-1], constants)
+    assert np.array_equal(found[:, -1:], cart.evaluate_jacobian(STATE, wrt=["q1"]))
+
+
 def test_a_gradient_comes_with_its_value(cart):
     value, gradient = cart.evaluate_gradient("push", STATE, value=True)
     assert value == pytest.approx(cart.evaluate_outputs(STATE)[1], rel=1e-14)

@@ -290,6 +290,17 @@ def test_inputs_without_derivatives_are_refused(force, wanted, message):
         driven_mass(f0=force).simulate(sensitivities=[wanted])
 
 
+def test_groups_stand_for_their_symbols():
+    system = oscillator()
+    found = system.simulate(sensitivities=["constants", "v0"], **TIGHT).sensitivity
+    assert found.names == ("c0", "k0", "m0", "v0")
+    assert system.simulate(sensitivities="states", **TIGHT).sensitivity.names == ("x0", "v0")
+    with pytest.raises(ValueError, match="`sensitivities` must name at least one"):
+        system.simulate(sensitivities="specifieds")
+    sampled = driven_mass(f0=0.8).simulate(sensitivities=["states", "specifieds"]).sensitivity
+    assert sampled.names == ("x0", "v0", "f0")
+
+
 def test_integrate_says_where_sensitivities_are_found():
     system = oscillator()
     system.ode_solver = "dop853"
@@ -413,6 +424,30 @@ def test_events_that_depend_on_time_and_on_inputs_have_sensitivities():
     assert relative(found.values[:, :, 4], by_gravity) < 1e-7
 
 
+def test_an_event_that_a_jump_of_an_input_makes_happen_has_a_time_of_its_own():
+    q, u = me.dynamicsymbols("q, u")
+    level, e = me.dynamicsymbols("h"), sm.Symbol("e")
+    system, _ = ball(reset={u: -0.5 * u + level})
+    system.outputs = {sm.Symbol("used"): e * level}
+    # The floor leaps up to the ball at t = 0.3, and knocks it upwards.
+    knock = Event(q - level, direction=-1, reset={u: e * level}, name="knock")
+    floor = SampledInput([0.0, 0.3, 2.0], [0.0, 2.0, 2.0], "previous")
+    system.times = np.linspace(0.0, 0.6, 4)
+
+    def simulate(**numbers):
+        system.specifieds = {level: floor}
+        system.constants = {"g": 9.81, "e": 1.5, **numbers}
+        return system.simulate(sensitivities=["g", "e"], events=[knock], **TIGHT)
+
+    trajectory = simulate()
+    (event,) = trajectory.events
+    assert event.time == 0.3
+    assert np.array_equal(event.time_sensitivity, [0.0, 0.0])
+    # Up at 3 m/s from q(0.3) = 1 + 0.15 − g 0.045, at t = 0.6: by g, −0.045 − 0.045.
+    found = trajectory.sensitivity.values[-1]
+    np.testing.assert_allclose(found, [[-0.09, 0.6], [-0.3, 2.0]], atol=1e-11)
+
+
 def test_an_event_that_grazes_is_named():
     system, _ = ball()
     system.initial_conditions = {"q": 0.1, "u": 1.0}
@@ -500,6 +535,10 @@ def test_the_norm_of_a_quaternion_is_held_in_sensitivities():
     names = [str(next(iter(system.constants_symbols)))]
     held = system.simulate(sensitivities=names, constraints="project", rtol=1e-5, atol=1e-5)
     assert off_the_constraints(system, held, names) < 1e-12
+
+
+def test_the_states_as_a_group_leave_out_dependent_ones():
+    assert linkage().simulate(sensitivities="states").sensitivity.names == ("q1", "u1")
 
 
 def test_a_dependent_initial_condition_is_no_parameter():

@@ -22,7 +22,6 @@ from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel, KernelCall
-from pydy._system.balance import GROUPS
 from pydy._system.causes import explain
 from pydy._system.parameters import Parameter, read_parameters
 from pydy._system.projections import Projections
@@ -35,7 +34,7 @@ from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.adjoint.backward import WayBack
 from pydy.solvers.adjoint.recording import Recording
-from pydy.solvers.events import Event, EventRecord
+from pydy.solvers.events import Event, EventRecord, forcing_time
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, OUTCOMES, TERMINATED
 from pydy.solvers.run.integration import Integration
@@ -71,10 +70,7 @@ def adjoint_gradient(
             "`final` or `integral` must be given: an output or an expression of states, "
             "specifieds, constants and time."
         )
-    if isinstance(wrt, str) and wrt in GROUPS:
-        symbols = definition.places[wrt].symbols
-        wrt = [s for s in symbols if wrt != "states" or s not in dependent]
-    parameters = read_parameters(definition, plan, wrt, "wrt")
+    parameters = read_parameters(definition, plan, wrt, "wrt", dependent)
     final, integral = (
         None if term is None else _read(definition, term, name)
         for term, name in ((final, "final"), (integral, "integral"))
@@ -439,11 +435,15 @@ class _Run:
         out = call.kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
         part = {block.name: out[block.start : block.stop] for block in program.blocks}
         rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
-        self._check_crossing(record, rate, curvature, part["crossing"][:n])
-        before, after = self._rates(x, t), self._rates(record.after, t)
-        moved = float(part["after_rate"][0] - self._adjoint[:n] @ after[:n])
-        moved += float(self._adjoint[n:] @ (before - after)[n:])
-        share = -(moved + slope) / rate
+        events = self.options.events
+        assert events is not None
+        share = 0.0  # where an input that jumps makes it happen, its time is given
+        if forcing_time(call, events, record.index, x, t) is None:
+            self._check_crossing(record, rate, curvature, part["crossing"][:n])
+            before, after = self._rates(x, t), self._rates(record.after, t)
+            moved = float(part["after_rate"][0] - self._adjoint[:n] @ after[:n])
+            moved += float(self._adjoint[n:] @ (before - after)[n:])
+            share = -(moved + slope) / rate
         self._adjoint[:n] = part["turned"][:n] + share * part["crossing"][:n]
         self._add(part["turned"][n:] + share * part["crossing"][n:], t)
 

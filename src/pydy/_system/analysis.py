@@ -16,7 +16,7 @@ from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._system.balance import GROUPS, evaluated, feedback, located
+from pydy._system.balance import GROUPS, evaluated, feedback, located, members
 from pydy._system.evaluation import samples
 from pydy._system.snapshot import Snapshot
 from pydy._system.start import violations
@@ -44,7 +44,7 @@ def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], 
                 f"`wrt` must be one of {kinds}, or states, constants and specifieds of the system, "
                 f"got {wrt!r}."
             )
-    symbols = one_or_more("wrt", wrt)
+    symbols = members(definition, one_or_more("wrt", wrt))
     if not symbols:
         raise ValueError("`wrt` must name at least one state, constant or specified.")
     found = (located(definition, symbol, "wrt") for symbol in symbols)

@@ -25,6 +25,7 @@ __all__ = [
     "feedback",
     "find_equilibrium",
     "located",
+    "members",
 ]
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
@@ -75,6 +76,28 @@ def located(definition: Definition, symbol: Any, argument: str) -> tuple[str, in
     places = Places(everything, "states, constants and specifieds of the system")
     places.find(symbol, argument)  # raises, with names that are alike
     raise AssertionError(symbol)
+
+
+def members(
+    definition: Definition, keys: Iterable[Any], without: Mapping[str, Iterable[Any]] | None = None
+) -> list[Any]:
+    """Return symbols and names, with all symbols of a group in place of its name.
+
+    Parameters
+    ----------
+    definition : Definition
+    keys : iterable
+    without : mapping, optional
+        Symbols that a group does not stand for.
+    """
+    found: list[Any] = []
+    for key in keys:
+        if isinstance(key, str) and key in GROUPS:
+            left_out = set((without or {}).get(key, ()))
+            found += [s for s in definition.places[key].symbols if s not in left_out]
+        else:
+            found.append(key)
+    return found
 
 
 def evaluated(

@@ -62,11 +62,11 @@ def differentiated(
     if chosen is None:
         return None
     definition = now.definition
-    parameters = read_parameters(definition, plan, chosen)
-    sensitive = Sensitive(definition, integrated, plan, parameters, now.p, apart=True)
     equations = definition.equations
     own = (*equations.dependent_coordinates, *equations.dependent_speeds)
     following = own if dependent is None else dependent
+    parameters = read_parameters(definition, plan, chosen, dependent=following)
+    sensitive = Sensitive(definition, integrated, plan, parameters, now.p, apart=True)
     places = tuple(definition.states.index(symbol) for symbol in following)
     spacing = mean_spacing(parameters)
     if spacing is not None and solver.adaptive:

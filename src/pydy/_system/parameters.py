@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +11,7 @@ import sympy as sm
 
 from pydy._assembly.definition import Definition
 from pydy._checks import Places, one_or_more
+from pydy._system.balance import members
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.sensitivities import Sized
@@ -51,9 +53,24 @@ class Parameter:
 
 
 def read_parameters(
-    definition: Definition, plan: SpecifiedsPlan, wanted: Any, argument: str = "sensitivities"
+    definition: Definition,
+    plan: SpecifiedsPlan,
+    wanted: Any,
+    argument: str = "sensitivities",
+    dependent: Sequence[Any] = (),
 ) -> tuple[Parameter, ...]:
     """Return the parameters that a user named, in the argument of a name.
+
+    Parameters
+    ----------
+    definition : Definition
+    plan : SpecifiedsPlan
+    wanted : symbol, name, group, or iterable of these
+        A group stands for all of its symbols that may be parameters: states that are not
+        dependent, specifieds that are numbers or samples.
+    argument : str
+    dependent : sequence of symbols
+        The initial conditions that follow from the others.
 
     Raises
     ------
@@ -61,7 +78,11 @@ def read_parameters(
         One that the system does not have, or has twice; or a specified of which no derivative is
         taken.
     """
-    symbols = one_or_more(argument, wanted)
+    symbols = members(
+        definition,
+        one_or_more(argument, wanted),
+        {"states": dependent, "specifieds": _following(definition, plan)},
+    )
     if not symbols:
         raise ValueError(
             f"`{argument}` must name at least one constant, initial condition or specified."
@@ -82,6 +103,16 @@ def read_parameters(
             )
         found[place] = parameter
     return tuple(found.values())
+
+
+def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:
+    """Return the specifieds that follow from others or are expressions."""
+    return [
+        symbol
+        for symbol in definition.specifieds
+        if symbol in plan.expressions
+        or (isinstance(symbol, sm.Derivative) and symbol not in plan.given)
+    ]
 
 
 def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any, argument: str) -> Parameter:
@@ -105,8 +136,14 @@ def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any, argument:
         )
     for columns, samples in plan.sampled:
         if place in columns:
+            if samples.interpolation == "pchip":
+                raise ValueError(
+                    f"`{argument}` has `{symbol}`, whose samples are interpolated by 'pchip': its "
+                    "slopes depend on the samples with kinks, such as wherever neighbours are "
+                    "equal. Use the interpolation 'linear' or 'previous'."
+                )
             return Parameter(symbol, kind, place, samples.of([columns.tolist().index(place)]))
-    if isinstance(symbol, sm.Derivative) and symbol not in plan.given:
+    if symbol in _following(definition, plan):
         raise ValueError(
             f"`{argument}` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
             "instead, or the constants in its expression."

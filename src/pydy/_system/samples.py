@@ -16,12 +16,6 @@ def by_samples(parameter: Any) -> SampledInput:
     """Return the derivatives of a sampled input by each of its samples."""
     samples = parameter.samples
     assert samples is not None
-    if samples.interpolation == "pchip":
-        raise ValueError(
-            f"`sensitivities` has `{parameter.symbol}`, whose samples are interpolated by 'pchip': "
-            "the cubic depends on them in a way that is not differentiated. Use the interpolation "
-            "'linear' or 'previous'."
-        )
     return SampledInput(samples.times, np.eye(parameter.count), samples.interpolation)
 
 

@@ -355,7 +355,8 @@ class Wanted:
         options : dict
             For the solver.
         """
-        parameters = read_parameters(definition, plan, self._parameters)
+        following = [definition.states[k] for k in dependent]
+        parameters = read_parameters(definition, plan, self._parameters, dependent=following)
         self.sensitive = sensitive = Sensitive(definition, integrated, plan, parameters, p)
         values = sensitive.start(*start, dependent)
         columns = sensitive.columns

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from numbers import Real
 from typing import Any
@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import shown
-from pydy._kernel import Kernel
+from pydy._kernel import Kernel, KernelCall
+from pydy.solvers.tuning import CROWD, CROWDED, ROUNDING, ROUNDINGS
 from pydy.trajectory import EventRecord
 
-__all__ = ["CompiledEvents", "Event", "EventRecord"]
+__all__ = ["CompiledEvents", "Event", "EventRecord", "crowd", "forcing_time"]
 
 
 @dataclass(frozen=True)
@@ -142,3 +143,47 @@ class CompiledEvents:
     resetting: tuple[bool, ...]
     resets: Kernel | None
     sources: tuple[Event, ...] = ()
+
+
+def crowd(records: Sequence[EventRecord], event: int, number: int, t: float, span: float) -> bool:
+    """Tell whether an event, of some number, follows itself ever faster: Zeno behaviour."""
+    same = [r.time for r in records[-CROWD * number :] if r.index == event][-CROWD:]
+    if len(same) >= 2 and t - same[-2] <= 16.0 * ROUNDING * max(abs(t), span):
+        return True
+    return len(same) == CROWD and t - same[0] < CROWDED * span
+
+
+def forcing_time(
+    call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float
+) -> float | None:
+    """Return the time of the sample whose jump makes an event happen, or None.
+
+    The expression then does not pass through zero: it has a sign before and another one after, and
+    the event's time depends on nothing else.
+
+    Parameters
+    ----------
+    call : KernelCall
+    events : CompiledEvents
+    event : int
+    x : ndarray
+        The state before it.
+    t : float
+        When it was found.
+    """
+    near: dict[float, list[Any]] = {}
+    for columns, samples in call.sampled:
+        moment = float(samples.breaks[np.abs(samples.breaks - t).argmin()])
+        if samples.interpolation == "previous" and abs(moment - t) <= ROUNDINGS * ROUNDING * abs(t):
+            near[moment] = [*near.get(moment, ()), (columns, samples)]
+    program, kernel = events.values.program, events.values
+    state, r = x[: program.num_states], call.inputs_at(x, t)
+    for moment, jumping in near.items():
+        rows = np.stack([r, r])
+        for columns, samples in jumping:
+            rows[:, columns] = samples.rows(np.array([np.nextafter(moment, -np.inf), moment]))
+        rows, times = rows[:, : program.num_specifieds], np.full(2, moment)
+        found = kernel.evaluate(times, np.stack([state, state]), rows, call.p)[0][:, event]
+        if found[0] * found[1] < 0.0:
+            return moment
+    return None

@@ -102,6 +102,7 @@ class CompiledSensitivities:
         whole: np.ndarray,
         after: np.ndarray,
         tolerances: tuple[np.ndarray, np.ndarray],
+        forced: bool = False,
     ) -> Jump:
         """Return what an event does.
 
@@ -117,6 +118,8 @@ class CompiledSensitivities:
             States after it.
         tolerances : (rtol, atol)
             Of the states.
+        forced : bool
+            Whether a sampled input that jumps made it happen, at a time of its own.
         """
         n, kernel = self.states, self.events(event)
         program, r = kernel.program, call.inputs_at(whole, t)
@@ -127,6 +130,8 @@ class CompiledSensitivities:
         with np.errstate(all="ignore"):
             moment = -part["moved"] / rate
             depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
+        if forced:
+            moment, depth = np.zeros(self.columns), np.inf
         rtol, atol = tolerances
         error = float(np.abs(part["gradient"]) @ (atol + rtol * np.abs(whole[:n])))
         if not part["after"].size:  # nothing is reset

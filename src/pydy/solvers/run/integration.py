@@ -7,21 +7,18 @@ can move; at events that change the state; and when it cannot go on.
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from time import perf_counter
+from types import MappingProxyType
 from typing import Any
 from weakref import WeakSet
 
 import numpy as np
 
-from pydy._errors import (
-    IntegrationError,
-    IntegrationInterrupted,
-    warn_user,
-)
+from pydy._errors import IntegrationError, IntegrationInterrupted, warn_user
 from pydy._kernel import Kernel, KernelCall
-from pydy.solvers.events import CompiledEvents, EventRecord
+from pydy.solvers.events import CompiledEvents, EventRecord, crowd, forcing_time
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
@@ -48,7 +45,7 @@ from pydy.solvers.run.problem import address
 from pydy.solvers.run.shipped import stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
-from pydy.solvers.tuning import BLOCK, CROWD, CROWDED, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
+from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
 
 __all__ = ["Integration"]
 
@@ -276,10 +273,12 @@ class Integration:
 
     # -- events -----------------------------------------------------------------------------------
 
-    def _take_sides(self, fired: tuple[int, ...]) -> np.ndarray:
+    def _take_sides(
+        self, fired: tuple[int, ...], forced: Mapping[int, float] = MappingProxyType({})
+    ) -> np.ndarray:
         """Set the sign each event has just after now; where one is zero, its rate tells.
 
-        Returns the values now.
+        Returns the values now. Those in `forced` changed their sign by a jump at a time.
         """
         wanted, call = self.options.events, self.call
         assert wanted is not None
@@ -287,7 +286,9 @@ class Integration:
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         values, rates = call.evaluate(wanted.values, x, t), call.evaluate(wanted.rates, x, t)
         for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
-            if k in fired or value == 0.0:
+            if k in forced:
+                value = call.evaluate(wanted.values, x, forced[k])[k]
+            if (k in fired and k not in forced) or value == 0.0:
                 value = rate
             self.watch.sides[k] = int(np.sign(value)) if np.isfinite(value) else 0
         return values
@@ -330,6 +331,7 @@ class Integration:
         t = float(self.progress.state[at.TIME])
         fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
         before = self.memory.x[: self.n].copy()
+        moments = {k: forcing_time(call, wanted, k, before, t) for k in fired}
         for k in fired:
             after, n = before, self.states
             if wanted.resetting[k] and wanted.resets is not None:
@@ -346,19 +348,13 @@ class Integration:
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
             self._end(TERMINATED, event=last)
             return True
-        self._take_sides(fired)
-        crowded = next((wanted.names[k] for k in fired if self._accumulates(k, t)), None)
+        self._take_sides(fired, {k: m for k, m in moments.items() if m is not None})
+        about = len(wanted.names), t, self.span
+        crowded = next((wanted.names[k] for k in fired if crowd(self.records, k, *about)), None)
         if crowded is None:
             return False
         self._end(EVENTS_ACCUMULATE, event=crowded)
         return True
-
-    def _accumulates(self, event: int, t: float) -> bool:
-        number = len(self.watch.fired)
-        same = [r.time for r in self.records[-CROWD * number :] if r.index == event][-CROWD:]
-        if len(same) >= 2 and t - same[-2] <= 16.0 * ROUNDING * max(abs(t), self.span):
-            return True
-        return len(same) == CROWD and t - same[0] < CROWDED * self.span
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts
@@ -382,7 +378,8 @@ class Integration:
             return record
         assert self.call is not None
         rtol, atol = (np.broadcast_to(a, n) for a in (self.options.rtol, self.options.atol))
-        jump = beside.jump(self.call, event, t, before, after[:n], (rtol, atol))
+        forced = forcing_time(self.call, wanted, event, before, t) is not None
+        jump = beside.jump(self.call, event, t, before, after[:n], (rtol, atol), forced)
         if not jump.depth > jump.error:
             if acting:
                 self._stop(EVENT_GRAZES, event=wanted.names[event], depth=jump.depth)
