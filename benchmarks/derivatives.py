@@ -7,15 +7,15 @@ import os
 import sys
 from contextlib import ExitStack
 from functools import partial
-from pathlib import Path
 from statistics import median
 from typing import Any
 
 import numpy as np
 from harness.contest import OURS, TARGETS, Contest
-from harness.driver import ROOT, Worker, WorkerError, in_turn
+from harness.driver import Worker, WorkerError, in_turn
+from harness.options import add_measuring, add_pythons, rounds, take_parts
 from harness.precision import difference
-from harness.report import pairwise, save, seconds, table
+from harness.report import pairwise, seconds, table
 from harness.sensitive import COLUMNS
 from harness.serve import Repeated
 from trees import HUMANOID, definition, tree
@@ -29,19 +29,17 @@ MODELS = ("pendulum-5", "bicycle")
 COLUMNS_ASKED, EQUAL_ASKED, DIFFRAX_ASKED, DYNAMICS_ASKED = 2.5, 1.0, 1 / 20, 1.0
 TOLERANCES = (1e-6, 1e-10)
 STATES = 1024
+ROUNDS = 5, 25
 
 
 def main() -> None:
     """Measure each part, print its table, and write all results."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--peer-python", type=Path, default=ROOT / ".venv-peers/bin/python")
+    add_pythons(parser, "--peer-python")
     parser.add_argument("--parts", nargs="+", default=PARTS, choices=PARTS)
     parser.add_argument("--models", nargs="+", default=MODELS, choices=MODELS)
     parser.add_argument("--peers", nargs="+", default=("heyoka", "casadi"))
-    parser.add_argument("--budget", type=float, default=15.0, help="seconds for each line")
-    parser.add_argument("--timeout", type=float, default=1200.0, help="for any one answer")
-    parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
-    parser.add_argument("--core", type=int, default=max(os.sched_getaffinity(0)))
+    add_measuring(parser, budget=15.0, timeout=1200.0)
     options = parser.parse_args()
     measures = {
         "columns": _columns,
@@ -49,16 +47,7 @@ def main() -> None:
         "diffrax": _diffrax,
         "forward-dynamics": _forward_dynamics,
     }
-    results: dict[str, Any] = {}
-    for part in options.parts:
-        results[part] = measures[part](options)
-        save("derivatives", results)  # now and then, so that a run can be broken off
-
-
-def _rounds(options: argparse.Namespace) -> dict[str, Any]:
-    if options.quick:
-        return {"least": 1, "most": 1}
-    return {"least": 5, "most": 25, "budget": options.budget}
+    take_parts("derivatives", options.parts, measures, options)
 
 
 def _worker(options: argparse.Namespace, name: str, script: str = "") -> Worker:
@@ -81,14 +70,14 @@ def _columns(options: argparse.Namespace) -> Any:
                     key: partial(ours.ask, "time", method=way, tolerance=1e-9)
                     for key, way in ways.items()
                 }
-                taken = in_turn(ask, **_rounds(options))
+                taken = in_turn(ask, **rounds(options, *ROUNDS))
                 whole, plain = ([r[key] for r in taken] for key in ways)
                 found.append({"model": model, "method": method, "whole": whole, "plain": plain})
                 ratio = f"{pairwise(whole, plain):.2f}"
                 rows.append([model, method, *map(seconds, map(median, (plain, whole))), ratio])
     head = ["model", "method", "state", f"with {COLUMNS} columns", "ratio"]
     table(f"Sensitivities over the plain run; asked {COLUMNS_ASKED}", head, rows)
-    return found
+    yield found
 
 
 def _equal_error(options: argparse.Namespace) -> Any:
@@ -102,7 +91,7 @@ def _equal_error(options: argparse.Namespace) -> Any:
             contest = Contest(model, workers, step=1.0)
             contest.find_reference()
             contest.scan()
-            lines += contest.race(_rounds(options))
+            lines += contest.race(rounds(options, *ROUNDS))
             summaries.append(contest.summary())
             for what, why in contest.failed.items():
                 print(f"{model}: {what} failed: {why}", file=sys.stderr)
@@ -118,7 +107,7 @@ def _equal_error(options: argparse.Namespace) -> Any:
                 rows.append(cells)
         head = ["model", *(f"{n} (ours/it)" if n != OURS else n for n in (OURS, *options.peers))]
         table(f"State and {COLUMNS} columns to an error of {target:g}; asked 1", head, rows)
-    return [*lines, *summaries]
+    yield [*lines, *summaries]
 
 
 def _diffrax(options: argparse.Namespace) -> Any:
@@ -149,7 +138,7 @@ def _diffrax(options: argparse.Namespace) -> Any:
                         name: partial(worker.ask, "time", method=method, tolerance=tolerance)
                         for name, (worker, method) in asks.items()
                     },
-                    **_rounds(options),
+                    **rounds(options, *ROUNDS),
                 )
                 times = {name: [r[name] for r in taken] for name in asks}
                 found.append({"model": model, "tolerance": tolerance, "built": built, **times})
@@ -161,7 +150,7 @@ def _diffrax(options: argparse.Namespace) -> Any:
     head = ["model", "tolerance", "ours", "forward (it/ours)", "reverse (it/ours)", "apart by"]
     title = f"{COLUMNS} columns and diffrax, tsit5; asked {1 / DIFFRAX_ASKED:.0f} times faster"
     table(title, head, rows)
-    return found
+    yield found
 
 
 def _forward_dynamics(options: argparse.Namespace) -> Any:
@@ -187,7 +176,7 @@ def _forward_dynamics(options: argparse.Namespace) -> Any:
             measures = {key: Repeated(sweep) for key, sweep in sweeps.items()}
             os.sched_setaffinity(0, {options.core})
             taken = in_turn(
-                {**measures, "peer": lambda peer=peer: peer.ask("run")}, **_rounds(options)
+                {**measures, "peer": lambda peer=peer: peer.ask("run")}, **rounds(options, *ROUNDS)
             )
         theirs = [whole - one for whole, one in (r["peer"] for r in taken)]
         own = {key: [r[key] / STATES for r in taken] for key in sweeps}
@@ -199,7 +188,7 @@ def _forward_dynamics(options: argparse.Namespace) -> Any:
         "tree", "Pinocchio", "from Python", "ours, one by one (ours/it)", "in lanes", "apart by"
     ]  # fmt: skip
     table(f"Jacobian of forward dynamics, one state; asked {DYNAMICS_ASKED:g}", head, rows)
-    return found
+    yield found
 
 
 def _jacobians(made: dict[str, Any]) -> dict[str, Any]:

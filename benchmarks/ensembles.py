@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import argparse
 import os
-import sys
 import tempfile
 from pathlib import Path
 from statistics import median
 from typing import Any
 
 import numpy as np
-from harness.driver import ROOT, Worker, in_turn
+from harness.driver import Worker, in_turn
+from harness.options import add_pythons
 from harness.precision import Point, bracket, interpolate
 from harness.report import pairwise, save, table
 
@@ -29,8 +29,7 @@ Contestant = tuple[str, str | int]
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--peer-python", type=Path, default=ROOT / ".venv-peers/bin/python")
-    parser.add_argument("--python", type=Path, default=Path(sys.executable), help="ours")
+    add_pythons(parser, "--peer-python", "--python")
     parser.add_argument("--count", type=int, default=10_000, help="trajectories, a multiple of 8")
     parser.add_argument("--links", type=int, nargs="+", default=list(GOALS))
     parser.add_argument("--methods", nargs="+", default=METHODS)

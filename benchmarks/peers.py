@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from contextlib import ExitStack
 from pathlib import Path
 from statistics import median
 from typing import Any
 
-from harness.driver import ROOT, Worker, WorkerError, in_turn
+from harness.driver import Worker, WorkerError, in_turn
+from harness.options import add_measuring, add_pythons, rounds
 from harness.report import pairwise, save, seconds, table
 
 MODELS = (
@@ -38,21 +38,14 @@ PATIENCE = 20.0
 def main() -> None:
     """Measure and print a table for each kind of measure."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--peer-python", type=Path, default=ROOT / ".venv-peers/bin/python")
-    parser.add_argument("--python", type=Path, default=Path(sys.executable), help="ours")
+    add_pythons(parser, "--peer-python", "--python")
     parser.add_argument("--models", nargs="+", default=MODELS)
     parser.add_argument("--peers", nargs="+", default=list(PEERS), choices=list(PEERS))
     parser.add_argument(
         "--widths", nargs="+", type=int, default=[], choices=(2, 4, 8), help="of batched code too"
     )
-    parser.add_argument("--budget", type=float, default=15.0, help="seconds for each line")
-    parser.add_argument("--timeout", type=float, default=120.0, help="for any one answer")
-    parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
-    parser.add_argument(
-        "--core", type=int, default=max(os.sched_getaffinity(0)), help="bind all to this one"
-    )
+    add_measuring(parser, budget=15.0, timeout=120.0)
     options = parser.parse_args()
-    rounds = {"least": 1, "most": 1} if options.quick else {"least": 3, "budget": options.budget}
     lines: list[dict[str, Any]] = []
     for model in options.models:
         with ExitStack() as stack:
@@ -72,14 +65,16 @@ def main() -> None:
                 for name in options.peers
                 if name in ONLY.get(model, options.peers)
             ]
-            lines += _measure(model, workers, rounds)
+            lines += _measure(model, workers, options)
         save("peers", lines)  # after each model, so that a run can be broken off
     for kind in KINDS:
         chosen = [line for line in lines if line["kind"] == kind]
         _report(kind, chosen, [*(f"ours-{w}" for w in options.widths), *options.peers])
 
 
-def _measure(model: str, workers: list[Worker], rounds: dict[str, Any]) -> list[dict[str, Any]]:
+def _measure(
+    model: str, workers: list[Worker], options: argparse.Namespace
+) -> list[dict[str, Any]]:
     lines = []
     failed: dict[str, str] = {}
 
@@ -100,7 +95,7 @@ def _measure(model: str, workers: list[Worker], rounds: dict[str, Any]) -> list[
         print(f"{model}: {kind} …", file=sys.stderr)
         failed = dict(unloaded)
         if kind == "build":
-            limits = {**rounds, "most": 7}
+            limits = rounds(options, most=7)
             slow: dict[str, float] = {}
 
             def ask(worker: Worker, slow: dict[str, float] = slow) -> float | None:
@@ -111,7 +106,7 @@ def _measure(model: str, workers: list[Worker], rounds: dict[str, Any]) -> list[
                     slow[worker.name] = taken
                 return slow[worker.name]
         else:
-            limits = {**rounds, "most": 25}
+            limits = rounds(options, most=25)
             values = {w.name: attempt(w, "start", kind=kind) for w in workers}
             # Ours comes first; when it fails, the others are held against the first that works.
             first = next((v for v in values.values() if v is not None), None)

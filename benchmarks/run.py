@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Callable
-from pathlib import Path
 from statistics import median
 from typing import Any
 
-from harness.driver import ROOT, Worker, WorkerError, in_turn
+from harness.driver import Worker, WorkerError, in_turn
+from harness.options import add_measuring, add_pythons, rounds
 from harness.report import pairwise, save, seconds, table
 from harness.ways import WAYS
 
@@ -20,15 +20,13 @@ WAYS_OF = ("1", "10", "bicycle")  # the models of which every way of calling is 
 def main() -> None:
     """Measure every model and print a table for each kind of measure."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--reference", type=Path, default=ROOT / ".venv-reference/bin/python")
-    parser.add_argument("--python", type=Path, default=Path(sys.executable), help="ours")
+    add_pythons(parser, "--reference", "--python")
     parser.add_argument("--models", nargs="+", default=MODELS, choices=MODELS)
-    parser.add_argument("--budget", type=float, default=30.0, help="seconds for each line")
-    parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
     parser.add_argument("--ways", action="store_true", help="only the ways of calling")
-    parser.add_argument("--core", type=int, help="bind both to this processor")
+    add_measuring(parser, budget=30.0)
+    parser.set_defaults(core=None)  # starting up may use them all
     options = parser.parse_args()
-    rounds = {"least": 1, "most": 1} if options.quick else {"least": 3, "budget": options.budget}
+    limits = rounds(options)
     lines: list[dict[str, Any]] = []
     for model in options.models:
         print(f"measuring {model} …", file=sys.stderr)
@@ -37,16 +35,16 @@ def main() -> None:
             Worker("released", options.reference, "pydy_worker.py", core=options.core) as theirs,
         ):
             if not options.ways:
-                lines += _measure(model, ours, theirs, rounds)
+                lines += _measure(model, ours, theirs, limits)
             if model in WAYS_OF:
-                lines += _ways(model, ours, theirs, rounds)
+                lines += _ways(model, ours, theirs, limits)
     lines.sort(key=lambda line: line["measure"])
     _report(lines)
     save("run", lines)
 
 
 def _measure(
-    model: str, ours: Worker, theirs: Worker, rounds: dict[str, Any]
+    model: str, ours: Worker, theirs: Worker, limits: dict[str, Any]
 ) -> list[dict[str, Any]]:
     ours.ask("load", name=model)
     note = theirs.ask("load", name=model)
@@ -55,11 +53,11 @@ def _measure(
     def line(measure: str, a: list[float], b: list[float]) -> None:
         lines.append({"measure": measure, "model": model, "ours": a, "released": b, "note": note})
 
-    def compare(measure: str, request: Callable[[Worker], Any], **limits: Any) -> list[Any]:
+    def compare(measure: str, request: Callable[[Worker], Any], **others: Any) -> list[Any]:
         try:
             return in_turn(
                 {"ours": lambda: request(ours), "released": lambda: request(theirs)},
-                **{**rounds, **limits},
+                **{**limits, **others},
             )
         except WorkerError as error:
             lines.append({"measure": measure, "model": model, "note": str(error)})
@@ -100,7 +98,7 @@ def _measure(
     return lines
 
 
-def _ways(model: str, ours: Worker, theirs: Worker, rounds: dict[str, Any]) -> list[dict[str, Any]]:
+def _ways(model: str, ours: Worker, theirs: Worker, limits: dict[str, Any]) -> list[dict[str, Any]]:
     """Measure every documented way of calling, the released package with its Cython generator."""
     ours.ask("load", name=model)
     note = theirs.ask("load", name=model)
@@ -117,7 +115,7 @@ def _ways(model: str, ours: Worker, theirs: Worker, rounds: dict[str, Any]) -> l
             _check(*values, 1e-6 if way.startswith("integrate") else 1e-9)
             taken = in_turn(
                 {w.name: lambda w=w: w.ask("call_way") for w in (ours, theirs)},
-                **{**rounds, "most": 15, "budget": 5.0},
+                **{**limits, "most": 15, "budget": 5.0},
             )
         except WorkerError as error:
             line["note"] = str(error)

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 import tempfile
 from contextlib import ExitStack
-from pathlib import Path
 from statistics import median
 from typing import Any
 
 from harness.contest import OURS, RADAU, TARGETS, Contest, limits_met
-from harness.driver import ROOT, Worker, WorkerError, in_turn
-from harness.report import pairwise, save, seconds, table
+from harness.driver import Worker, WorkerError, in_turn
+from harness.options import add_measuring, add_pythons, rounds, take_parts
+from harness.report import pairwise, seconds, table
 
 # Model, and what our best may take of the fastest peer's time.
 LIMITS = {
@@ -32,24 +31,18 @@ PARTS = ("precision", "integrate", "overhead", "first-use")
 # What `integrate()` is asked to gain on the default odeint, by the number of links.
 GAINS = {"1": 15.0, "10": 2.0}
 OVERHEAD, WARM, COLD = 2.0, 0.05, 2.0
+ROUNDS = 5, 25
 
 
 def main() -> None:
     """Measure each part, print its tables, and write all results."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--peer-python", type=Path, default=ROOT / ".venv-peers/bin/python")
-    parser.add_argument("--reference", type=Path, default=ROOT / ".venv-reference/bin/python")
-    parser.add_argument("--python", type=Path, default=Path(sys.executable), help="ours")
+    add_pythons(parser, "--peer-python", "--reference", "--python")
     parser.add_argument("--parts", nargs="+", default=PARTS, choices=PARTS)
     parser.add_argument("--models", nargs="+", default=list(LIMITS), choices=list(LIMITS))
     others = (*PEERS, RELEASED)
     parser.add_argument("--peers", nargs="+", default=others, choices=others)
-    parser.add_argument("--budget", type=float, default=30.0, help="seconds for each line")
-    parser.add_argument("--timeout", type=float, default=600.0, help="for any one answer")
-    parser.add_argument("--quick", action="store_true", help="one round each, to try the script")
-    parser.add_argument(
-        "--core", type=int, default=max(os.sched_getaffinity(0)), help="bind all to this one"
-    )
+    add_measuring(parser, budget=30.0, timeout=600.0)
     options = parser.parse_args()
     measures = {
         "precision": _precision,
@@ -57,18 +50,7 @@ def main() -> None:
         "overhead": _overhead,
         "first-use": _first_use,
     }
-    results: dict[str, Any] = {}
-    for part in options.parts:
-        results[part] = []
-        for lines in measures[part](options):
-            results[part] += lines
-            save("solvers", results)  # now and then, so that a run can be broken off
-
-
-def _rounds(options: argparse.Namespace, most: int = 25) -> dict[str, Any]:
-    if options.quick:
-        return {"least": 1, "most": 1}
-    return {"least": 5, "most": most, "budget": options.budget}
+    take_parts("solvers", options.parts, measures, options)
 
 
 def _worker(options: argparse.Namespace, name: str, *script: str) -> Worker:
@@ -93,7 +75,7 @@ def _precision(options: argparse.Namespace) -> Any:
             contest = Contest(model, workers, step=1.0 if options.quick else 0.5)
             contest.find_reference()
             contest.scan()
-            taken = contest.race(_rounds(options))
+            taken = contest.race(rounds(options, *ROUNDS))
             summaries.append(contest.summary())
         lines += taken
         yield [*taken, summaries[-1]]
@@ -178,7 +160,7 @@ def _integrate(options: argparse.Namespace) -> Any:
                 for name, worker in workers.items()
                 if worker is not None
             }
-            taken = in_turn(measures, **_rounds(options))
+            taken = in_turn(measures, **rounds(options, *ROUNDS))
         times = {name: [r[name] for r in taken] for name in measures}
         gains = {name: pairwise(v, times["dop853"]) for name, v in times.items()}
         lines.append({"model": model, "seconds": times, "gains": gains})
@@ -207,7 +189,7 @@ def _overhead(options: argparse.Namespace) -> Any:
             print(f"overhead, {model} {method} …", file=sys.stderr)
             with _worker(options, OURS, "overhead.py") as worker:
                 counts = worker.ask("load", name=model, method=method)
-                taken = in_turn({"all": lambda w=worker: w.ask("time")}, **_rounds(options))
+                taken = in_turn({"all": lambda w=worker: w.ask("time")}, **rounds(options, *ROUNDS))
             times = {key: [r["all"][key] for r in taken] for key in taken[0]["all"]}
             ratios = {
                 key: pairwise(
@@ -259,12 +241,10 @@ def _first_use(options: argparse.Namespace) -> Any:
                     return measure(empty)
 
             measure(warm)
-            few = {"least": 1, "most": 1} if options.quick else {"least": 3, "most": 3}
-            taken = in_turn({"cold": cold}, **few)
-            more = {"least": 1, "most": 1} if options.quick else {"least": 9, "most": 9}
-            warmed = in_turn({"warm": lambda w=warm: measure(w)}, **more)
-        rounds = {"warm": [r["warm"] for r in warmed], "cold": [r["cold"] for r in taken]}
-        for cache, answers in rounds.items():
+            taken = in_turn({"cold": cold}, **rounds(options, 3, 3))
+            warmed = in_turn({"warm": lambda w=warm: measure(w)}, **rounds(options, 9, 9))
+        by_cache = {"warm": [r["warm"] for r in warmed], "cold": [r["cold"] for r in taken]}
+        for cache, answers in by_cache.items():
             times = {key: [a[key] for a in answers] for key in answers[0]}
             lines.append({"method": method, "cache": cache, "seconds": times})
             yield lines[-1:]

@@ -29,50 +29,6 @@ def pendulum(n: int) -> Model:
     )
 
 
-def rods(n: int) -> Model:
-    """Return a chain of n rods in space, hung up and joined by ball joints.
-
-    Each rod is a rigid body with its own three moments of inertia, turned against the one above by
-    body-fixed angles about x, y, z; its speeds are the components, along its own axes, of its
-    angular velocity against the one above.
-    """
-    m, l, ix, iy, iz = (sm.symbols(f"{name}0:{n}") for name in ("m", "l", "I_x", "I_y", "I_z"))
-    g = sm.Symbol("g")
-    ground = above = me.ReferenceFrame("N")
-    joint = me.Point("O")
-    joint.set_vel(ground, 0)
-    q, u, rates, bodies, loads = [], [], [], [], []
-    for k in range(n):
-        angles = me.dynamicsymbols(f"a{k} b{k} c{k}")
-        speeds = me.dynamicsymbols(f"u{k} v{k} w{k}")
-        frame = me.ReferenceFrame(f"B{k}")
-        frame.orient_body_fixed(above, angles, "123")
-        turning = frame.ang_vel_in(above)
-        rates += [turning.dot(axis) - s for axis, s in zip(frame, speeds, strict=True)]
-        frame.set_ang_vel(
-            above, sum((s * a for s, a in zip(speeds, frame, strict=True)), 0 * frame.x)
-        )
-        centre = joint.locatenew(f"C{k}", -l[k] / 2 * frame.z)
-        centre.v2pt_theory(joint, ground, frame)
-        below = joint.locatenew(f"O{k}", -l[k] * frame.z)
-        below.v2pt_theory(joint, ground, frame)
-        inertia = me.inertia(frame, ix[k], iy[k], iz[k])
-        bodies.append(me.RigidBody(f"rod{k}", centre, frame, m[k], (inertia, centre)))
-        loads.append((centre, -m[k] * g * ground.z))
-        q += angles
-        u += speeds
-        above, joint = frame, below
-    kane = me.KanesMethod(ground, q_ind=q, u_ind=u, kd_eqs=rates)
-    kane.kanes_equations(bodies, loads)
-    typical = {"m": 1.0, "l": 0.5, "I_x": 0.021, "I_y": 0.022, "I_z": 0.002}
-    return from_kane(
-        f"rods-{n}",
-        kane,
-        lambda name: 9.81 if name == "g" else typical[name.rstrip("0123456789")],
-        source="rigid rods in space with ball joints, body-fixed angular velocities",
-    )
-
-
 def bicycle() -> Model:
     """Return the Carvallo–Whipple bicycle of the project's own examples."""
     module = module_at(BICYCLE)
@@ -135,7 +91,7 @@ def rider_bicycle() -> Model:
 
 MODELS: dict[str, Callable[[], Model]] = {
     **{f"pendulum-{n}": lambda n=n: pendulum(n) for n in (1, 5, 10, 20)},
-    **{f"rods-{n}": lambda n=n: rods(n) for n in (3,)},
+    "rods-3": lambda: variants.rods(3),
     "bicycle": bicycle,
     "springs-100-absolute": lambda: spring_chain(100, absolute=True),
     "springs-100-stretch": lambda: spring_chain(100, absolute=False),

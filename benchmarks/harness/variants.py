@@ -16,8 +16,11 @@ from harness.kane import from_kane
 from harness.model import Model
 
 
-def rods(n: int, *, universal: bool, absolute: bool) -> Model:
+def rods(n: int, *, universal: bool = False, absolute: bool = False) -> Model:
     """Return a chain of n rigid rods in space, hung up, with ball joints between them.
+
+    Each rod has its own three moments of inertia and is turned by body-fixed angles about x, y, z.
+    The speeds are components of its angular velocity along its own axes.
 
     Parameters
     ----------
@@ -27,7 +30,7 @@ def rods(n: int, *, universal: bool, absolute: bool) -> Model:
         speeds, instead of a ball joint.
     absolute : bool
         Whether angles and angular velocities are those against the ground, instead of those
-        against the rod above. Speeds are components along each rod's own axes.
+        against the rod above.
     """
     m, l, ix, iy, iz = (sm.symbols(f"{name}0:{n}") for name in ("m", "l", "I_x", "I_y", "I_z"))
     g = sm.Symbol("g")
@@ -69,7 +72,7 @@ def rods(n: int, *, universal: bool, absolute: bool) -> Model:
         name,
         kane,
         lambda name: 9.81 if name == "g" else typical[name.rstrip("0123456789")],
-        source="rigid rods in space, other joints and speeds",
+        source="rigid rods in space, speeds along their own axes",
     )
 
 

@@ -61,6 +61,16 @@ def function_of(model: Model) -> Any:
     return ca.Function("f", [x, r, p], [ca.vertcat(*rates, solution)])
 
 
+def library_of(generator: Any, folder: Path, *flags: str, more: str = "") -> Path:
+    """Return the shared library of a generator's ``f.c``, with more C at its end, by gcc."""
+    generator.generate(f"{folder}/")
+    with (folder / "f.c").open("a") as file:
+        file.write(more)
+    command = ["gcc", *flags, "-march=native", "-shared", "-fPIC", "f.c", "-o", "f.so", "-lm"]
+    subprocess.run(command, cwd=folder, check=True)
+    return folder / "f.so"
+
+
 class CasADiPeer(Peer):
     def build(self) -> Any:
         return function_of(self.model)
@@ -91,19 +101,10 @@ class CasADiC(CasADiPeer):
         sizes = {"SZ_ARG": function.sz_arg(), "SZ_RES": function.sz_res()}
         self._work = np.empty(function.sz_w() + 1), np.empty(function.sz_iw() + 1, dtype=np.int64)
         self._folder = tempfile.TemporaryDirectory()
-        folder = Path(self._folder.name)
         generator = ca.CodeGenerator("f.c")
         generator.add(function)
-        generator.generate(f"{folder}/")
-        with (folder / "f.c").open("a") as file:
-            file.write(_LOOP)
-        subprocess.run(
-            ["gcc", "-O3", "-march=native", "-shared", "-fPIC", "f.c", "-o", "f.so", "-lm"]
-            + [f"-D{key}={value}" for key, value in sizes.items()],
-            cwd=folder,
-            check=True,
-        )
-        return ctypes.CDLL(str(folder / "f.so"))
+        flags = ("-O3", *(f"-D{key}={value}" for key, value in sizes.items()))
+        return ctypes.CDLL(str(library_of(generator, Path(self._folder.name), *flags, more=_LOOP)))
 
     def _over_all(self, function: Any) -> Any:
         out = np.empty_like(self.x)

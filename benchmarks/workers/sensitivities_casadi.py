@@ -7,16 +7,16 @@ tolerance, for minutes.
 
 from __future__ import annotations
 
-import subprocess
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
 import casadi as ca
 import numpy as np
-from casadi_ import function_of
+from casadi_ import function_of, library_of
 from harness.sensitive import joined, parameters
 from harness.solving import SolverPeer, serve_solver
+from solve_casadi import cvodes
 
 
 class CasADiSensitivities(SolverPeer):
@@ -36,13 +36,10 @@ class CasADiSensitivities(SolverPeer):
         generator = ca.CodeGenerator("f.c")
         generator.add(ca.Function("f", [whole, ca.vertcat(r, p)], [out]))
         self._folder = tempfile.TemporaryDirectory()
-        folder = Path(self._folder.name)
-        generator.generate(f"{folder}/")
-        command = ["gcc", "-O2", "-march=native", "-shared", "-fPIC", "f.c", "-o", "f.so", "-lm"]
-        subprocess.run(command, cwd=folder, check=True)
+        library = library_of(generator, Path(self._folder.name), "-O2")
         # Functional iteration takes no Jacobian, but CasADi asks for one.
         options = {"enable_fd": True, "fd_method": "forward"}
-        external = ca.external("f", str(folder / "f.so"), options)
+        external = ca.external("f", str(library), options)
         x, p = ca.MX.sym("x", n * (1 + m)), ca.MX.sym("p", s + k)
         self.problem = {"x": x, "p": p, "ode": external(x, p)}
         self.sizes = n, m
@@ -51,29 +48,12 @@ class CasADiSensitivities(SolverPeer):
         return ["adams, functional"]
 
     def solver(self, method: str, tolerance: float) -> Callable[[], np.ndarray]:
-        formula, iteration = method.split(", ")
-        options = {
-            "reltol": tolerance,
-            "abstol": tolerance,
-            "linear_multistep_method": formula,
-            "nonlinear_solver_iteration": iteration,
-            "max_num_steps": 10**6,
-        }
-        horizon, (n, m) = self.scenario.horizon, self.sizes
-        integrator = ca.integrator("solve", "cvodes", self.problem, 0.0, horizon, options)
-        # Buffers spare the conversion of arguments at every call.
-        buffer, run = integrator.buffer()
+        n, m = self.sizes
         start = np.concatenate([self.scenario.start, np.zeros(n * m)])
-        given = np.concatenate([self.scenario.inputs, self.values])
-        end = np.empty_like(start)
-        buffer.set_arg(integrator.index_in("x0"), memoryview(start))
-        buffer.set_arg(integrator.index_in("p"), memoryview(given))
-        buffer.set_res(integrator.index_out("xf"), memoryview(end))
+        run = cvodes(self, self.problem, start, method, tolerance)
 
         def solve() -> np.ndarray:
-            _kept = buffer, start, given  # they live as long as this function
-            end[0] = np.nan
-            run()
+            end = run()
             return joined(end[:n], end[n:].reshape(m, n).T)
 
         return solve

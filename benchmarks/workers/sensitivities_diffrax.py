@@ -12,10 +12,9 @@ import diffrax
 import jax
 import jax.numpy as jnp
 import numpy as np
-from harness.convert import translate
 from harness.sensitive import joined, parameters
 from harness.solving import SolverPeer, serve_solver
-from jax_ import JAX
+from jax_ import rates_of
 
 METHODS = ("forward", "reverse")
 
@@ -24,19 +23,11 @@ class Diffrax(SolverPeer):
     def build(self) -> None:
         start, horizon = jnp.asarray(self.scenario.start), self.scenario.horizon
         inputs, by = jnp.asarray(self.scenario.inputs), np.array(parameters(self.model))
-        values = jnp.asarray(self.values)
-
-        def rates(t: Any, x: Any, p: Any) -> Any:
-            matrix, forcing, first = translate(self.model, JAX(), x, inputs, p)
-            n = len(forcing)
-            entries = [jnp.asarray(0.0 if entry is None else entry) for entry in matrix]
-            m = jnp.stack(entries).reshape(n, n)
-            b = jnp.stack([jnp.asarray(f, dtype=float) for f in forcing])
-            return jnp.concatenate([jnp.stack(first), jnp.linalg.solve(m, b)])
+        values, rates = jnp.asarray(self.values), rates_of(self.model)
 
         def end(moved: Any, tolerance: Any, adjoint: Any) -> Any:
             solution = diffrax.diffeqsolve(
-                diffrax.ODETerm(rates),
+                diffrax.ODETerm(lambda t, x, p: rates(x, inputs, p)),
                 diffrax.Tsit5(),
                 0.0,
                 horizon,

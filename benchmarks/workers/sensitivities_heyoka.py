@@ -9,6 +9,7 @@ import numpy as np
 from harness.sensitive import joined, parameters
 from harness.solving import SolverPeer, serve_solver
 from heyoka_ import equations_of, warm_up
+from solve_heyoka import integrator_of, run_of
 
 
 class HeyokaSensitivities(SolverPeer):
@@ -29,26 +30,15 @@ class HeyokaSensitivities(SolverPeer):
         return ["taylor, compact"]  # without, its code takes minutes to compile
 
     def solver(self, method: str, tolerance: float) -> Callable[[], np.ndarray]:
-        start, end = self.scenario.start, self.scenario.horizon
-        integrator = hy.taylor_adaptive(
-            self.equations,
-            start,
-            pars=np.concatenate([self.scenario.inputs, self.values]),
-            tol=tolerance,
-            compact_mode=True,
-        )
-        n, k = len(start), len(self.by)
-        first = np.array(integrator.state)
-        state = integrator.state
-        places = {tuple(integrator.get_mindex(i)): i for i in range(len(first))}
+        integrator = integrator_of(self, self.equations, tolerance, compact=True)
+        run = run_of(integrator, self.scenario.horizon)
+        n, k = len(self.scenario.start), len(self.by)
+        places = {tuple(integrator.get_mindex(i)): i for i in range(len(integrator.state))}
         unit = np.eye(k, dtype=int).tolist()
         table = [[places[i, *unit[j]] for j in range(k)] for i in range(n)]
 
         def solve() -> np.ndarray:
-            integrator.time = 0.0
-            state[:] = first
-            outcome = integrator.propagate_until(end)[0]
-            assert outcome == hy.taylor_outcome.time_limit, outcome
+            state = run()
             return joined(state[:n], state[table])
 
         return solve

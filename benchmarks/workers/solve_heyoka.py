@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any
 
 import heyoka as hy
 import numpy as np
@@ -11,6 +12,32 @@ from heyoka_ import equations_of, warm_up
 
 # With more elementary operations than this, unrolled code takes minutes to compile.
 COMPACT_FROM = 1500
+
+
+def integrator_of(peer: SolverPeer, equations: Any, tolerance: float, *, compact: bool) -> Any:
+    """Return the integrator of equations from the start of a peer's scenario on."""
+    return hy.taylor_adaptive(
+        equations,
+        peer.scenario.start,
+        pars=np.concatenate([peer.scenario.inputs, peer.values]),
+        tol=tolerance,
+        compact_mode=compact,
+    )
+
+
+def run_of(integrator: Any, end: float) -> Callable[[], np.ndarray]:
+    """Return a function that integrates from the start to a time; it returns heyoka's own array."""
+    state = integrator.state
+    first = np.array(state)
+
+    def solve() -> np.ndarray:
+        integrator.time = 0.0
+        state[:] = first
+        outcome = integrator.propagate_until(end)[0]
+        assert outcome == hy.taylor_outcome.time_limit, outcome
+        return state
+
+    return solve
 
 
 class HeyokaSolver(SolverPeer):
@@ -31,24 +58,8 @@ class HeyokaSolver(SolverPeer):
         return ["taylor, compact" if self.compact else "taylor"]
 
     def solver(self, method: str, tolerance: float) -> Callable[[], np.ndarray]:
-        start, end = self.scenario.start, self.scenario.horizon
-        integrator = hy.taylor_adaptive(
-            self.equations,
-            start,
-            pars=np.concatenate([self.scenario.inputs, self.values]),
-            tol=tolerance,
-            compact_mode=self.compact,
-        )
-        state = integrator.state
-
-        def solve() -> np.ndarray:
-            integrator.time = 0.0
-            state[:] = start
-            outcome = integrator.propagate_until(end)[0]
-            assert outcome == hy.taylor_outcome.time_limit, outcome
-            return state
-
-        return solve
+        integrator = integrator_of(self, self.equations, tolerance, compact=self.compact)
+        return run_of(integrator, self.scenario.horizon)
 
 
 if __name__ == "__main__":
