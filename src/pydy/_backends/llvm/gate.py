@@ -13,7 +13,7 @@ __all__ = ["Gate"]
 
 _make = ctypes.pythonapi.PyCFunction_NewEx
 _make.restype = ctypes.py_object
-_make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.c_void_p]
+_make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.py_object]
 
 
 class Gate:
@@ -24,7 +24,7 @@ class Gate:
     name : bytes
         What Python calls them.
     code : Code
-        Kept with the gate, which is to be kept as long as there is a function of it.
+        Kept as long as there is the gate or a function of it.
     entry : str
         ``PyObject *entry(PyObject *self, PyObject *const *args, Py_ssize_t count)`` in the code.
     """
@@ -38,5 +38,6 @@ class Gate:
 
     def function(self, owner: Any) -> Callable[..., Any]:
         """Return the function whose `self` is `owner`."""
-        function: Callable[..., Any] = _make(self._address, owner, None)
+        # What Python takes for the function's module is an object that it keeps.
+        function: Callable[..., Any] = _make(self._address, owner, self)
         return function
