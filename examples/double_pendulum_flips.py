@@ -3,8 +3,8 @@ Forty thousand double pendulums
 ===============================
 
 A double pendulum is released at rest from every pair of angles.  How many turns has its lower link
-made in the end?  Smooth regions, where neighbours end alike, border on chaotic ones, where they
-have nothing in common.
+made in the end, and when does one of its links first go over the top?  Smooth regions, where
+neighbours end alike, border on chaotic ones, where they have nothing in common.
 
 Where 2 cos θ₁ + cos θ₂ > 1 the energy is too small to bring either link upright: none of these can
 flip.  Mirror-image initial conditions must give mirror-image motions.
@@ -18,9 +18,10 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
+from pydy.solvers import Event
 
 small = "--small" in sys.argv  # fewer pendulums, for the tests
-n = 21 if small else 200
+n, coarse = (21, 7) if small else (200, 40)
 
 # %%
 # Equations
@@ -43,7 +44,9 @@ for k in range(2):
     above = end
 kane = me.KanesMethod(N, q, u, [a.diff(t) - b for a, b in zip(q, u, strict=True)])
 kane.kanes_equations(particles, loads)
-system = System(kane, constants={m: 1.0, l: 1.0, g: 1.0}, times=np.linspace(0.0, 20.0, num=601))
+system = System(
+    kane, constants={m: 1.0, l: 1.0, g: 1.0}, times=np.linspace(0.0, 20.0, num=601)
+)  # the unit of time is √(l/g)
 
 # %%
 # A dozen of them
@@ -66,7 +69,14 @@ system.scene(up="y").animate(motion, compare=near)
 # trajectory only the end and the extremes of the angles are kept.
 
 system.times = np.linspace(0.0, 20.0, num=41)
-angles = np.linspace(-np.pi, np.pi, num=n + 1)[:-1] + np.pi / n  # symmetric, none upright
+
+
+def between(n):
+    """Return n angles from −π to π: symmetric, none upright."""
+    return np.linspace(-np.pi, np.pi, num=n + 1)[:-1] + np.pi / n
+
+
+angles = between(n)
 results = system.integrate_ensemble(
     initial_conditions={q1: angles, q2: angles},
     product=True,
@@ -83,12 +93,54 @@ print(f"{n * n} trajectories, {steps / 1e6:.2f} million steps")
 # small for a flip.
 
 turns = np.round(results.q2 / (2.0 * np.pi)).values
-forbidden = 2.0 * np.cos(results.initial_q1) + np.cos(results.initial_q2) > 1.0
+
+
+def too_little(results):
+    """Return where the energy does not bring a link upright."""
+    return 2.0 * np.cos(results.initial_q1) + np.cos(results.initial_q2) > 1.0
+
+
+forbidden = too_little(results)
 figure, axes = plt.subplots(figsize=(6.4, 5.4), layout="constrained")
 image = axes.pcolormesh(angles, angles, turns.T, cmap="RdBu", vmin=-4, vmax=4)
 axes.contour(angles, angles, forbidden.values.T, levels=[0.5], colors="k", linewidths=0.8)
 figure.colorbar(image, ax=axes, label="turns of the lower link after 20 √(l/g)")
 ticks = [-3.0, 0.0, 3.0]
+axes.set(xlabel="θ₁ at the start", ylabel="θ₂ at the start", xticks=ticks, yticks=ticks)
+
+# %%
+# When they flip
+# --------------
+# Terminal events end a trajectory where a link passes the top.  Trajectories with events are
+# integrated one by one; fewer of them, but for longer.
+
+over = [
+    Event(q + side * np.pi, terminal=True, name=f"{q} at {-side}π")
+    for q in (q1, q2)
+    for side in (1, -1)
+]
+flips = system.integrate_ensemble(
+    initial_conditions={q1: between(coarse), q2: between(coarse)},
+    times=[0.0, 50.0],
+    product=True,
+    reduce="final",
+    events=over,
+    rtol=1e-7,
+    atol=1e-7,
+)
+first = flips.end_time.where(flips.end_time < 50.0)
+
+# %%
+# Grey: no flip.
+
+figure, axes = plt.subplots(figsize=(6.4, 5.4), layout="constrained")
+cmap = plt.get_cmap("magma_r").with_extremes(bad="0.93")
+image = axes.pcolormesh(
+    between(coarse), between(coarse), np.log10(first).T, cmap=cmap, vmin=0, vmax=np.log10(50.0)
+)
+axes.contour(angles, angles, forbidden.values.T, levels=[0.5], colors="tab:blue")
+bar = figure.colorbar(image, ax=axes, label=r"first flip [$\sqrt{l/g}$]")
+bar.set_ticks(np.log10([1, 2, 5, 10, 20, 50]), labels=["1", "2", "5", "10", "20", "50"])
 axes.set(xlabel="θ₁ at the start", ylabel="θ₂ at the start", xticks=ticks, yticks=ticks)
 
 # %%
@@ -101,6 +153,9 @@ farthest = np.maximum.reduce([abs(results[k]) for k in ("q1_max", "q1_min", "q2_
 wrong = int(((farthest > np.pi) & forbidden).sum())
 print(f"{int(forbidden.sum())} have too little energy; of these {wrong} flip")
 assert wrong == 0
+few = too_little(flips)
+assert not first.where(few).count()
+print(f"of the others {float(first.notnull().where(~few).mean()):.0%} flip within 50 √(l/g)")
 
 calm = forbidden.values
 mirrored = -results.q2.values[::-1, ::-1]
