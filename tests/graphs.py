@@ -12,6 +12,7 @@ from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program, Tape
 from pydy._graph.solve.ldl import UnrolledLDL
 from pydy._graph.switches import Passes
+from pydy._graph.symbols import input_nodes
 
 __all__ = [
     "BINARY",
@@ -47,10 +48,7 @@ COMPARISONS = {name: OPERATIONS[name].numpy for name in ("lt", "le", "eq", "ne")
 def nodes_of(expressions, graph=None):
     """A graph and the nodes of expressions in X, P and T."""
     graph = Graph() if graph is None else graph
-    atoms = {T: graph.input("t", 0)}
-    atoms |= {s: graph.input("x", k) for k, s in enumerate(X)}
-    atoms |= {s: graph.input("p", k) for k, s in enumerate(P)}
-    return graph, SymPyReader(graph, atoms).all(expressions)
+    return graph, SymPyReader(graph, input_nodes(graph, t=[T], x=X, p=P)).all(expressions)
 
 
 def on_tape(graph, nodes, sizes=SIZES, **options):

@@ -14,10 +14,10 @@ import numpy as np
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.tuning import NO_SHARE, SAME_RATE, SAME_SHARE
 from pydy._graph.derivative import dense_jacobian
-from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
+from pydy._mechanics.generic import generic_inputs, values_of
 
 __all__ = ["stabilised"]
 
@@ -81,10 +81,7 @@ def _shares(assembly: Assembly) -> np.ndarray:
     program = lower(graph, assembly.sizes, blocks)
     found: list[np.ndarray] = []
     for seed in range(_TRIALS):
-        rng = np.random.default_rng(seed)
-        x, r, p = (rng.uniform(0.3, 1.3, size) for size in assembly.sizes)
-        out, _ = run(program, rng.uniform(0.1, 1.0, 1), x[None], r[None], p)
-        part = {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
+        part = values_of(program, *generic_inputs(assembly.sizes, seed))
         if not np.allclose(part["rows"], part["motion"], rtol=SAME_RATE, atol=NO_SHARE):
             raise ValueError(
                 "`constraints='baumgarte'` needs acceleration constraints that are the rates of "

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from typing import Any
 
 from pydy._assembly.assembly import Assembly
-from pydy._assembly.symbols import input_nodes
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.switches import Passes
+from pydy._graph.symbols import input_nodes
 
 __all__ = ["assemble_form"]
 
@@ -33,7 +33,7 @@ def assemble_form(
     """Assemble equations in one of the forms [1] x' = F, [2] M x' = F, [3] M u' = F with q' = G."""
     graph = Graph()
     states = [*coordinates, *speeds]
-    atoms = input_nodes(graph, time, states, specifieds, constants)
+    atoms = input_nodes(graph, p=constants, t=[time], r=specifieds, x=states)
     read = SymPyReader(graph, atoms, "the right-hand side")
     first: list[int] = []
     if coordinate_derivatives is not None:

@@ -174,7 +174,7 @@ class CompiledModel:
             blocks = [(name, (len(nodes),), nodes) for name, nodes in parts(own).items()]
             program = self._interpreted[parts] = lower(own.graph, own.sizes, blocks)
         out, _ = run(program, *at)
-        return {block.name: out[:, block.start : block.stop] for block in program.blocks}
+        return program.by_block(out)
 
     # -- other equations -------------------------------------------------------------------------
 

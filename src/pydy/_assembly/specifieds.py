@@ -16,12 +16,12 @@ import sympy as sm
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._assembly.symbols import input_nodes
 from pydy._checks import describe
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
+from pydy._graph.symbols import input_nodes
 from pydy._mechanics.symbols import find_symbols
 
 __all__ = ["check_expressions", "driven", "followed"]
@@ -149,7 +149,9 @@ def _resolve(
         A function that cannot be translated.
     """
     layout, equations = definition.layout, definition.equations
-    atoms = input_nodes(graph, equations.time, layout.states, layout.specifieds, layout.constants)
+    atoms = input_nodes(
+        graph, p=layout.constants, t=[equations.time], r=layout.specifieds, x=layout.states
+    )
     inputs = {s: atoms[s] for s in layout.specifieds}
     atoms.update((z, graph.zero) for z in equations.zeros)
     read = SymPyReader(graph, atoms)

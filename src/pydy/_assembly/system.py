@@ -7,7 +7,6 @@ from typing import Any
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.outputs import Group, auxiliary_groups, evaluate_groups
-from pydy._assembly.symbols import input_nodes
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
@@ -15,6 +14,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._graph.switches import Passes
+from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 
 __all__ = ["assemble_system", "check_accelerations"]
@@ -58,7 +58,7 @@ def assemble_system(
     formed = equations.formed
     graph = Graph() if formed is None else formed.placed(constants, specifieds)
     q, u, t = equations.coordinates, equations.speeds, equations.time
-    atoms = input_nodes(graph, t, [*q, *u, *auxiliaries], specifieds, constants)
+    atoms = input_nodes(graph, p=constants, t=[t], r=specifieds, x=[*q, *u, *auxiliaries])
     accelerations = [graph.input("a", k) for k in range(len(u))]
     atoms.update((z, graph.zero) for z in equations.zeros)
     read = SymPyReader(graph, atoms, "the equations of motion")

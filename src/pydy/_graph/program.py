@@ -25,12 +25,15 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import astuple, dataclass, fields
 from math import prod
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydy._forks import cached_property
 from pydy._graph.listing import listing
 from pydy._graph.operations import ANGLES, operands, with_operands
 from pydy._graph.tuning import DEEPER
+
+if TYPE_CHECKING:
+    import numpy as np
 
 __all__ = ["Block", "Program", "Tape"]
 
@@ -237,6 +240,11 @@ class Program:
         """Return the Program that `to_bytes` wrote."""
         *values, blocks = marshal.loads(data)
         return cls(*(*values, tuple(Block(*block) for block in blocks)))
+
+    def by_block(self, out: np.ndarray) -> dict[str, np.ndarray]:
+        """Return views of an output, or of many along the first axes, by the names of blocks."""
+        return {b.name: out[..., b.start : b.stop].reshape(*out.shape[:-1], *b.shape)
+                for b in self.blocks}  # fmt: skip
 
     def block(self, name: str) -> Block:
         """Return the output block of that name."""

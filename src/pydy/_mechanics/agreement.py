@@ -16,6 +16,7 @@ from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import transplanted
+from pydy._graph.symbols import input_nodes
 from pydy._mechanics.choice import chosen, counted, estimated
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
@@ -84,10 +85,8 @@ def _agree(equations: Equations, formed: Formed) -> bool:
     symbols = [*formed.constants, *formed.specifieds]
     states = GenericStates(equations, [*written, *symbols], "the equations of motion")
     g = formed.graph
-    inputs = {g.input("x", k): node for k, node in enumerate((*states.coordinates, *states.speeds))}
-    inputs[g.input("t", 0)] = states.read(equations.time)
-    inputs |= {g.input("p", k): states.read(s) for k, s in enumerate(formed.constants)}
-    inputs |= {g.input("r", k): states.read(s) for k, s in enumerate(formed.specifieds)}
+    own = formed.input_symbols(equations.time, (*equations.coordinates, *equations.speeds))
+    inputs = {node: states.read(symbol) for node, symbol in own.items()}
     nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
     blocks = [
         ("written", (n * (n + 1),), states.read.all(written)),
@@ -119,11 +118,8 @@ def _as_formed(equations: Equations, formed: Formed) -> Formed:
     graph, n = Graph(), len(equations.speeds)
     constants = [s for s in _others(equations) if s.is_Symbol]
     specifieds = [s for s in _others(equations) if not s.is_Symbol]
-    atoms: dict[Any, int] = {s: graph.input("p", k) for k, s in enumerate(constants)}
-    atoms |= {s: graph.input("r", k) for k, s in enumerate(specifieds)}
     states = (*equations.coordinates, *equations.speeds)
-    atoms |= {s: graph.input("x", k) for k, s in enumerate(states)}
-    atoms[equations.time] = graph.input("t", 0)
+    atoms = input_nodes(graph, p=constants, r=specifieds, x=states, t=[equations.time])
     atoms |= dict.fromkeys(equations.zeros, graph.zero)
     read = SymPyReader(graph, atoms, "the equations of motion")
     rates = read.all(equations.coordinate_derivatives)

@@ -10,6 +10,7 @@ from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
+from pydy._graph.symbols import input_symbols
 from pydy._mechanics.axes import move_along_axes
 from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
@@ -84,17 +85,14 @@ class Formed:
         groups = {"p": self.constants, "r": self.specifieds, "a": speed_rates}
         return [groups[g][k] for g, k in sorted(self.inputs()) if g in groups]
 
+    def input_symbols(self, time: Any, states: Sequence[Any]) -> dict[int, Any]:
+        """Return what each input node stands for, derivatives of speeds left out."""
+        return input_symbols(self.graph, t=[time], x=states, p=self.constants, r=self.specifieds)
+
     def energy(self, time: Any, coordinates: Sequence[Any], speeds: Sequence[Any]) -> Any:
         """Return the kinetic energy as an expression."""
-        g = self.graph
-        symbols = {g.input("t", 0): time}
-        for group, names in (
-            ("x", (*coordinates, *speeds)),
-            ("p", self.constants),
-            ("r", self.specifieds),
-        ):
-            symbols |= {g.input(group, k): s for k, s in enumerate(names)}
-        return NodeExpression.of(g, self.kinetic, symbols)
+        symbols = self.input_symbols(time, (*coordinates, *speeds))
+        return NodeExpression.of(self.graph, self.kinetic, symbols)
 
     def placed(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> Graph:
         """Return the graph with its inputs in the order of arrays p and r.

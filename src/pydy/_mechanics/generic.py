@@ -19,15 +19,17 @@ from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
+from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._mechanics.tuning import CLOSED, FULL_STEPS
 
-__all__ = ["Block", "GenericStates"]
+__all__ = ["Block", "GenericStates", "generic_inputs", "values_of"]
 
 _STEPS = 50
 
 Block = tuple[str, tuple[int, ...], list[int]]
+Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
 
 
 class GenericStates:
@@ -71,16 +73,11 @@ class GenericStates:
         }
         found |= {s.diff(t) for s in found if isinstance(s, AppliedUndef)}
         others = sort_symbols(found)
-        x = [graph.input("x", k) for k in range(len(states))]
-        self._others = [graph.input("r", k) for k in range(len(others))]
-        self.coordinates, self.speeds = x[: len(q)], x[len(q) :]
-        time = graph.input("t", 0)
-        atoms: dict[Any, int] = {
-            **dict(zip(states, x, strict=True)),
-            **dict(zip(others, self._others, strict=True)),
-            t: time,
-            **dict.fromkeys(equations.zeros, graph.zero),
-        }
+        atoms = input_nodes(graph, x=states, r=others, t=[t])
+        self.coordinates, self.speeds = [atoms[s] for s in q], [atoms[s] for s in u]
+        self._others, time = [atoms[s] for s in others], atoms[t]
+        self._sizes = (len(states), len(others), 0)
+        atoms |= dict.fromkeys(equations.zeros, graph.zero)
         self.read = SymPyReader(graph, atoms, what)
         rates = self.read.all(equations.coordinate_derivatives)
         for rate, node in zip(equations.coordinate_rates, rates, strict=True):
@@ -122,26 +119,21 @@ class GenericStates:
         )
         wanted = self._program(blocks)
         for seed in range(trials):
-            values = _values(wanted, *self._consistent(closing, np.random.default_rng(seed)))
+            values = values_of(wanted, *self._consistent(closing, seed))
             if all(np.isfinite(v).all() for v in values.values()):
                 yield values
 
     def _program(self, blocks: Sequence[Block]) -> Program:
-        sizes = (len(self.coordinates) + len(self.speeds), len(self._others), 0)
-        return lower(self.graph, sizes, blocks)
+        return lower(self.graph, self._sizes, blocks)
 
-    def _consistent(
-        self, closing: Program, rng: np.random.Generator
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def _consistent(self, closing: Program, seed: int) -> Inputs:
         n = len(self.coordinates)
-        x = rng.uniform(0.3, 1.3, n + len(self.speeds))
-        r = rng.uniform(0.5, 1.5, len(self._others))
-        t = rng.uniform(0.1, 1.0, 1)
+        t, x, r, p = generic_inputs(self._sizes, seed)
         for share in FULL_STEPS:
             for _ in range(_STEPS):
-                now = _values(closing, t, x, r)
+                now = values_of(closing, t, x, r, p)
                 if not all(np.isfinite(now[k]).all() for k in ("gradient", "holonomic")):
-                    return t, x, r
+                    return t, x, r, p
                 if np.abs(now["holonomic"]).max(initial=0.0) < CLOSED:
                     break
                 step = -_solved(now["gradient"], now["holonomic"], share)
@@ -150,10 +142,10 @@ class GenericStates:
             else:
                 continue
             break
-        now = _values(closing, t, x, r)
+        now = values_of(closing, t, x, r, p)
         if now["velocity"].size and np.isfinite(now["slope"]).all():
             x[n:] -= np.linalg.lstsq(now["slope"], now["velocity"], rcond=None)[0]
-        return t, x, r
+        return t, x, r, p
 
 
 def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.ndarray:
@@ -165,6 +157,16 @@ def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.nda
     return step
 
 
-def _values(program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray) -> dict[str, np.ndarray]:
-    out, _ = run(program, t, x[None], r[None], np.empty(0))
-    return {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
+def generic_inputs(sizes: tuple[int, int, int], seed: int) -> Inputs:
+    """Return time, shape (1,), and arrays x, r and p that have nothing particular about them."""
+    rng = np.random.default_rng(seed)
+    n, s, k = sizes
+    x, r, p = rng.uniform(0.3, 1.3, n), rng.uniform(0.5, 1.5, s), rng.uniform(0.5, 1.5, k)
+    return rng.uniform(0.1, 1.0, 1), x, r, p
+
+
+def values_of(
+    program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+) -> dict[str, np.ndarray]:
+    """Return the blocks of a Program at one state."""
+    return program.by_block(run(program, t, x[None], r[None], p)[0][0])

@@ -19,6 +19,7 @@ from sympy.physics.mechanics import Point
 from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
+from pydy._graph.symbols import input_nodes, input_symbols
 from pydy._mechanics.reader import InputReader, Multibody, Tree, is_rigid
 
 __all__ = ["Kinematics", "Motion", "Vec"]
@@ -62,8 +63,8 @@ class Kinematics:
         g = self.graph = Graph()
         self.inertial = body.frame
         states = [*body.coordinates, *body.speeds]
-        atoms = {s: g.input("x", k) for k, s in enumerate(states)}
-        time = atoms[body.time] = g.input("t", 0)
+        atoms = input_nodes(g, x=states, t=[body.time])
+        time = atoms[body.time]
         coordinates = [atoms[s] for s in body.coordinates]
         self.speeds = [atoms[s] for s in body.speeds]
         self.accelerations = [g.input("a", k) for k in range(len(self.speeds))]
@@ -124,15 +125,10 @@ class Kinematics:
     def symbols(self) -> dict[int, Any]:
         """Return what each input node stands for, auxiliary speeds left out."""
         body, read, g = self.body, self.read, self.graph
-        own = {g.input("t", 0): body.time}
-        for group, symbols in (
-            ("x", (*body.coordinates, *body.speeds)),
-            ("a", body.speed_rates),
-            ("p", read.constants),
-            ("r", read.specifieds),
-        ):
-            own |= {g.input(group, k): s for k, s in enumerate(symbols)}
-        return own
+        states = (*body.coordinates, *body.speeds)
+        return input_symbols(
+            g, t=[body.time], x=states, a=body.speed_rates, p=read.constants, r=read.specifieds
+        )
 
     # -- vectors ----------------------------------------------------------------------------------
 

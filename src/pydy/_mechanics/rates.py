@@ -15,6 +15,7 @@ from pydy._checks import describe
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
+from pydy._graph.symbols import input_nodes
 from pydy._mechanics.symbols import find_symbols, replace_symbols, sort_symbols
 
 __all__ = ["solve_rates"]
@@ -96,8 +97,7 @@ def _solved(rows: list[Any], own: list[Any], argument: str) -> list[Any]:
 def _check_regular(determinant: Any, own: list[Any], argument: str) -> None:
     symbols = sort_symbols(find_symbols([determinant]))
     graph = Graph()
-    atoms = {s: graph.input("p", k) for k, s in enumerate(symbols)}
-    node = SymPyReader(graph, atoms, f"`{argument}`")(determinant)
+    node = SymPyReader(graph, input_nodes(graph, p=symbols), f"`{argument}`")(determinant)
     if not signatures(graph, [node])[0]:
         raise ValueError(
             f"`{argument}` cannot be solved for {describe(own)}: their equations depend on each "

@@ -433,7 +433,7 @@ class _Run:
         program, x = call.kernel.program, record.before
         r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t), self._adjoint[:n]])
         out = call.kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
-        part = {block.name: out[block.start : block.stop] for block in program.blocks}
+        part = program.by_block(out)
         rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
         events = self.options.events
         assert events is not None

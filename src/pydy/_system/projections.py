@@ -57,8 +57,7 @@ class Projections:
         self._r = Inputs(plain.r, plain.sampled).rows(states, times)
         self._p = plain.p
         out = model.evaluate(constraints.kernel, times, states, self._r, self._p)
-        program = constraints.kernel.program
-        self._parts = {b.name: out[:, b.start : b.stop] for b in program.blocks}
+        self._parts = constraints.kernel.program.by_block(out)
         h, v, n = constraints.holonomic, constraints.velocity, states.shape[1]
         self._slopes = np.zeros((len(times), v, n))
         if v:

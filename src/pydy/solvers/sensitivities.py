@@ -125,7 +125,7 @@ class CompiledSensitivities:
         program, r = kernel.program, call.inputs_at(whole, t)
         r = np.concatenate([r, call.slopes_at(t)[: program.num_specifieds - len(r)]])
         out = kernel.evaluate(np.array([t]), whole[None], r[None], call.p)[0][0]
-        part = {block.name: out[block.start : block.stop] for block in program.blocks}
+        part = program.by_block(out)
         rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
         with np.errstate(all="ignore"):
             moment = -part["moved"] / rate

@@ -16,6 +16,7 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
+from pydy._graph.symbols import input_nodes
 from pydy._names import name_of
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
@@ -185,7 +186,7 @@ class Witness:
             p = motion.constants.copy()
             p[varied] = p[varied] * generator.uniform(0.7, 1.3, len(varied)) + 0.1
             out, _ = run(program, generator.uniform(0, 1, 1), x[None], r, p)
-            blocks = {b.name: out[0, b.start : b.stop].reshape(b.shape) for b in program.blocks}
+            blocks = program.by_block(out[0])
             rotations.append(blocks["rotations"])
             positions.append(blocks["positions"])
         self._rotations = {f: np.stack([a[k] for a in rotations])
@@ -407,10 +408,8 @@ def _start(
 ) -> tuple[Program, list[int]]:
     """Return the Program of the initial conditions that sliders of the user's own set."""
     graph = Graph()
-    atoms = {s: graph.input("p", k) for k, s in enumerate(system.constants)}
-    count = len(system.constants)
-    atoms.update({s: graph.input("p", count + k) for k, (s, _, _) in enumerate(own)})
-    atoms.update({s: graph.input("x", k) for k, s in enumerate(system.states)})
+    constants = [*system.constants, *(symbol for symbol, _, _ in own)]
+    atoms = input_nodes(graph, p=constants, x=system.states)
     places = Places(system.states, "states of the system")
     reader = SymPyReader(graph, atoms, "`sets` of a slider")
     nodes, targets = [], []
@@ -424,7 +423,7 @@ def _start(
                 )
             targets.append(place)
             nodes += reader.all([sm.sympify(expression)])
-    sizes = (len(system.states), 0, count + len(own))
+    sizes = (len(system.states), 0, len(constants))
     return lower(graph, sizes, [("start", (len(nodes),), simplify(graph, nodes))]), targets
 
 
@@ -433,7 +432,7 @@ def _sizes(
 ) -> tuple[Program, list[list[Any]]]:
     """Return the Program of lengths that depend on constants, and what each belongs to."""
     graph = Graph()
-    atoms: dict[Any, int] = {s: graph.input("p", k) for k, s in enumerate(system.constants)}
+    atoms = input_nodes(graph, p=system.constants)
     reader = SymPyReader(graph, atoms, "the shapes")
     nodes, places = [], []
     for k, item in enumerate(items):

@@ -24,6 +24,7 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
+from pydy._graph.symbols import input_nodes
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of
 
@@ -114,9 +115,7 @@ def place(geometry: Geometry, names: Names) -> Callable[..., Placement]:
 
     def evaluate(t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> Placement:
         out, _ = kernel.evaluate(t, x, r, p)
-        blocks = {
-            b.name: out[:, b.start : b.stop].reshape(len(t), *b.shape) for b in program.blocks
-        }
+        blocks = program.by_block(out)
         rotations, positions = blocks["rotations"], blocks["positions"]
         return Placement(
             {f: rotations[:, k] for k, f in enumerate(geometry.frames)},
@@ -135,11 +134,11 @@ class _Poses:
         self.geometry = geometry
         self.names = names
         self.graph = graph = Graph()
-        groups = (("p", names.constants), ("r", names.specifieds), ("x", names.states))
-        atoms = {s: graph.input(g, k) for g, symbols in groups for k, s in enumerate(symbols)}
+        atoms = input_nodes(
+            graph, p=names.constants, r=names.specifieds, x=names.states, t=[names.time]
+        )
         # A trajectory from a file has names in the place of symbols.
         self.by_name = {s: node for s, node in atoms.items() if isinstance(s, str)}
-        atoms[names.time] = graph.input("t", 0)
         self.read = SymPyReader(graph, atoms, "the scene")
         one, zero = graph.one, graph.zero
         self.rotations: dict[Any, Matrix3] = {

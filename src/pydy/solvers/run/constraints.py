@@ -61,7 +61,7 @@ class CompiledConstraints:
         values : ndarray
             What the kernel gives at some state.
         """
-        part = {b.name: values[b.start : b.stop] for b in self.kernel.program.blocks}
+        part = self.kernel.program.by_block(values)
         rows = [
             *(_dependent(part["gradient"].reshape(self.holonomic, self.coordinates))),
             *(_dependent(part["velocity_gradient"].reshape(self.velocity, self.speeds))),
@@ -90,7 +90,7 @@ class CompiledConstraints:
         names : list of str
             Of the constraints whose combination then vanishes.
         """
-        part = {b.name: values[b.start : b.stop] for b in self.kernel.program.blocks}
+        part = self.kernel.program.by_block(values)
         rows = part["velocity_gradient"].reshape(self.velocity, self.speeds)
         if self.weighted:
             hessian = part["kinetic_hessian"].reshape(self.speeds, self.speeds)
@@ -119,7 +119,7 @@ class CompiledConstraints:
             The least singular value of their rows' part that belongs to the dependent speeds, in
             units of the rows' lengths; 1 where there are no such speeds.
         """
-        part = {b.name: values[b.start : b.stop] for b in self.kernel.program.blocks}
+        part = self.kernel.program.by_block(values)
         rows = part["velocity_gradient"].reshape(self.velocity, self.speeds)
         lengths = np.linalg.norm(rows, axis=1)
         if not self.dependent_speeds or not np.isfinite(rows).all() or not lengths.all():

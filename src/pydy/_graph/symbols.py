@@ -1,0 +1,28 @@
+"""Which input of a graph stands for each symbol."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+from pydy._graph.node import Graph
+
+__all__ = ["input_nodes", "input_symbols"]
+
+
+def input_nodes(graph: Graph, **groups: Iterable[Any]) -> dict[Any, int]:
+    """Return the input node of each symbol; the graph gets them in the order of the arguments.
+
+    Parameters
+    ----------
+    graph : Graph
+    **groups
+        The symbols of each group of inputs in order: ``x=states, t=[time]``. A symbol in several
+        groups belongs to the last.
+    """
+    return {s: graph.input(g, k) for g, symbols in groups.items() for k, s in enumerate(symbols)}
+
+
+def input_symbols(graph: Graph, **groups: Iterable[Any]) -> dict[int, Any]:
+    """Return the symbol of each input node; the groups are those of `input_nodes`."""
+    return {graph.input(g, k): s for g, symbols in groups.items() for k, s in enumerate(symbols)}
