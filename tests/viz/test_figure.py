@@ -218,6 +218,20 @@ def test_what_ffmpeg_says_is_in_the_message(scene, tmp_path, monkeypatch):
         scene.save(tmp_path / "a.mp4", fps=2, dpi=40)
 
 
+def test_an_ffmpeg_without_libx264_gets_no_preset(scene, tmp_path, monkeypatch):
+    from matplotlib.animation import FFMpegWriter
+
+    program, said = tmp_path / "ffmpeg", tmp_path / "said"
+    program.write_text(f'#!/bin/sh\necho "$@" >> {said}\ncat > /dev/null\n', encoding="utf-8")
+    program.chmod(0o755)
+    monkeypatch.setattr(FFMpegWriter, "isAvailable", lambda: True)
+    monkeypatch.setattr(FFMpegWriter, "bin_path", lambda: str(program))
+    scene.save(tmp_path / "a.mp4", fps=2, dpi=40)
+    command = said.read_text(encoding="utf-8").splitlines()[-1]
+    assert "-vcodec h264 " in command
+    assert "-preset" not in command
+
+
 def test_frames_of_a_film_differ_as_the_scene_moves(scene, tmp_path):
     from PIL import Image
 
