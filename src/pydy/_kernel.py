@@ -11,7 +11,7 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._graph.program import Program
 
-__all__ = ["Inputs", "Kernel", "KernelCall"]
+__all__ = ["Call", "Inputs", "Kernel", "KernelCall"]
 
 Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
@@ -30,10 +30,8 @@ class Kernel:
         samples whose linear solve was singular. Kernels of several lanes take an x whose columns
         are contiguous fastest, and return the same order. Native ones also take the array to write
         to, contiguous in the order of x, as a fifth argument.
-    call : callable
-        ``call(x, t, r, p, out) -> int`` for one state, without any checking beyond what keeps it
-        safe: −1 asks the caller to convert its arguments and call again, otherwise the bit mask
-        of failed lanes.
+    gate : callable
+        What `call` gives, once `begin` has been called.
     rebuild : callable
         ``rebuild(program, *recipe)`` gives this Kernel again, where it is unpickled.
     recipe : tuple
@@ -44,16 +42,19 @@ class Kernel:
         How many states one native call takes.
     owner : object
         Keeps the machine code alive.
+    begin : callable or None
+        Makes the code of `gate`, at the first call.
     """
 
     program: Program
     sweep: Sweep
-    call: Call
+    gate: Call
     rebuild: Callable[..., Kernel]
     recipe: tuple[Any, ...] = ()
     settled: Callable[[], tuple[int, int]] | None = None
     lanes: int = 1
     owner: Any = field(default=None, repr=False)
+    begin: Callable[[], None] | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (self.rebuild, (self.program, *self.recipe))
@@ -63,6 +64,17 @@ class Kernel:
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Kernel:
         return self  # a Kernel never changes
+
+    @property
+    def call(self) -> Call:
+        """``call(x, t, r, p, out) -> int`` for one state; where needed it is compiled now.
+
+        There is no checking beyond what keeps it safe: −1 asks the caller to convert its arguments
+        and call again, otherwise it is the bit mask of failed lanes.
+        """
+        if self.begin is not None:
+            self.begin()
+        return self.gate
 
     @property
     def addresses(self) -> tuple[int, int] | None:

@@ -12,6 +12,7 @@ __all__ = [
     "FOR_SINCOS",
     "IDLE_SECONDS",
     "LARGE",
+    "LINES",
     "LOOP",
     "QUIET_SECONDS",
     "SHORT",
@@ -23,6 +24,10 @@ __all__ = [
 # Operations in one basic block: LLVM's time grows faster than a block's length. 30 and 120: no
 # gain.
 BLOCK = 60
+
+# Instructions after which a block ends that mostly reads and writes, such as a matrix for a
+# fallback. 60 operations with what they read and write take fewer.
+LINES = 240
 
 # Registers left to intermediate results. Fewer: LLVM moves values to memory a second time; more:
 # no gain.

@@ -52,6 +52,13 @@ def helper():
     helper.close()
 
 
+def begun(number):
+    """Return a Kernel whose quick code is there."""
+    kernel = LLVMBackend().compile(program(number))
+    assert kernel.call
+    return kernel
+
+
 def until(condition, seconds=60.0):
     end = time.monotonic() + seconds
     while not condition():
@@ -104,7 +111,7 @@ from pydy._backends.llvm import background
 from pydy._backends.llvm.backend import LLVMBackend
 import test_compiling, time
 background.QUIET_SECONDS = 0.0
-kernel = LLVMBackend().compile(test_compiling.program(5))
+kernel = test_compiling.begun(5)
 test_compiling.until(lambda: background._helper._process is not None)
 print(background._helper._process.pid)
 """
@@ -158,7 +165,7 @@ def test_the_side_thread_compiles_nothing_in_this_process(nothing_cached, at_onc
         "_emitter",
         lambda quick: compilers.append(threading.current_thread().name) or emitter(quick),
     )
-    kernel = LLVMBackend().compile(program(11))
+    kernel = begun(11)
     entry = kernel.owner[0]
     quick = entry.addresses
     until(lambda: entry.addresses != quick)
@@ -166,19 +173,19 @@ def test_the_side_thread_compiles_nothing_in_this_process(nothing_cached, at_onc
 
 
 def test_nothing_waits_for_what_is_compiled_on_the_side(nothing_cached, at_once, monkeypatch):
-    begun, end = threading.Event(), threading.Event()
+    started, end = threading.Event(), threading.Event()
 
     def slow(_self, source):
-        begun.set()
+        started.set()
         end.wait(60.0)
         return compiling.object_code(source)
 
     monkeypatch.setattr(compiling.Helper, "compile", slow)
-    first = LLVMBackend().compile(program(12))
-    assert begun.wait(30.0)
+    first = begun(12)
+    assert started.wait(30.0)
     # If one of these waited for the side, it would do so until the latter gave up.
     began = time.monotonic()
-    second = LLVMBackend().compile(program(13))
+    second = begun(13)
     assert second.addresses
     before = first.owner[0].addresses
     assert first.addresses != before  # not even for its own
@@ -192,7 +199,7 @@ def test_where_no_process_can_be_started_the_program_compiles(nothing_cached, no
     def none(source):
         raise compiling.HelperError("there is none")
 
-    kernel = LLVMBackend().compile(program(14))
+    kernel = begun(14)
     task = kernel.owner[0].better
     with pytest.raises(compiling.HelperError):
         task.run_with(none)
@@ -202,7 +209,7 @@ def test_where_no_process_can_be_started_the_program_compiles(nothing_cached, no
 
 def test_a_process_without_work_is_ended(nothing_cached, at_once, monkeypatch):
     monkeypatch.setattr(background, "IDLE_SECONDS", 0.05)
-    kernel = LLVMBackend().compile(program(15))
+    kernel = begun(15)
     assert kernel.owner
     until(lambda: not background._TASKS and background._helper._process is None)
 
@@ -214,7 +221,7 @@ def test_a_process_without_work_is_ended(nothing_cached, at_once, monkeypatch):
 def test_code_goes_with_the_last_reference_to_its_kernel(
     nothing_cached, nothing_on_the_side, settled
 ):
-    kernel = LLVMBackend().compile(program(16))
+    kernel = begun(16)
     if settled:
         assert kernel.addresses
     engines = [weakref.ref(code._engine) for code in kernel.owner[0]._owners]
@@ -230,7 +237,7 @@ def test_code_goes_with_the_last_reference_to_its_kernel(
 
 
 def test_code_of_the_side_goes_too(nothing_cached, at_once):
-    kernel = LLVMBackend().compile(program(17))
+    kernel = begun(17)
     owners = kernel.owner[0]._owners
     until(lambda: len(owners) == 2)
     engines = [weakref.ref(code._engine) for code in owners]
@@ -279,7 +286,7 @@ def test_a_distinct_right_hand_side_leaves_no_memory_behind():
 
 
 def test_bits_are_the_same_whoever_compiled(nothing_cached, at_once):
-    kernel = LLVMBackend().compile(program(18))
+    kernel = begun(18)
     entry, x = kernel.owner[0], np.random.default_rng(0).normal(size=(9, 2))
     arguments = np.zeros(9), x, np.zeros((1, 0)), np.zeros(0)
     quick = kernel.evaluate(*arguments)[0]

@@ -62,6 +62,22 @@ def test_the_gate_uses_the_better_code_with_the_constants_that_are_bound(nothing
     np.testing.assert_array_equal(again, out)
 
 
+def test_who_wants_the_best_code_compiles_nothing_else(nothing_cached, monkeypatch):
+    quick = []
+    load = jit.load_quickly
+    monkeypatch.setattr(jit, "load_quickly", lambda *a: quick.append(a[0].what) or load(*a))
+    kernel, other = rates_kernel("pendulum"), rates_kernel("pendulum")
+    assert kernel.addresses
+    assert kernel.owner[0].better is None
+    kernel.evaluate(*sample(kernel))
+    assert not any(what.startswith("kernel") for what in quick)
+    assert kernel.owner[0].better is None
+    jit.memory.clear()
+    assert other.owner[0].addresses == (0, 0)  # nothing at all before it is called
+    other.evaluate(*sample(other))
+    assert any(what.startswith("kernel") for what in quick)
+
+
 def test_a_task_is_done_once_whoever_comes_first():
     done = []
     task = background.Task(lambda compile_source: done.append(threading.current_thread().name))

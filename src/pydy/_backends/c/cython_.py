@@ -102,7 +102,8 @@ class CythonBackend:
             # Windows keeps the file of a loaded module; its own cleaning takes what stays.
             shutil.rmtree(directory, ignore_errors=True)
         recipe = ("cython", self.options)
-        entry = Entry(module.addresses(), module)
+        entry = Entry()
+        entry.replace(module.addresses(), module)
         return native_kernel(program, entry, 1, compile_program, recipe)
 
     def _reserve(self, digest: str) -> tuple[str, Path]:

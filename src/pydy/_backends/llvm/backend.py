@@ -10,10 +10,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
-from weakref import ref
 
 from pydy import _forks
-from pydy._backends.llvm import background, jit
+from pydy._backends.llvm import jit
 from pydy._backends.llvm.background import Compile
 from pydy._backends.llvm.compiling import object_code
 from pydy._backends.llvm.emit import BRANCH_WEIGHTS, SOLVES, Emitter, called
@@ -57,9 +56,10 @@ class LLVMBackend:
     def compile(self, program: Program) -> Kernel:
         """Return the Kernel of a Program.
 
-        Code that is not in the cache is compiled quickly first, so that a simulation can begin,
-        and at LLVM's best on the side, which takes its place when it is ready. Both compute the
-        same bits. Wide kernels are for long work and get the best at once.
+        Nothing is compiled before the Kernel is called or asked for its best code. At a call, code
+        that is not in the cache is compiled quickly first, so that a simulation can begin, and at
+        LLVM's best on the side, which takes its place when it is ready. Both compute the same bits.
+        Wide kernels are for long work and get the best at once.
         """
         lanes: int = self.options["lanes"]
         width = self.options.get("width") or width_of(program, lanes)
@@ -70,18 +70,33 @@ class LLVMBackend:
             loops=lanes == 1 and _repeats(program),
         )
         calls = bool({*SOLVES, *ANGLES} & set(program.ops))
-        routines = shared_routines(width, at_best=lanes > 1) if calls else None
-        code = jit.load(source, routines) if lanes > 1 else jit.find(source, routines)
-        quick = code is None
-        if code is None:
-            code = jit.load_quickly(source, routines)
-        entry = Entry((code.addresses["kernel"], code.addresses["prepare"]), code)
-        if quick:
-            entry.better = background.Task(partial(_improve, ref(entry), source, calls))
-            background.submit(entry.better)
         recipe = ("llvm", self.options)
-        strided = code.addresses.get("strided", 0)
+        if lanes == 1:
+            entry = Entry(_Tiers(source, calls))
+            return native_kernel(program, entry, 1, compile_program, recipe)
+        code = jit.load(source, shared_routines(width, at_best=True) if calls else None)
+        entry = Entry()
+        entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
+        strided = code.addresses["strided"]
         return native_kernel(program, entry, lanes, compile_program, recipe, strided)
+
+
+@dataclass(frozen=True)
+class _Tiers:
+    """Scalar code; `calls` says whether it needs the shared routines."""
+
+    source: jit.Source
+    calls: bool
+
+    def at_hand(self) -> tuple[jit.Code, bool]:
+        routines = shared_routines(1, at_best=False) if self.calls else None
+        code = jit.find(self.source, routines)
+        best = code is not None
+        return code or jit.load_quickly(self.source, routines), best
+
+    def best(self, compile_source: Compile) -> jit.Code:
+        routines = shared_routines(1, True, compile_source) if self.calls else None
+        return jit.load(self.source, routines, compile_source)
 
 
 @dataclass(frozen=True)
@@ -128,15 +143,6 @@ def _repeats(program: Program) -> bool:
 
 def _does_little(program: Program) -> bool:
     return program.operation_count["run"].total() < SHORT * len(program.outputs)
-
-
-def _improve(known: ref[Entry], source: jit.Source, calls: bool, compile_source: Compile) -> None:
-    """Compile at LLVM's best and put the result in the entry's place, if it is still there."""
-    routines = shared_routines(1, True, compile_source) if calls else None
-    code = jit.load(source, routines, compile_source)
-    entry = known()
-    if entry is not None:
-        entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
 
 
 _ROUTINES: dict[tuple[int, bool], jit.Code] = {}

@@ -13,7 +13,7 @@ from pydy._backends.llvm.guards import Solves
 from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
 from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
-from pydy._backends.tuning import BLOCK, FOR_SINCOS, TEMPORARY, TOGETHER
+from pydy._backends.tuning import BLOCK, FOR_SINCOS, LINES, TEMPORARY, TOGETHER
 from pydy._graph.operations import ANGLES, OPERATIONS, TRUTHS, operands
 from pydy._graph.program import Program
 
@@ -64,7 +64,8 @@ class Emitter:
         uses = readers(program, self.swallowed, setup)
         self.capacity = max(registers - TEMPORARY, 4)
         self.names = Registers(f, self.v, self.capacity, uses)
-        self.written = 0
+        self.written = 0  # operations of this block
+        self.began = len(f.lines)
         # A parameter that is never null.
         self.pointer = "%p" if setup else "%t"
         self.places: dict[int, list[tuple[str, int, int]]] = {}
@@ -98,6 +99,7 @@ class Emitter:
         for k, op in enumerate(program.ops):
             if program.setup[k] != self.setup or op in ("const", "bool"):
                 continue
+            self.divide()
             if op == "input":
                 group, index = program.args[k]
                 self.names.home(k, f"%{group}", index)
@@ -107,6 +109,7 @@ class Emitter:
         if not self.setup:
             for index, k in enumerate(program.outputs):
                 if program.setup[k]:
+                    self.divide()
                     self.load_carried(k)
                     value = self._as_number(k, self.names[k])
                     self.f.store(self.v, value, self.names.place("%out", index))
@@ -164,6 +167,11 @@ class Emitter:
             self._next_block()
         self.written += 1
 
+    def divide(self) -> None:
+        """Begin another basic block if this one has become long with what is no operation."""
+        if len(self.f.lines) - self.began > LINES:
+            self._next_block()
+
     def _write_and_keep(self, node: int) -> None:
         self._carried_by(node)
         self._write(node)
@@ -191,6 +199,7 @@ class Emitter:
         block = f.name("block")
         f.do(f"br i1 {f.let(f'icmp ne ptr {self.pointer}, null')}, label {block}, label %bail")
         f.label(block)
+        self.began = len(f.lines)
 
     def _write(self, node: int) -> None:
         op, args = self.program.ops[node], self.program.args[node]

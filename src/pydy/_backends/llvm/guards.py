@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from itertools import chain
 from typing import Protocol
 
 from pydy._backends.llvm.ir import Function, literal, vector_type
@@ -17,8 +18,8 @@ __all__ = ["Solves", "Writer"]
 
 def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
     """Return what a guard's fallback needs of a matrix: of a symmetric one the lower triangle."""
-    lower = [entries[i * n + j] for i in range(n) for j in range(i + 1)]
-    upper = [entries[j * n + i] for i in range(n) for j in range(i + 1)]
+    lower = list(chain.from_iterable(entries[i * n : i * n + i + 1] for i in range(n)))
+    upper = list(chain.from_iterable(entries[i : i * n + i + 1 : n] for i in range(n)))
     return lower if n > 1 and lower == upper else list(entries)
 
 
@@ -44,6 +45,9 @@ class Writer(Protocol):
 
     def write_fallback(self, guard: int) -> None:
         """Write what only the fallback of a guard needs."""
+
+    def divide(self) -> None:
+        """Begin another basic block if this one has become long."""
 
 
 class Solves:
@@ -265,11 +269,13 @@ class Solves:
                 f.store(v, literal(0.0, self.lanes), matrix, item)
             for place, node in enumerate(stored):
                 if node in moving:
+                    self.e.divide()
                     value = f.load(v, self._kept[guard], str(moving[node]))
                     f.store(v, value, matrix, str(place))
+        done = {*moving, *(k for k in {*stored} if self._is_zero(k))} if sparse else moving
         for place, node in enumerate(stored):
-            done = node in moving or (sparse and self._is_zero(node))
-            if not done:
+            if node not in done:
+                self.e.divide()
                 self.e.load_carried(node)
                 f.store(v, self.names[node], matrix, str(place))
         return matrix, scratch, room

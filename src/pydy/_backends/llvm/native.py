@@ -17,15 +17,17 @@ import ctypes
 import sysconfig
 from collections.abc import Callable
 from functools import cache, partial
-from typing import Any, Literal
+from typing import Any, Literal, Protocol
+from weakref import ref
 
 import numpy as np
 
-from pydy import _array_layout, _cache_folder
+from pydy import _array_layout, _cache_folder, _forks
 from pydy._array_layout import DATA, DESCR, FLAGS, FLOAT, KIND, NDIM, SHAPE
 from pydy._backends.base import strict
-from pydy._backends.llvm import jit
-from pydy._backends.llvm.background import Compile, Task, submit
+from pydy._backends.llvm import background, jit
+from pydy._backends.llvm.background import Compile, Task
+from pydy._backends.llvm.compiling import object_code
 from pydy._backends.llvm.gate import Gate
 from pydy._backends.llvm.ir import Function
 from pydy._backends.llvm.sweep import (
@@ -41,30 +43,69 @@ from pydy._backends.llvm.sweep import (
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["Entry", "native_kernel"]
+__all__ = ["Entry", "Tiers", "native_kernel"]
 
 _HEADER = 8
 
 
+class Tiers(Protocol):
+    """How the native functions of a Program are compiled: quickly, and at LLVM's best."""
+
+    def at_hand(self) -> tuple[jit.Code, bool]:
+        """Return what is ready soonest, and whether it is the best."""
+
+    def best(self, compile_source: Compile) -> jit.Code:
+        """Return the best code, compiled by the given function unless there is some."""
+
+
 class Entry:
-    """The native functions of a Program, which better ones may replace at any time.
+    """The native functions of a Program, `kernel` and `prepare`.
+
+    They are made when they are first wanted; better ones may replace them at any time. Who wants
+    the best from the beginning waits for that alone.
 
     Parameters
     ----------
-    addresses : (int, int)
-        Of `kernel` and `prepare`.
-    owner : object
-        Keeps their code alive.
+    tiers : Tiers or None
+        None where the functions are given by `replace` at once.
     """
 
-    def __init__(self, addresses: tuple[int, int], owner: Any) -> None:
-        self.addresses = addresses
+    def __init__(self, tiers: Tiers | None = None) -> None:
+        self._tiers = tiers
+        self._lock = _forks.Lock()
+        self.addresses = 0, 0
         self.better: Task | None = None
-        self._owners = [owner]  # a call may be under way in the old code: it stays
+        self._owners: list[Any] = []  # a call may be under way in the old code: it stays
         self._words: list[np.ndarray] = []
 
+    def begin(self) -> None:
+        """Have some code, and better code compiled on the side."""
+        if self.addresses[0]:
+            return
+        with self._lock:
+            if self.addresses[0] or self._tiers is None:
+                return
+            code, best = self._tiers.at_hand()
+            self._use(code)
+            if not best:
+                self.better = Task(partial(_improve, ref(self), self._tiers))
+                background.submit(self.better)
+
+    def settled(self) -> tuple[int, int]:
+        """Return the addresses of the best code, compiling it now if need be."""
+        if not self.addresses[0]:
+            with self._lock:
+                if not self.addresses[0] and self._tiers is not None:
+                    self._use(self._tiers.best(object_code))
+        if self.better is not None:
+            self.better.run()
+        return self.addresses
+
+    def _use(self, code: jit.Code) -> None:
+        self.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
+
     def replace(self, addresses: tuple[int, int], owner: Any) -> None:
-        """Use other functions from the next call on."""
+        """Use other functions from the next call on; `owner` keeps their code alive."""
         if addresses == self.addresses:
             return
         self._owners.append(owner)
@@ -77,11 +118,13 @@ class Entry:
         self._words.append(words)
         words[:2] = self.addresses
 
-    def settled(self) -> tuple[int, int]:
-        """Return the addresses of the best code, compiling it now if need be."""
-        if self.better is not None:
-            self.better.run()
-        return self.addresses
+
+def _improve(known: ref[Entry], tiers: Tiers, compile_source: Compile) -> None:
+    """Compile at LLVM's best and put the result in the entry's place, if it is still there."""
+    code = tiers.best(compile_source)
+    entry = known()
+    if entry is not None:
+        entry._use(code)
 
 
 def native_kernel(
@@ -99,7 +142,8 @@ def native_kernel(
     runtime = _runtime()
     sweep = _make_sweep(program, entry, lanes, strided, runtime)
     call = _make_call(program, entry, lanes, sweep, runtime)
-    return Kernel(program, sweep, call, rebuild, recipe, entry.settled, lanes, (entry, runtime))
+    owner, settled = (entry, runtime), entry.settled
+    return Kernel(program, sweep, call, rebuild, recipe, settled, lanes, owner, entry.begin)
 
 
 def _text(brief: bool) -> str:
@@ -120,7 +164,7 @@ class _Runtime:
         if code is None:
             if _cache_folder.folder() is not None:
                 self.better = Task(partial(_keep, source))
-                submit(self.better)
+                background.submit(self.better)
             code = jit.load_quickly(source)
         self.code = code
         self.gate = Gate(b"native_call", code, "gate")
@@ -165,6 +209,7 @@ def _make_sweep(
         p: np.ndarray,
         out: np.ndarray | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
+        entry.begin()
         m = len(t)
         order: Literal["C", "F"] = "C"
         if columns and m > 1 and n > 1 and x.flags.f_contiguous:
