@@ -21,11 +21,14 @@ from harness.serve import Repeated
 from trees import HUMANOID, definition, tree
 
 from pydy._backends.llvm.backend import LLVMBackend
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 
-PARTS = ("columns", "equal-error", "diffrax", "forward-dynamics")
+PARTS = ("columns", "adjoint", "equal-error", "diffrax", "forward-dynamics")
 MODELS = ("pendulum-5", "bicycle")
-# What is asked: state and columns over the state alone; ours over the peers'.
+# What is asked: state and columns, and a gradient by 100 parameters, over the state alone; ours
+# over the peers'.
+ADJOINT_ASKED = 5.0
 COLUMNS_ASKED, EQUAL_ASKED, DIFFRAX_ASKED, DYNAMICS_ASKED = 2.5, 1.0, 1 / 20, 1.0
 TOLERANCES = (1e-6, 1e-10)
 STATES = 1024
@@ -43,6 +46,7 @@ def main() -> None:
     options = parser.parse_args()
     measures = {
         "columns": _columns,
+        "adjoint": _adjoint,
         "equal-error": _equal_error,
         "diffrax": _diffrax,
         "forward-dynamics": _forward_dynamics,
@@ -78,6 +82,48 @@ def _columns(options: argparse.Namespace) -> Any:
     head = ["model", "method", "state", f"with {COLUMNS} columns", "ratio"]
     table(f"Sensitivities over the plain run; asked {COLUMNS_ASKED}", head, rows)
     yield found
+
+
+def _adjoint(options: argparse.Namespace) -> Any:
+    """Gradients of a scalar by 100 parameters over `integrate`, all from Python."""
+    os.sched_setaffinity(0, {options.core})
+    found, rows = [], []
+    for name, (system, wrt, last) in {"50 links": _links(50), "100 springs": _row(100)}.items():
+        near = {"rtol": 1e-9, "atol": 1e-9}
+        ways = {
+            "plain": partial(system.integrate, **near),
+            "final": partial(system.adjoint_gradient, wrt, final=last, **near),
+            "integral": partial(system.adjoint_gradient, wrt, integral=last**2, **near),
+        }
+        taken = in_turn({way: Repeated(call) for way, call in ways.items()}, **_rounds(options))
+        times = {way: [r[way] for r in taken] for way in ways}
+        found.append({"model": name, "parameters": len(wrt), **times})
+        cells = [name, str(len(wrt)), seconds(median(times["plain"]))]
+        for way in ("final", "integral"):
+            ratio = pairwise(times[way], times["plain"])
+            cells.append(f"{seconds(median(times[way]))} ({ratio:.2f})")
+        rows.append(cells)
+    head = ["model", "parameters", "plain", "of a state at the end", "of an integral"]
+    table(f"Adjoint gradients over the plain run; asked {ADJOINT_ASKED:g}", head, rows)
+    return found
+
+
+def _links(n: int) -> tuple[System, list[str], Any]:
+    """Return a chain that swings on a cart, its masses and lengths, and its last angle."""
+    system = n_link_pendulum_on_cart(n, cart_force=False)
+    lengths, masses = [f"l{k}" for k in range(n)], [f"m{k}" for k in range(1, n + 1)]
+    system.constants = {"g": 9.81, "m0": 1.0, **dict.fromkeys([*lengths, *masses], 1.0 / n)}
+    system.initial_conditions = {f"q{k}": 0.3 for k in range(1, n + 1)}
+    system.times, system.ode_solver = [0.0, 0.3], "dop853"
+    return system, [*lengths, *masses], system.coordinates[n]
+
+
+def _row(n: int) -> tuple[System, list[str], Any]:
+    """Return a row of masses on springs, the springs' rates, and the last one's stretch."""
+    system = multi_mass_spring_damper(n)
+    system.initial_conditions = {"x0": 1.0}
+    system.times, system.ode_solver = [0.0, 10.0], "dop853"
+    return system, [f"k{k}" for k in range(n)], system.coordinates[n - 1]
 
 
 def _equal_error(options: argparse.Namespace) -> Any:

@@ -219,7 +219,11 @@ class _Task:
         spacing = mean_spacing(self.parameters)
         if spacing is not None and solver.adaptive:
             options = {"max_step": spacing, **options}
-        recording = Recording(n, len(tableau_of(solver.name).stages))
+        recording = Recording(
+            n,
+            len(tableau_of(solver.name).stages),
+            lambda x, t: rates.evaluate(rates.kernel, x, t),
+        )
         read = replace(read_options(solver.name, solver.adaptive, options), recording=recording)
 
         def f(x: Any, t: Any, *args: Any) -> np.ndarray:

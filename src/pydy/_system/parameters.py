@@ -78,10 +78,11 @@ def read_parameters(
         One that the system does not have, or has twice; or a specified of which no derivative is
         taken.
     """
+    following = _following(definition, plan)
     symbols = members(
         definition,
         one_or_more(argument, wanted),
-        {"states": dependent, "specifieds": _following(definition, plan)},
+        {"states": dependent, "specifieds": following},
     )
     if not symbols:
         raise ValueError(
@@ -95,7 +96,7 @@ def read_parameters(
         )
     found: dict[tuple[str, int], Parameter] = {}
     for symbol in symbols:
-        parameter = _parameter(definition, plan, symbol, argument)
+        parameter = _parameter(definition, plan, following, symbol, argument)
         place = (parameter.kind, parameter.place)
         if place in found:
             raise ValueError(
@@ -115,7 +116,9 @@ def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:
     ]
 
 
-def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any, argument: str) -> Parameter:
+def _parameter(
+    definition: Definition, plan: SpecifiedsPlan, following: list[Any], key: Any, argument: str
+) -> Parameter:
     kinds = ("constants", "states", "specifieds")
     for kind in kinds:
         place = definition.places[kind].get(key, argument)
@@ -143,7 +146,7 @@ def _parameter(definition: Definition, plan: SpecifiedsPlan, key: Any, argument:
                     "equal. Use the interpolation 'linear' or 'previous'."
                 )
             return Parameter(symbol, kind, place, samples.of([columns.tolist().index(place)]))
-    if symbol in _following(definition, plan):
+    if symbol in following:
         raise ValueError(
             f"`{argument}` has `{symbol}`, which follows from `{symbol.expr}`. Name that "
             "instead, or the constants in its expression."

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -52,6 +53,46 @@ class Sweep:
     kept: np.ndarray
 
 
+@dataclass(frozen=True, eq=False)
+class _Ways:
+    """A tableau as the compiled loop reads it.
+
+    Attributes
+    ----------
+    nodes : ndarray, shape (stages,)
+    table : ndarray, shape (stages, stages)
+        Coefficients a.
+    rows, offsets, coefficients : ndarray
+        The terms of each row of a, then of each column with b below it.
+    """
+
+    nodes: np.ndarray
+    table: np.ndarray
+    rows: np.ndarray
+    offsets: np.ndarray
+    coefficients: np.ndarray
+
+
+@lru_cache(maxsize=32)
+def _ways(method: str, length: int) -> _Ways:
+    tableau = tableau_of(method)
+    stages = len(tableau.stages)
+    table = np.zeros((stages, stages))
+    for k, row in enumerate(tableau.stages):
+        table[k, list(row)] = list(row.values())
+    ahead = np.vstack([table, np.zeros(stages)])
+    ahead[-1, list(tableau.weights)] = list(tableau.weights.values())
+    rows = [*table, *ahead.T]
+    places = [np.flatnonzero(row) for row in rows]
+    return _Ways(
+        np.array(tableau.nodes[:stages]),
+        table,
+        np.cumsum([0, *map(len, places)]),
+        np.concatenate(places) * length,
+        np.concatenate([row[place] for row, place in zip(rows, places, strict=True)]),
+    )
+
+
 class WayBack:
     """The way back through the steps of an explicit method.
 
@@ -80,21 +121,9 @@ class WayBack:
         self.n = n = rates.kernel.program.num_states
         self.length = BLOCK * blocks(n)
         self.further, self.kept = further, kept
-        tableau = tableau_of(method)
-        self.stages = stages = len(tableau.stages)
-        self.nodes = np.array(tableau.nodes[:stages])
-        self.table = np.zeros((stages, stages))
-        for k, row in enumerate(tableau.stages):
-            self.table[k, list(row)] = list(row.values())
-        ahead = np.vstack([self.table, np.zeros(stages)])
-        ahead[-1, list(tableau.weights)] = list(tableau.weights.values())
-        rows = [*self.table, *ahead.T]
-        places = [np.flatnonzero(row) for row in rows]
-        self._rows = np.cumsum([0, *map(len, places)])
-        self._offsets = np.concatenate(places) * self.length
-        self._coefficients = np.concatenate(
-            [row[place] for row, place in zip(rows, places, strict=True)]
-        )
+        ways = _ways(method, self.length)
+        self.stages, self.nodes, self.table = len(ways.nodes), ways.nodes, ways.table
+        self._rows, self._offsets, self._coefficients = ways.rows, ways.offsets, ways.coefficients
         self._turned = turned
         self._safe = False
         self._bind()

@@ -25,6 +25,8 @@ class Recording:
         Number of states; integrals may follow them.
     count : int
         Number of stages of the method.
+    rates : callable
+        ``rates(x, t)`` gives the first stage of the first step.
 
     Attributes
     ----------
@@ -38,8 +40,10 @@ class Recording:
         be computed again.
     """
 
-    def __init__(self, states: int, count: int) -> None:
-        self.states, self.count = states, count
+    def __init__(
+        self, states: int, count: int, rates: Callable[[np.ndarray, float], np.ndarray]
+    ) -> None:
+        self.states, self.count, self._rates = states, count, rates
         self.clear()
 
     def clear(self) -> None:
@@ -67,7 +71,10 @@ class Recording:
         for _ in range(most):
             start, before = float(state[TIME]), memory.x.copy()
             # The first stage is there from the step before; this one writes that of the next.
-            first = memory.stages[: len(before)].copy() if counts[STARTED] else None
+            first = memory.stages[: len(before)].copy()
+            if not counts[STARTED]:
+                found = self._rates(before, start)
+                first[: len(found)] = found
             counts[BUDGET] = 1
             code = advance()
             end = float(state[TIME])
