@@ -32,6 +32,30 @@ def test_loads_are_arrows_of_one_scale(system):
     assert len(plain) == len(items) - 2
 
 
+def test_the_arrows_of_two_runs_have_one_scale(system):
+    cart, bob = system.eom_method.bodies
+    force = system.reaction([bob], cart.masscenter).force
+    first = system.simulate()
+    system.initial_conditions = {"q1": 2.5}
+    second = system.simulate()
+    scene = system.scene(Visual(Arrow(force, scale=None), cart.masscenter))
+    alone = scene.animate(second)._animation.items[0]
+    own, other = scene.animate(first, compare={"other": second})._animation.items
+    assert own.shape.scale == other.shape.scale != alone.shape.scale
+    in_newtons = alone.vectors / alone.shape.scale
+    np.testing.assert_allclose(other.vectors / other.shape.scale, in_newtons, rtol=1e-9)
+
+
+def test_a_short_peak_leaves_the_rest_of_an_arrow_to_be_seen():
+    from pydy.viz.animation import _shown
+
+    steady = np.linspace(9.0, 10.0, num=101)
+    peaked = np.where(np.arange(101) == 50, 300.0, 10.0)
+    assert _shown(steady) * steady.max() == pytest.approx(1 / 3, rel=0.02)
+    assert _shown(peaked) * 300.0 == pytest.approx(1.0)
+    assert _shown(np.zeros(3)) == 1.0
+
+
 def test_torques_are_arrows_at_their_bodies():
     system = n_link_pendulum_on_cart(1, cart_force=False, joint_torques=True)
     names = [visual.name for visual in system.scene(loads=True).visuals]

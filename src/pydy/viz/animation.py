@@ -20,6 +20,7 @@ from pydy.viz.visuals import Visual
 __all__ = ["Animation", "Item", "animate"]
 
 _SEEN = 150  # instants at which the extent of the scene is measured
+_USUAL = 0.9  # of the instants an arrow is no longer than its usual length
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,18 +255,30 @@ def _scales(
     visuals: Sequence[Visual], placed: Placement, size: float
 ) -> dict[tuple[str, float | None], float]:
     """Return lengths of arrows for vectors of magnitude one, by name and what was asked for."""
-    longest: dict[str, float] = {}
+    longest: dict[str, np.ndarray] = {}
     arrows = [v for v in visuals if isinstance(v.shape, Arrow)]
     for k, visual in enumerate(arrows):
         lengths = np.linalg.norm(placed.vectors[:, k], axis=1)
-        longest[visual.name] = max(longest.get(visual.name, 0.0), float(lengths.max()))
+        longest[visual.name] = np.maximum(longest.get(visual.name, 0.0), lengths)
     scales: dict[tuple[str, float | None], float] = {}
     for visual in arrows:
         assert isinstance(visual.shape, Arrow)
         asked = visual.shape.scale
-        own = size / 3 / (longest[visual.name] or 1.0) if asked is None else float(asked)
-        scales[visual.name, asked] = own
+        scales[visual.name, asked] = (
+            size * _shown(longest[visual.name]) if asked is None else float(asked)
+        )
     return scales
+
+
+def _shown(longest: np.ndarray) -> float:
+    """Return the scale for a scene of size 1 and the longest of some arrows at each instant.
+
+    The longest ever is a third of the scene. Where that is a short peak, which would leave nothing
+    to see of the rest, the peak may be as long as the scene.
+    """
+    peak = float(longest.max())
+    usual = float(np.quantile(longest, _USUAL))
+    return 1.0 / max(3.0 * usual, peak) if peak else 1.0
 
 
 def _size(placed: Placement) -> float:

@@ -12,7 +12,7 @@ import numpy as np
 
 from pydy._checks import shown, text
 from pydy.viz.animation import Animation, Item
-from pydy.viz.shapes import Plane, Trace
+from pydy.viz.shapes import Arrow, Plane, Trace
 
 __all__ = ["at_times", "compared", "runs_of"]
 
@@ -131,4 +131,11 @@ def _ghost(item: Item, own: Item, label: str, frames: dict[Any, _Frame | None]) 
     for attribute, value in (("frame", frame), ("name", label), ("trail", False)):
         object.__setattr__(visual, attribute, value)  # a copy of our own
     shape = replace(item.shape, colour=own.shape.colour, opacity=_FAINT * item.shape.opacity)
+    if item.vectors is not None and isinstance(shape, Arrow) and isinstance(own.shape, Arrow):
+        # One scale for all runs: lengths are there to be compared.
+        scale, other = own.shape.scale, shape.scale
+        assert scale is not None
+        assert other is not None
+        item = replace(item, vectors=item.vectors * (scale / other))
+        shape = replace(shape, scale=scale)
     return replace(item, visual=visual, shape=shape)

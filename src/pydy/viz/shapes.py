@@ -170,7 +170,8 @@ class Arrow(Shape):
     vector : sympy.physics.vector.Vector
     scale : float or None
         Length of the arrow for a vector of magnitude one. If None, all arrows with the same name
-        share a scale such that the longest at any time is a third of the size of the scene.
+        share a scale such that the longest is a third of the size of the scene, or as long as the
+        scene if it is a short peak.
     radius : length, optional
         Radius of the shaft; by default it depends on the size of the scene.
 
