@@ -7,7 +7,7 @@ unless it says otherwise. What depends on the processor is in `pydy._backends.ll
 from __future__ import annotations
 
 __all__ = [
-    "BLOCK",
+    "BASIC_BLOCK",
     "FALLBACK_STACK",
     "FOR_SINCOS",
     "IDLE_SECONDS",
@@ -23,7 +23,7 @@ __all__ = [
 
 # Operations in one basic block: LLVM's time grows faster than a block's length. 30 and 120: no
 # gain.
-BLOCK = 60
+BASIC_BLOCK = 60
 
 # Instructions after which a block ends that mostly reads and writes, such as a matrix for a
 # fallback. 60 operations with what they read and write take fewer.

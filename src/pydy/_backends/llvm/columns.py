@@ -22,7 +22,7 @@ from pydy._array_layout import address
 from pydy._backends.llvm import jit
 from pydy._backends.llvm.backend import LLVMBackend, kernel_text, shared_routines
 from pydy._backends.llvm.emit import SOLVES
-from pydy._backends.llvm.ir import Function
+from pydy._backends.llvm.ir import WIDTHS, Function
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
@@ -36,7 +36,7 @@ _PREPARE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 2)
 
 def lanes_for(columns: int) -> int:
     """Return how many columns to take at a time; there must be whole blocks of so many."""
-    return next(lanes for lanes in (2, 4, 8) if lanes >= columns or lanes == 8)
+    return next(w for w in WIDTHS[1:] if w >= columns or w == WIDTHS[-1])
 
 
 @dataclass(frozen=True)

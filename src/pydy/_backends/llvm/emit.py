@@ -13,7 +13,7 @@ from pydy._backends.llvm.guards import Solves
 from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
 from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
-from pydy._backends.tuning import BLOCK, FOR_SINCOS, LINES, TEMPORARY, TOGETHER
+from pydy._backends.tuning import BASIC_BLOCK, FOR_SINCOS, LINES, TEMPORARY, TOGETHER
 from pydy._graph.operations import ANGLES, OPERATIONS, TRUTHS, operands
 from pydy._graph.program import Program
 
@@ -163,7 +163,7 @@ class Emitter:
         self._write_and_keep(node)
 
     def _count(self) -> None:
-        if self.written and self.written % BLOCK == 0:
+        if self.written and self.written % BASIC_BLOCK == 0:
             self._next_block()
         self.written += 1
 

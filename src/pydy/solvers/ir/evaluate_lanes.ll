@@ -1,4 +1,4 @@
-; sources 713f016b331edd2dc08300b922a456ca321030f7707e0e44317023d4a3698285
+; sources 416cbc5170fd6b3423ab4b67ea2364c8376b44e1926c1f5ca2d2003f7e03c8d7
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, i64 %7, ptr %8, i64 %9, i64 %10, ptr %11, i64 %12, ptr %13, i64 %14, i64 %15) unnamed_addr #0 {

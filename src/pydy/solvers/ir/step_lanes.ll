@@ -1,4 +1,4 @@
-; sources d27a92b6197e5ece879d0de043d00e7179cd1c4f6f51f6c1cfe1590026361d2c
+; sources ae34f60b13b99f2bf500459390aefbcdc0b1472e80c632083df9e950e73a7c57
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #0

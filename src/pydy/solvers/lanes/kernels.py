@@ -20,7 +20,7 @@ from pydy.solvers.loop.intrinsics import address_of, call_kernel, call_prepare, 
 from pydy.solvers.loop.rates import sampled
 from pydy.solvers.loop.vectors import splat, store
 from pydy.solvers.run.layout import KERNEL, STATES
-from pydy.solvers.tuning import BLOCK
+from pydy.solvers.tuning import LANES
 
 __all__ = ["copy_in", "evaluate_lanes", "rates_of_lanes"]
 
@@ -29,10 +29,10 @@ __all__ = ["copy_in", "evaluate_lanes", "rates_of_lanes"]
 def _set_inputs(problem):
     """Set the sampled inputs of each lane at its own time."""
     for k in range(problem.tables.shape[0]):
-        for lane in range(BLOCK):
+        for lane in range(LANES):
             value, low = sampled(problem, k, problem.clock[lane], problem.intervals[k, lane])
             problem.intervals[k, lane] = low
-            problem.r[problem.tables[k, 0] * BLOCK + lane] = value
+            problem.r[problem.tables[k, 0] * LANES + lane] = value
 
 
 @inlined(always=True)
@@ -58,7 +58,7 @@ def copy_in(values, row, buffer, lane):
     """Copy a row of an array into a lane."""
     place = address_of(buffer, lane)
     for i in range(values.shape[1]):
-        put(place + 8 * BLOCK * i, values[row, i])
+        put(place + 8 * LANES * i, values[row, i])
 
 
 _opened_problem = opening(EVALUATION, LaneProblem)
@@ -75,24 +75,24 @@ def evaluate_lanes(table):
     x, buffer, places = evaluation.x, evaluation.buffer, evaluation.places
     times, out = evaluation.times, evaluation.out
     n, m, count = problem.words[STATES], len(evaluation.r), times.size
-    outputs = buffer.size // BLOCK
-    for first in range(0, m, BLOCK):
-        for lane in range(BLOCK):
+    outputs = buffer.size // LANES
+    for first in range(0, m, LANES):
+        for lane in range(LANES):
             sample = min(first + lane, m - 1)
             copy_in(evaluation.r, sample, problem.r, lane)
             copy_in(evaluation.p, sample, problem.p, lane)
         call_prepare(problem.words[PREPARE], address_of(problem.p, 0), address_of(problem.c, 0))
         for k in range(count):
-            for lane in range(BLOCK):
+            for lane in range(LANES):
                 sample = min(first + lane, m - 1)
                 place = places[ORIGIN] + 8 * (sample * places[PER_SAMPLE] + k * places[PER_TIME])
                 for i in range(n):
-                    x[i * BLOCK + lane] = get(place + 8 * i * places[PER_STATE])
+                    x[i * LANES + lane] = get(place + 8 * i * places[PER_STATE])
             clock = splat(times[k])
             failed = rates_of_lanes(problem, clock, address_of(x, 0), address_of(buffer, 0))
-            for lane in range(min(BLOCK, m - first)):
+            for lane in range(min(LANES, m - first)):
                 bad = (failed >> lane) & 1 == 1 or (n > 0 and x[lane] != x[lane])
                 for j in range(outputs):
-                    value = buffer[j * BLOCK + lane]
+                    value = buffer[j * LANES + lane]
                     out[(j * m + first + lane) * count + k] = np.nan if bad else value
     return 0

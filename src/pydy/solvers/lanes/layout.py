@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from pydy.solvers.run.layout import Memory, Method, NumberRows, Numbers, WordRows, Words
 
-__all__ = ["EVALUATION", "LANES", "Evaluation", "LaneProblem", "Lanes", "Queue"]
+__all__ = ["EVALUATION", "STEPPING", "Evaluation", "LaneProblem", "Lanes", "Queue"]
 
 # LaneProblem.words begins with those of `Problem`, which code for both reads: KERNEL, STATES and
 # BLOCKS, here the number of states too.
@@ -94,5 +94,5 @@ class Evaluation(NamedTuple):
 
 
 # The parts of the tables of `step_lanes` and `evaluate_lanes`.
-LANES = (Method, LaneProblem, Memory, Lanes, Queue)
+STEPPING = (Method, LaneProblem, Memory, Lanes, Queue)
 EVALUATION = (LaneProblem, Evaluation)

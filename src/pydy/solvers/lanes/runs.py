@@ -19,7 +19,7 @@ from pydy.solvers.run.methods import method_arrays
 from pydy.solvers.run.problem import address, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.table import rows_of, table_of
-from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE
+from pydy.solvers.tuning import LANES, LEAST_TOLERANCE
 
 __all__ = ["LaneResult", "evaluate_samples", "integrate_samples"]
 
@@ -75,7 +75,7 @@ def integrate_samples(
     """
     step_lanes = function_of("step_lanes")
     m, n = x.shape
-    length = BLOCK * n
+    length = LANES * n
     arrays = method_arrays(method, length)
     stages, depth = len(arrays.nodes), int(arrays.shape[layout.DEPTH])
     vectors = lined_up(6 + stages + depth, length)
@@ -83,8 +83,8 @@ def integrate_samples(
         x=vectors[0],
         new=vectors[1],
         trial=vectors[2],
-        step=lined_up(BLOCK),
-        theta=lined_up(BLOCK),
+        step=lined_up(LANES),
+        theta=lined_up(LANES),
         zero=vectors[3],
         errors=vectors[4:6].ravel(),
         stages=vectors[6 : 6 + stages].ravel(),
@@ -92,8 +92,8 @@ def integrate_samples(
         rtol=np.broadcast_to(np.asarray(options.rtol, dtype=float), (n,)).copy(),
         atol=np.broadcast_to(np.maximum(options.atol, LEAST_TOLERANCE), (n,)).copy(),
     )
-    lanes = Lanes(**{name: lined_up(BLOCK) for name in Lanes._fields})._replace(
-        samples=np.full(BLOCK, at.VACANT), place=np.zeros(BLOCK, dtype=np.int64)
+    lanes = Lanes(**{name: lined_up(LANES) for name in Lanes._fields})._replace(
+        samples=np.full(LANES, at.VACANT), place=np.zeros(LANES, dtype=np.int64)
     )
     queue = Queue(
         state=np.array([0, 0, options.max_steps, address(states), states.strides[0] // 8]),
@@ -137,8 +137,8 @@ def evaluate_samples(
     if out.size:
         evaluation = Evaluation(
             places=np.array([address(states), *(step // 8 for step in states.strides)]),
-            x=lined_up(max(1, n) * BLOCK),
-            buffer=lined_up(len(out) * BLOCK),
+            x=lined_up(max(1, n) * LANES),
+            buffer=lined_up(len(out) * LANES),
             r=np.ascontiguousarray(r),
             p=np.ascontiguousarray(p),
             times=np.ascontiguousarray(times),
@@ -153,21 +153,21 @@ def evaluate_samples(
 def _problem(kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]]) -> LaneProblem:
     program, addresses = kernel.program, kernel.addresses
     assert addresses is not None
-    assert kernel.lanes == BLOCK
+    assert kernel.lanes == LANES
     n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
     tables, knots, cubics = tables_of(sampled)
 
     def room(items: int) -> np.ndarray:
-        return lined_up(max(1, items) * BLOCK)
+        return lined_up(max(1, items) * LANES)
 
     return LaneProblem(
         words=np.array([addresses[0], n, n, addresses[1], *inputs]),
-        clock=lined_up(BLOCK),
+        clock=lined_up(LANES),
         r=room(program.num_specifieds),
         p=room(program.num_constants),
         c=room(len(program.carried)),
         tables=np.ascontiguousarray(tables[:, :3]),
-        intervals=np.zeros((len(tables), BLOCK), dtype=np.int64),
+        intervals=np.zeros((len(tables), LANES), dtype=np.int64),
         knots=knots,
         cubics=cubics,
     )

@@ -19,7 +19,6 @@ from pydy.solvers.lanes.layout import (
     EVALUATIONS,
     FIRST,
     HEAD,
-    LANES,
     LARGEST,
     LIMIT,
     PAUSED,
@@ -29,6 +28,7 @@ from pydy.solvers.lanes.layout import (
     RESTING,
     SPECIFIEDS,
     STATUS,
+    STEPPING,
     STEPS,
     VACANT,
     LaneProblem,
@@ -73,7 +73,7 @@ from pydy.solvers.run.layout import (
     Memory,
     Method,
 )
-from pydy.solvers.tuning import BLOCK, FIRST_ERROR, SLIVER
+from pydy.solvers.tuning import FIRST_ERROR, LANES, SLIVER
 
 __all__ = ["step_lanes"]
 
@@ -86,7 +86,7 @@ def _copy_over(buffer, items, source, target):
     """Copy one lane to another."""
     place = address_of(buffer, target)
     for i in range(items):
-        put(place + 8 * BLOCK * i, buffer[i * BLOCK + source])
+        put(place + 8 * LANES * i, buffer[i * LANES + source])
 
 
 @inlined(always=True)
@@ -100,7 +100,7 @@ def _write(problem, lanes, queue, values, which):
         place = lanes.place[lane]
         lanes.place[lane] = place + 8
         for i in range(n):
-            put(place, values[i * BLOCK + lane])
+            put(place, values[i * LANES + lane])
             place += distance
     following = load(lanes.next, 0) + where(mask_of(which), 1.0, 0.0)
     store(lanes.next, 0, following)
@@ -128,7 +128,7 @@ def _fill(problem, memory, lanes, queue):
     """Give vacant lanes the next samples; return the bits of these lanes and of all that work."""
     fresh = working = np.int64(0)
     example = -1
-    for lane in range(BLOCK):
+    for lane in range(LANES):
         if lanes.samples[lane] == VACANT and queue.state[HEAD] < len(queue.x):
             sample = queue.state[HEAD]
             queue.state[HEAD] += 1
@@ -142,7 +142,7 @@ def _fill(problem, memory, lanes, queue):
             working |= np.int64(1) << lane
             example = lane
     if example >= 0:
-        for lane in range(BLOCK):
+        for lane in range(LANES):
             if lanes.samples[lane] == VACANT:
                 _copy_over(memory.x, problem.words[STATES], example, lane)
                 _copy_over(memory.stages, problem.words[STATES], example, lane)
@@ -190,7 +190,7 @@ def _start(method, problem, memory, lanes, queue, fresh):
     store(lanes.evaluations, 0, where(new, evaluations, load(lanes.evaluations, 0)))
     reason = where(usable(size), float(STEP_UNDERFLOW), float(NOT_FINITE))
     store(lanes.reason, 0, where(new, reason, load(lanes.reason, 0)))
-    for lane in range(BLOCK):
+    for lane in range(LANES):
         if (fresh >> lane) & 1 == 1:
             lanes.next[lane], lanes.due[lane] = 0.0, times[0]
             first = lanes.samples[lane] * (times.size - 1)
@@ -199,7 +199,7 @@ def _start(method, problem, memory, lanes, queue, fresh):
     while well != 0:  # the first time may be asked for more than once
         _write(problem, lanes, queue, memory.x, well)
         well &= bits(load(lanes.due, 0) == times[0])
-    for lane in range(BLOCK):
+    for lane in range(LANES):
         if (failed >> lane) & 1 == 1:
             _retire(problem, lanes, queue, lane, SINGULAR)
         elif (fresh >> lane) & 1 == 1 and lanes.due[lane] == np.inf:
@@ -208,7 +208,7 @@ def _start(method, problem, memory, lanes, queue, fresh):
 
 @inlined(always=True)
 def _retire_some(problem, lanes, queue, which, tired):
-    for lane in range(BLOCK):
+    for lane in range(LANES):
         if (which >> lane) & 1 == 1:
             stuck = (tired >> lane) & 1 == 0
             status = np.int64(lanes.reason[lane]) if stuck else TOO_MANY_STEPS
@@ -267,9 +267,9 @@ def _write_outputs(method, problem, memory, lanes, queue, within, end):
         left &= bits(load(lanes.due, 0) < end)
 
 
-_opened_method, _opened_memory = opening(LANES, Method), opening(LANES, Memory)
-_opened_problem, _opened_lanes = opening(LANES, LaneProblem), opening(LANES, Lanes)
-_opened_queue = opening(LANES, Queue)
+_opened_method, _opened_memory = opening(STEPPING, Method), opening(STEPPING, Memory)
+_opened_problem, _opened_lanes = opening(STEPPING, LaneProblem), opening(STEPPING, Lanes)
+_opened_queue = opening(STEPPING, Queue)
 
 
 @entry("int64(int64)")
@@ -287,7 +287,7 @@ def step_lanes(table):
     per_success = float(1 - shape[END_IN_ESTIMATE])
     limit = float(state[LIMIT])
     working = np.int64(0)
-    for lane in range(BLOCK):
+    for lane in range(LANES):
         if lanes.samples[lane] >= 0:
             working |= np.int64(1) << lane
     vacant = True
@@ -300,7 +300,7 @@ def step_lanes(table):
                 break
             _start(method, problem, memory, lanes, queue, fresh)
             vacant = False
-            for lane in range(BLOCK):
+            for lane in range(LANES):
                 vacant = vacant or lanes.samples[lane] == VACANT
         if state[BUDGET] <= 0:
             return PAUSED
@@ -346,7 +346,7 @@ def step_lanes(table):
             extra = where(within, float(shape[DENSE_STAGES]), 0.0)
             store(lanes.evaluations, 0, load(lanes.evaluations, 0) + extra)
             if broken != 0:
-                for lane in range(BLOCK):
+                for lane in range(LANES):
                     if (broken >> lane) & 1 == 1:
                         _retire(problem, lanes, queue, lane, SINGULAR)
                 working &= ~broken
@@ -385,7 +385,7 @@ def step_lanes(table):
             store(memory.stages, i, start)
         finished = bits(good & (load(lanes.due, 0) == np.inf))
         if finished != 0:
-            for lane in range(BLOCK):
+            for lane in range(LANES):
                 if (finished >> lane) & 1 == 1:
                     _retire(problem, lanes, queue, lane, FINISHED)
             vacant = True
