@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from graphs import everything, solves
-from pydy._backends.c.source import c_prototypes, c_source
+from pydy._backends.c.source import c_source
 from pydy._graph.interpret import run
 
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-shared", "-fPIC"]
@@ -18,11 +18,9 @@ STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-O1", "-shar
 def library(tmp_path_factory):
     """Two Programs in one library, under names of their own."""
     folder = tmp_path_factory.mktemp("sources")
-    header = "#include <stdint.h>\n" + c_prototypes("all_") + c_prototypes("solve_")
-    (folder / "equations.h").write_text(header)
     programs = {"all_": everything(), "solve_": solves()}
     for prefix, program in programs.items():
-        source = '#include "equations.h"\n' + c_source(program, prefix=prefix)
+        source = c_source(program, prefix=prefix)
         (folder / f"{prefix}.c").write_text(source, encoding="ascii")
     files = [str(folder / f"{prefix}.c") for prefix in programs]
     target = folder / "equations.so"

@@ -13,7 +13,7 @@ from pydy._graph.operations import OPERATIONS, TRUTHS, operands
 from pydy._graph.program import Program
 from pydy._graph.tuning import SINGULAR
 
-__all__ = ["c_functions", "c_prototypes", "c_source"]
+__all__ = ["c_functions", "c_source"]
 
 # A matrix is singular when a pivot is not above n·eps of its row's and column's scale; its
 # solution is then NaN, by a NaN in the last pivot. A NaN in the matrix is not a failure: every
@@ -154,7 +154,7 @@ def c_functions(programs: Mapping[str, Program], *, static: bool = False) -> str
     kind = "static " if static else ""
     lines = []
     for prefix, program in programs.items():
-        first, second = (kind + s for s in _signatures(prefix, "RESTRICT "))
+        first, second = (kind + s for s in _signatures(prefix))
         lines += [first, *_prepare(program), "", second, *_kernel(program), ""]
     code = "\n".join(lines)
     called = [text for name, text in _HELPERS.items() if f"{name}(" in code]
@@ -162,17 +162,12 @@ def c_functions(programs: Mapping[str, Program], *, static: bool = False) -> str
     return "\n".join([_HEAD, *helpers, code])
 
 
-def c_prototypes(prefix: str = "") -> str:
-    """Return the declarations of both functions of `c_source`, for a header."""
-    return "".join(f"{signature};\n" for signature in _signatures(prefix))
-
-
-def _signatures(prefix: str, restrict: str = "") -> tuple[str, str]:
-    pointer = f"const double *{restrict}"
+def _signatures(prefix: str) -> tuple[str, str]:
+    pointer = "const double *RESTRICT "
     t, x, r, c = (pointer + name for name in "txrc")
     return (
-        f"void {prefix}prepare({pointer}p, double *{restrict}c)",
-        f"int32_t {prefix}kernel(\n    {t}, {x}, {r},\n    {c}, double *{restrict}out)",
+        f"void {prefix}prepare({pointer}p, double *RESTRICT c)",
+        f"int32_t {prefix}kernel(\n    {t}, {x}, {r},\n    {c}, double *RESTRICT out)",
     )
 
 
