@@ -10,7 +10,7 @@ import hashlib
 import marshal
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
@@ -25,12 +25,20 @@ from pydy._graph.simplify import simplify
 from pydy._graph.switches import Passes
 from pydy._mechanics.mechanism import Mechanism
 
-__all__ = ["Assembly"]
+__all__ = ["Assembly", "Depending"]
 
 _BLOCKS = (
     "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",
     "forcing",
 )  # fmt: skip
+
+
+class Depending(NamedTuple):
+    """The blocks of an `Assembly` that depend on the accelerations."""
+
+    rates: list[int]
+    ordinary: list[int]
+    outputs: list[int]
 
 
 @dataclass(repr=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly.assembly import Assembly, Depending
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
@@ -56,22 +56,19 @@ def assemble_form(
         opened = [*first, *(graph.input("a", k) for k in range(n))]
     read.what = "`outputs`"
 
-    def depending(derivatives: list[int]) -> dict[str, list[int]]:
+    def depending(derivatives: list[int]) -> Depending:
         own = SymPyReader(graph, dict(read.atoms), read.what)
         for symbol, node in zip(states, derivatives, strict=True):
             own.define(symbol.diff(time), node)
         values = own.all(outputs)
-        return {"rates": derivatives, "ordinary": values, "outputs": values}
+        return Depending(derivatives, values, values)
 
-    blocks = depending(rates)
     return Assembly(
         graph,
         sizes,
-        blocks["rates"],
-        blocks["ordinary"],
-        blocks["outputs"],
+        *depending(rates),
         mass_matrix=matrix,
         forcing=forcing,
         passes=passes or Passes(),
-        open=depending(opened) if external else {},
+        open=depending(opened)._asdict() if external else {},
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly.assembly import Assembly, Depending
 from pydy._assembly.outputs import Group, auxiliary_groups, evaluate_groups
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
@@ -95,35 +95,32 @@ def assemble_system(
     read.what = "the outputs"
     integrated = auxiliary_groups(equations, groups)
 
-    def depending(u_dot: Sequence[int]) -> dict[str, list[int]]:
+    def depending(u_dot: Sequence[int]) -> Depending:
         """Return the blocks that depend on the accelerations, which are given."""
         known = dict(zip(accelerations, u_dot, strict=True))
         values = evaluate_groups(graph, read, groups, known)
         parts = [*zip(values, integrated, strict=True)]
-        return {
-            "rates": [*kinematics, *u_dot, *(n for part, own in parts if own for n in part)],
-            "ordinary": [n for part, own in parts if not own for n in part],
-            "outputs": [n for part in values for n in part],
-        }
+        return Depending(
+            rates=[*kinematics, *u_dot, *(n for part, own in parts if own for n in part)],
+            ordinary=[n for part, own in parts if not own for n in part],
+            outputs=[n for part in values for n in part],
+        )
 
-    blocks = depending(solved)
     return Assembly(
         graph,
         sizes,
-        blocks["rates"],
-        blocks["ordinary"],
-        blocks["outputs"],
-        holonomic,
-        velocity,
-        nonholonomic,
-        matrix,
-        forcing,
-        passes,
+        *depending(solved),
+        holonomic=holonomic,
+        velocity=velocity,
+        nonholonomic=nonholonomic,
+        mass_matrix=matrix,
+        forcing=forcing,
+        passes=passes,
         # A user's solver finds u' from M and F, which what is read later cannot wait for.
-        known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
-        [atoms[s] for s in u],
-        equations.mechanism,
-        depending(accelerations) if external else {},
+        atoms=known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
+        speeds=[atoms[s] for s in u],
+        mechanism=equations.mechanism,
+        open=depending(accelerations)._asdict() if external else {},
     )
 
 

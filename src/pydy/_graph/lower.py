@@ -171,7 +171,7 @@ class _Lowering:
         tape = self.tape
         c0 = self.graph.args[node][0]
         terms = [self._term(*term) for term in self.sums[node]]
-        terms.sort(key=lambda item: not tape.setup[item[0]])
+        terms.sort(key=lambda item: not tape.constant[item[0]])
         if c0:
             terms.insert(0, (tape.const(abs(c0)), c0 > 0))
         value, positive = terms[0]
@@ -284,7 +284,7 @@ class _Lowering:
 
     def _chain(self, factors: list[int]) -> int | None:
         tape = self.tape
-        ordered = sorted(factors, key=lambda n: (not tape.setup[n], n))
+        ordered = sorted(factors, key=lambda n: (not tape.constant[n], n))
         result: int | None = None
         for node in ordered:
             result = node if result is None else tape.mul(result, node)

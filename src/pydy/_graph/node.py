@@ -22,18 +22,16 @@ from typing import Any
 
 import numpy as np
 
+from pydy._graph.hash_consing import Nodes
 from pydy._graph.operations import OPERATIONS, Operation, operands
 
 __all__ = ["Graph"]
-
-# Solves report failures, which only calls can do.
-_REPORTING = frozenset({"factor", "solve", "guard", "item"})
 
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
 
 
-class Graph:
+class Graph(Nodes):
     """The arena that holds every node.
 
     Attributes
@@ -46,14 +44,11 @@ class Graph:
         (kind, n, entries), ``solve`` (factor, right-hand sides), ``guard`` (see `Graph.guard`) and
         ``item`` (solve or guard, index).
     constant : list of bool
-        Whether each node depends on constants (inputs 'p') and numbers alone.
+        See `pydy._graph.hash_consing.Nodes`.
     """
 
     def __init__(self) -> None:
-        self.ops: list[str] = []
-        self.args: list[tuple[Any, ...]] = []
-        self.constant: list[bool] = []
-        self._known: dict[tuple[Any, ...], int] = {}
+        super().__init__()
         self.zero = self.const(0.0)
         self.one = self.const(1.0)
 
@@ -81,23 +76,7 @@ class Graph:
             other._known["input", new] = node
         return other
 
-    def make(self, op: str, args: tuple[Any, ...]) -> int:
-        """Return the node for `op` on `args` as they are, without any rewriting."""
-        key = (op, args)
-        node = self._known.get(key)
-        if node is None:
-            node = len(self.ops)
-            self._known[key] = node
-            self.ops.append(op)
-            self.args.append(args)
-            self.constant.append(self._is_constant(op, args))
-        return node
-
-    def _is_constant(self, op: str, args: tuple[Any, ...]) -> bool:
-        if op == "input":
-            return bool(args[0] == "p")
-        constant = self.constant
-        return op not in _REPORTING and all(constant[n] for n in operands(op, args))
+    make = Nodes.node
 
     # -- leaves ---------------------------------------------------------------------------------
 

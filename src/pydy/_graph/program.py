@@ -28,6 +28,7 @@ from math import prod
 from typing import TYPE_CHECKING, Any
 
 from pydy._forks import cached_property
+from pydy._graph.hash_consing import Nodes
 from pydy._graph.listing import listing
 from pydy._graph.operations import ANGLES, operands, with_operands
 from pydy._graph.tuning import DEEPER
@@ -42,31 +43,12 @@ FREE = frozenset({"const", "bool", "input", "item", "factor", "solve", "guard"})
 _NEVER_PUT_OFF = FREE | set(ANGLES)
 
 
-class Tape:
-    """Hash-consed elementary operations, in the making of a Program."""
-
-    def __init__(self) -> None:
-        self.ops: list[str] = []
-        self.args: list[tuple[Any, ...]] = []
-        self.setup: list[bool] = []
-        self._known: dict[tuple[Any, ...], int] = {}
+class Tape(Nodes):
+    """Elementary operations, in the making of a Program."""
 
     def make(self, op: str, *args: object) -> int:
         """Return the node for `op` on `args`."""
-        key = (op, args)
-        node = self._known.get(key)
-        if node is None:
-            node = len(self.ops)
-            self._known[key] = node
-            self.ops.append(op)
-            self.args.append(args)
-            if op == "input":
-                self.setup.append(args[0] == "p")
-            elif op in ("factor", "solve", "guard", "item"):
-                self.setup.append(False)  # solves report failures, which only calls can do
-            else:
-                self.setup.append(all(self.setup[n] for n in operands(op, args)))
-        return node
+        return self.node(op, args)
 
     def const(self, value: float) -> int:
         """Return the node of a number."""
@@ -207,7 +189,7 @@ class Program:
         new = {old: k for k, old in enumerate(order)}
         ops = tuple(tape.ops[n] for n in order)
         args = tuple(with_operands(tape.ops[n], tape.args[n], new) for n in order)
-        setup = tuple(tape.setup[n] for n in order)
+        setup = tuple(tape.constant[n] for n in order)
         outputs = tuple(new[n] for n in roots)
         needed = {
             k
@@ -356,7 +338,7 @@ def _in_order_of_need(tape: Tape, roots: Iterable[int]) -> list[int]:
 def _levels(tape: Tape) -> list[int]:
     """Return how many sums, products and quotients in a row lead to each node at every call."""
     levels: list[int] = []
-    for op, args, setup in zip(tape.ops, tape.args, tape.setup, strict=True):
+    for op, args, setup in zip(tape.ops, tape.args, tape.constant, strict=True):
         if setup:
             levels.append(0)
         else:

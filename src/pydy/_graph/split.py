@@ -120,7 +120,7 @@ def split(program: Program, states: int, constants: int) -> tuple[Program, Progr
             own.add(k)
     whole, part = Tape(), Tape()
     whole.ops, whole.args = list(program.ops), list(program.args)
-    whole.setup = list(program.setup)
+    whole.constant = list(program.setup)
     shared: dict[int, int] = {}  # nodes of `whole` to their places
     new: dict[int, int] = {}  # nodes of `whole` to nodes of `part`
 

@@ -70,7 +70,7 @@ class Matrix:
     @cached_property
     def fixed(self) -> np.ndarray:
         """Which entries depend on constants alone."""
-        return np.array([self.tape.setup[c] for c in self.cells]).reshape(self.n, self.n)
+        return np.array([self.tape.constant[c] for c in self.cells]).reshape(self.n, self.n)
 
 
 def symmetric(n: int, entries: list[int]) -> list[int]:

@@ -1,0 +1,50 @@
+"""Operations that are kept once: what expression graphs and Programs are made of."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydy._graph.operations import operands
+
+__all__ = ["Nodes"]
+
+# Solves report failures, which only calls can do.
+_REPORTING = frozenset({"factor", "solve", "guard", "item"})
+
+
+class Nodes:
+    """Hash-consed operations on earlier ones, in topological order.
+
+    Attributes
+    ----------
+    ops : list of str
+        Kind of each node.
+    args : list of tuple
+        Operands of each node, and what else it takes.
+    constant : list of bool
+        Whether each node depends on constants (inputs 'p') and numbers alone.
+    """
+
+    def __init__(self) -> None:
+        self.ops: list[str] = []
+        self.args: list[tuple[Any, ...]] = []
+        self.constant: list[bool] = []
+        self._known: dict[tuple[Any, ...], int] = {}
+
+    def node(self, op: str, args: tuple[Any, ...]) -> int:
+        """Return the node for `op` on `args` as they are, without any rewriting."""
+        key = (op, args)
+        node = self._known.get(key)
+        if node is None:
+            node = len(self.ops)
+            self._known[key] = node
+            self.ops.append(op)
+            self.args.append(args)
+            self.constant.append(self._is_constant(op, args))
+        return node
+
+    def _is_constant(self, op: str, args: tuple[Any, ...]) -> bool:
+        if op == "input":
+            return bool(args[0] == "p")
+        constant = self.constant
+        return op not in _REPORTING and all(constant[n] for n in operands(op, args))
