@@ -95,7 +95,9 @@ def _adjoint(options: argparse.Namespace) -> Any:
             "final": partial(system.adjoint_gradient, wrt, final=last, **near),
             "integral": partial(system.adjoint_gradient, wrt, integral=last**2, **near),
         }
-        taken = in_turn({way: Repeated(call) for way, call in ways.items()}, **_rounds(options))
+        taken = in_turn(
+            {way: Repeated(call) for way, call in ways.items()}, **rounds(options, *ROUNDS)
+        )
         times = {way: [r[way] for r in taken] for way in ways}
         found.append({"model": name, "parameters": len(wrt), **times})
         cells = [name, str(len(wrt)), seconds(median(times["plain"]))]
@@ -105,7 +107,7 @@ def _adjoint(options: argparse.Namespace) -> Any:
         rows.append(cells)
     head = ["model", "parameters", "plain", "of a state at the end", "of an integral"]
     table(f"Adjoint gradients over the plain run; asked {ADJOINT_ASKED:g}", head, rows)
-    return found
+    yield found
 
 
 def _links(n: int) -> tuple[System, list[str], Any]:
