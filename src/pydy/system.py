@@ -1730,7 +1730,7 @@ class System:
 
         now = self._now()
         numbers = now.x, now.p, now.times
-        return live_system(now.definition, now.model, now.plan, numbers, **options)
+        return live_system(now.definition, now.model, now.plan, numbers, self._dependent, **options)
 
     # -- animation --------------------------------------------------------------------------------
 

@@ -95,6 +95,23 @@ def test_constraints_are_held_and_met_from_the_start(tmp_path, open_page):
     assert states(page) == pytest.approx(expected, abs=1e-9)
 
 
+def test_sliders_of_dependent_states_are_kept_and_others_are_solved_for(tmp_path, open_page):
+    # A four-bar has one degree of freedom: any of its angles may be the one that is given.
+    system = system_of(zoo.fourbar(), times=TIMES, ode_solver="dop853")
+    frame, origin = ReferenceFrame("N"), Point("O")
+    scene = system.scene(Visual(Sphere(0.1), origin), reference_frame=frame, origin=origin)
+    scene.animate(system.simulate(constraints="project"), fps=None)
+    angle = float(system.initial_conditions[system.coordinates[2]])
+    live = {"q3": (angle - 1.0, angle + 1.0), "u3": (-9.0, 9.0)}
+    page = open_page(scene.to_html(tmp_path / "live.html", live=live))
+    page.evaluate(f"pydy.live.set('q3', {angle + 0.05}), pydy.live.set('u3', 0.7)")
+    start = states(page)[0]
+    assert page.evaluate("pydy.live.status") == "finished"
+    assert start[[2, 5]] == pytest.approx([angle + 0.05, 0.7], abs=1e-15)
+    assert abs(system.evaluate_holonomic_constraints(start, 0.0)).max() < 1e-13
+    assert abs(system.evaluate_velocity_constraints(start, 0.0)).max() < 1e-13
+
+
 def test_hostile_names_stand_on_the_page_as_text(tmp_path, open_page):
     system = hostile()
     sliders = {s: Slider(1, 5, unit="<b>kg</b>") for s in system.constants_symbols}

@@ -6,10 +6,14 @@ import re
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
+import zoo
+from cases import system_of
 from exported_models import TIMES, ball, hostile, pendulum
 from pydy.inputs import SampledInput
 from pydy.viz import Box, Live, Scene, Slider, Sphere, Visual
+from pydy.viz.arguments import unknowns_beside
 
 
 def page(system, live, *visuals, **options):
@@ -159,3 +163,28 @@ def test_constraints_and_tolerances_are_those_that_live_has():
         Live({}, rtol=0.0)
     data = data_of(page(system, Live({"y": (0, 2)}, events=bounce, rtol=1e-6)))
     assert data["live"]["options"]["rtol"] == 1e-6
+
+
+def test_a_page_solves_for_what_has_no_slider():
+    # Two of three coordinates depend on the third, and two of the speeds.
+    states = ("a", "b", "c", "u", "v", "w")
+    determined = ([1, 2], [4, 5])
+    assert unknowns_beside(set(), determined, (3, 3), states) == [[1, 2], [4, 5]]
+    assert unknowns_beside({0}, determined, (3, 3), states) == [[1, 2], [4, 5]]
+    assert unknowns_beside({2, 4}, determined, (3, 3), states) == [[0, 1], [3, 5]]
+    # Where it is not known which depend on which, all without a slider are solved for.
+    assert unknowns_beside({1}, ([0, 1, 2], [3]), (3, 1), states) == [[0, 2], [3]]
+    with pytest.raises(ValueError, match=r"`live` sets the coordinates `a`, `b`, but .* 2 of 3"):
+        unknowns_beside({0, 1}, determined, (3, 3), states)
+
+
+def test_a_page_solves_for_what_the_system_solved_for_last():
+    system = system_of(zoo.fourbar(), times=[0.0, 0.1])
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    scene = system.scene(Visual(Sphere(0.1), origin), reference_frame=frame, origin=origin)
+    assert system._live_system().dependents == ([1, 2], [4, 5])
+    system.set_dependent_initial_conditions(dep_vars=["q1", "q2", "u1", "u2"])
+    assert system._live_system().dependents == ([0, 1], [3, 4])
+    scene.animate(system.simulate())
+    with pytest.raises(ValueError, match="sets the speeds `u1.*`, `u2.*`.*leave sliders out"):
+        scene.html(live={"u1": (-20.0, 20.0), "u2": (-20.0, 20.0)})

@@ -132,13 +132,15 @@ def live_system(
     model: CompiledModel,
     plan: SpecifiedsPlan,
     numbers: tuple[np.ndarray, np.ndarray, np.ndarray],
+    dependent: tuple[Any, ...] | None,
     *,
     constraints: Any = "auto",
     **options: Any,
 ) -> LiveSystem:
     """Return what a live page needs of a System; `options` are those of `export_model`.
 
-    Constraints are held where there are any, unless `constraints` is None.
+    Constraints are held where there are any, unless `constraints` is None. `dependent` are the
+    states that the System solved for last, or None.
     """
     equations = definition.equations
     constrained = bool(equations.holonomic or equations.velocity)
@@ -153,7 +155,7 @@ def live_system(
             formulas[symbol] = whole.diff(equations.time, symbol.derivative_count)
     dependents: tuple[list[int], list[int]] = ([], [])
     if constraints is not None:
-        dependents = _dependents(definition)
+        dependents = _dependents(definition, dependent)
     return LiveSystem(
         model=exported,
         states=definition.states,
@@ -162,13 +164,21 @@ def live_system(
         outputs=definition.outputs_symbols,
         definitions=formulas,
         dependents=dependents,
+        coordinates=len(equations.coordinates),
+        speeds=len(equations.speeds),
     )
 
 
-def _dependents(definition: Definition) -> tuple[list[int], list[int]]:
+def _dependents(
+    definition: Definition, solved: tuple[Any, ...] | None
+) -> tuple[list[int], list[int]]:
     """Return the places in x of what the constraints determine, of all if that is not known."""
     equations = definition.equations
     states = list(definition.states)
+    if solved is not None:
+        places = [states.index(s) for s in solved]
+        count = len(equations.coordinates)
+        return [k for k in places if k < count], [k for k in places if k >= count]
     q = [states.index(s) for s in equations.dependent_coordinates]
     u = [states.index(s) for s in equations.dependent_speeds]
     if len(q) < len(equations.holonomic):

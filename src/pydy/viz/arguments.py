@@ -24,6 +24,7 @@ __all__ = [
     "recorded",
     "series_of",
     "symbols_of",
+    "unknowns_beside",
     "units_of",
     "watchable_speed",
     "within",
@@ -62,6 +63,41 @@ def _entry(value: Any) -> Any:
         "`series` must hold expressions, or names of what is in the trajectory, got "
         f"{shown(value)}."
     )
+
+
+def unknowns_beside(
+    given: set[int], dependents: tuple[list[int], list[int]], sizes: tuple[int, int], states: Any
+) -> list[list[int]]:
+    """Return the places in x of what a live page solves the constraints for.
+
+    That is what depends on the others, unless it has a slider; in its place all coordinates, or
+    speeds, without one.
+
+    Parameters
+    ----------
+    given : set of int
+        States whose initial conditions are set by sliders.
+    dependents : (list of int, list of int)
+        Coordinates and speeds that the constraints determine.
+    sizes : (int, int)
+        How many coordinates and speeds there are.
+    states : sequence of symbols
+    """
+    found = []
+    spans = (range(sizes[0]), range(sizes[0], sum(sizes)))
+    for span, places, kind in zip(spans, dependents, ("coordinates", "speeds"), strict=True):
+        if not given.intersection(places):
+            found.append(places)
+            continue
+        free = [k for k in span if k not in given]
+        if len(free) < (1 if len(places) == len(span) else len(places)):
+            names = ", ".join(f"`{states[k]}`" for k in span if k in given)
+            raise ValueError(
+                f"`live` sets the {kind} {names}, but the constraints determine "
+                f"{len(places)} of {len(span)} from the others: leave sliders out."
+            )
+        found.append(free)
+    return found
 
 
 def within(value: Any, what: str, least: float, most: float) -> float:

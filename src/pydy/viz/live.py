@@ -21,6 +21,7 @@ from pydy._names import name_of
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
 from pydy.viz.animation import Animation, Item
+from pydy.viz.arguments import unknowns_beside
 from pydy.viz.motion import Motion
 from pydy.viz.poses import Geometry, Names, pose_program
 from pydy.viz.shapes import Arrow, Line, Plane
@@ -136,6 +137,8 @@ class LiveSystem:
         Specifieds that are expressions.
     dependents : (list of int, list of int)
         Places in x of the coordinates and speeds that the constraints determine.
+    coordinates, speeds : int
+        How many there are.
     """
 
     model: Model
@@ -145,6 +148,8 @@ class LiveSystem:
     outputs: tuple[Any, ...]
     definitions: Mapping[Any, Any]
     dependents: tuple[list[int], list[int]]
+    coordinates: int
+    speeds: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -272,6 +277,10 @@ def _page(
     varied = [r["place"] for r in sliders if r["group"] == "p" and r["place"] < count]
     witness = Witness(geometry, pose_program(geometry, names), generic, varied)
     plotted, formulas = _series(series, animation, system)
+    start, starts = _start(system, own)
+    given = {row["place"] for row in sliders if row["group"] == "x"} | set(starts)
+    counts = (system.coordinates, system.speeds)
+    unknowns = unknowns_beside(given, system.dependents, counts, system.states)
 
     def code(tracks: Sequence[tuple[Any, Any]]) -> tuple[str, dict[str, Any]]:
         """Return the model's object and the page's data, for the tracks that the page has."""
@@ -285,7 +294,6 @@ def _page(
         vectors = tuple(i.shape.vector for i in arrows if isinstance(i.shape, Arrow))
         own_geometry = Geometry(reference, origin, turned, tuple(used), vectors, formulas)
         sizes, places = _sizes(items, system, definitions)
-        start, starts = _start(system, own)
         builders = {
             **system.model.builders,
             "poses": lambda: pose_program(own_geometry, names),
@@ -321,7 +329,7 @@ def _page(
             "sizes": places,
             "series": plotted,
             "starts": starts,
-            "dependents": list(system.dependents) if model.constraints else None,
+            "dependents": unknowns if model.constraints else None,
             "path": _followed(items),
         }
         return javascript_object(model, ("poses", "sizes", "start")), data
