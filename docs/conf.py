@@ -92,4 +92,5 @@ def setup(app: Any) -> None:
     """Sphinx calls this."""
     app.connect("builder-inited", run_tutorial)
     app.connect("builder-inited", generated.make, priority=100)  # before the gallery runs
+    app.connect("builder-inited", generated.show_thumbnails, priority=900)  # and after it
     app.connect("doctree-resolved", shorten_citations)

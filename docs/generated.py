@@ -23,6 +23,7 @@ NAMES = {
 
 PEERS = {"heyoka": ("heyoka", "#2f6fd0"), "casadi-c": ("CasADi, compiled C", "#9aa7b8")}
 WIDTHS = ("avx512", "avx2", "avx")
+MOMENT = 0.4  # of the motion, which the index of the gallery shows
 
 
 def make(app: Any) -> None:
@@ -132,6 +133,26 @@ def watch_scenes() -> None:
     Scene.animate, Scene.to_html = animated, written
 
 
+def draw_thumbnail(scene: Any, path: Path) -> None:
+    """Draw the scene at a moment of its motion, for the index of the gallery."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(4.0, 2.8), dpi=100)
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
+    first, last = scene.times[[0, -1]]
+    scene.to_matplotlib(first + MOMENT * (last - first), axes).set_title("")
+    figure.savefig(path)
+
+
+def show_thumbnails(app: Any) -> None:
+    """Put pictures of the mechanisms in place of those of figures, once the gallery is made."""
+    thumbs = HERE / "gallery" / "images" / "thumb"
+    for picture in sorted((STATIC / "animations").glob("*.png")):
+        thumb = thumbs / f"sphx_glr_{picture.stem}_thumb.png"
+        if thumb.exists():
+            thumb.write_bytes(picture.read_bytes())
+
+
 def scrape_animation(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
     """Return reStructuredText that shows what a cell of an example animated last, if anything."""
     scene, live = _ANIMATED.pop("scene", None), _ANIMATED.pop("live", None)
@@ -147,6 +168,8 @@ def scrape_animation(block: Any, block_vars: dict[str, Any], gallery_conf: Any) 
     folder = STATIC / "animations"
     folder.mkdir(exist_ok=True)
     scene.to_html(folder / page, live=live)
+    if not number:
+        draw_thumbnail(scene, folder / f"{name}.png")
     _ANIMATED.clear()
     return (
         "\n.. raw:: html\n\n"

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 import matplotlib
+import matplotlib.image
 import numpy as np
 import pytest
 
@@ -58,7 +59,7 @@ def test_the_figure_of_speeds_has_the_ratios_and_the_processor(generated, tmp_pa
         assert word in svg
 
 
-def test_what_a_cell_animates_is_shown_below_it(generated, tmp_path):
+def test_what_a_cell_animates_is_shown_below_it(generated, tmp_path, monkeypatch):
     generated.watch_scenes()
     names = {"src_file": "examples/carts.py"}
     system = n_link_pendulum_on_cart(1)
@@ -77,6 +78,17 @@ def test_what_a_cell_animates_is_shown_below_it(generated, tmp_path):
     assert "<title>First</title>" in first
     assert "<title>Second</title>" in second
     assert len(second) > len(first) + 10_000  # it simulates
+    # The index of the gallery shows the first.
+    picture = matplotlib.image.imread(tmp_path / "animations" / "carts.png")
+    assert picture.shape[:2] == (280, 400)
+    assert (np.ptp(picture[:, :, :3], axis=2) > 0.3).sum() > 100  # coloured bodies
+    assert not (tmp_path / "animations" / "carts-2.png").exists()
+    thumbs = tmp_path / "gallery" / "images" / "thumb"
+    thumbs.mkdir(parents=True)
+    (thumbs / "sphx_glr_carts_thumb.png").write_bytes(b"a figure")
+    monkeypatch.setattr(generated, "HERE", tmp_path)
+    generated.show_thumbnails(None)
+    assert (thumbs / "sphx_glr_carts_thumb.png").stat().st_size > 2_000
     # Building anew writes the same pages.
     system.scene(title="Again").animate(system.simulate())
     assert "carts.html" in generated.scrape_animation(("code", "", 20), names, {})

@@ -186,5 +186,5 @@ def test_a_page_solves_for_what_the_system_solved_for_last():
     system.set_dependent_initial_conditions(dep_vars=["q1", "q2", "u1", "u2"])
     assert system._live_system().dependents == ([0, 1], [3, 4])
     scene.animate(system.simulate())
-    with pytest.raises(ValueError, match="sets the speeds `u1.*`, `u2.*`.*leave sliders out"):
+    with pytest.raises(ValueError, match=r"sets the speeds `u1.*`, `u2.*`.*leave sliders out"):
         scene.html(live={"u1": (-20.0, 20.0), "u2": (-20.0, 20.0)})

@@ -24,8 +24,8 @@ __all__ = [
     "recorded",
     "series_of",
     "symbols_of",
-    "unknowns_beside",
     "units_of",
+    "unknowns_beside",
     "watchable_speed",
     "within",
 ]
