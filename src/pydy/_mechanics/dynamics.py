@@ -136,7 +136,8 @@ def inertia_seen(
     zero = kinematics.graph.zero
     still = [[zero] * 3 for _ in range(3)]
     written = {f for _, a, b in terms for vector in (a, b) for _, f in vector.args}
-    home = written.pop() if len(written) == 1 else frame
+    frame = kinematics.frames.axes(frame)
+    home = kinematics.frames.axes(written.pop()) if len(written) == 1 else frame
     tensor = kinematics.tensor(terms, home)
     change = [kinematics.dt(row) for row in tensor]
     if home is not frame:
@@ -151,10 +152,10 @@ def inertia_seen(
     if not kinematics.vanishes(_flat(change)):
         return home, tensor, change
     while home in kinematics.tree.oriented:
-        if (parent := kinematics.tree.parent(home)) is None:
+        if (parent := kinematics.frames.parent(home)) is None:
             break
         # In the parent's axes: R' I R, with the axes here as the rows of R.
-        rotation = list(zip(*kinematics.step(home), strict=True))
+        rotation = list(zip(*kinematics.frames.step(home), strict=True))
         half = [kinematics.turned(rotation, column) for column in zip(*tensor, strict=True)]
         outer = [kinematics.turned(rotation, row) for row in zip(*half, strict=True)]
         if not kinematics.equal(_flat(tensor), _flat(outer)):

@@ -11,6 +11,8 @@ from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.symbols import input_symbols
+from pydy._mechanics import axes
+from pydy._mechanics.alignment import align
 from pydy._mechanics.axes import move_along_axes
 from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
@@ -184,7 +186,7 @@ def in_a_plane(body: Multibody) -> bool:
     """Return whether all frames turn about one axis."""
     kinematics = Kinematics(body, in_bodies=False)
     kinematics.place(points_of(kinematics))
-    return kinematics.in_a_plane()
+    return axes.in_a_plane(kinematics)
 
 
 def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
@@ -277,6 +279,7 @@ def moving(
         points = points_of(kinematics)
         kinematics.place(points)
         if falling:
+            align(kinematics)
             move_along_axes(kinematics)
         for point in points:
             kinematics.motion(point)

@@ -20,13 +20,17 @@ from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.symbols import input_nodes, input_symbols
-from pydy._mechanics.reader import InputReader, Multibody, Tree, is_rigid
+from pydy._mechanics.components import same_numbers, turned, unrounded
+from pydy._mechanics.frames import Frames
+from pydy._mechanics.reader import InputReader, Multibody, Tree
 
 __all__ = ["Kinematics", "Motion", "Vec"]
 
 Vec = list[int]
 # The frame of the components, velocity, acceleration at u' = 0.
 Motion = tuple[Any, Vec, Vec]
+# Components of a vector, a frame for each three.
+Parts = list[tuple[Vec, Any]]
 
 
 class Kinematics:
@@ -88,13 +92,14 @@ class Kinematics:
         self.rows = Rows(g, {n: {n: g.one} for n in variables})
         self.groups: list[list[int]] = []
         self.tree = Tree(body.frame)
-        self._steps: dict[Any, list[Vec]] = {}
+        self.frames = Frames(g, self.tree, self.read)
         self._cosines: dict[Any, list[Vec]] = {}
         self._spins: dict[Any, tuple[Vec, Vec]] = {}
         self._motions: dict[Any, Motion] = {}
         self._moved: dict[Any, tuple[Vec, Vec]] = {}
         self._ways: dict[Any, tuple[Any, tuple[Any, ...]]] = {}
         self._turnings: dict[Any, list[Vec]] = {}
+        self._parts: dict[Any, Parts] = {}
         self.loads: tuple[tuple[Any, Any], ...] = body.loads
         self.pull: Vec | None = None
 
@@ -134,8 +139,7 @@ class Kinematics:
 
     def turned(self, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> Vec:
         """Return the product of a matrix and a vector."""
-        g = self.graph
-        return [g.sum([(g.mul(a, b), 1.0) for a, b in zip(row, v, strict=True)]) for row in matrix]
+        return turned(self.graph, matrix, v)
 
     def cross(self, a: Sequence[int], b: Sequence[int]) -> Vec:
         """Return the vector product."""
@@ -146,22 +150,17 @@ class Kinematics:
         """Return the sum of vectors."""
         return [self.graph.add(*parts) for parts in zip(*vectors, strict=True)]
 
-    def step(self, frame: Any) -> list[Vec]:
-        """Return the matrix that gives components in a frame from those in its parent."""
-        if frame not in self._steps:
-            matrix = self.tree.rotation(frame, self.tree.parent(frame))
-            self._steps[frame] = [self.read.all(matrix.row(i)) for i in range(3)]
-        return self._steps[frame]
+    # -- components -------------------------------------------------------------------------------
 
     @property
     def in_one_frame(self) -> bool:
         """Whether nothing had to be expressed in another frame so far."""
-        return not self._steps
+        return not self.frames.steps
 
     def _cosine(self, frame: Any) -> list[Vec]:
         """Return the matrix that gives components in a frame from those in the inertial one."""
         if frame not in self._cosines:
-            parent, own = self.tree.parent(frame), self.step(frame)
+            parent, own = self.frames.parent(frame), self.frames.step(frame)
             if parent is not self.inertial:
                 outer = [list(column) for column in zip(*self._cosine(parent), strict=True)]
                 own = [self.turned(outer, row) for row in own]
@@ -176,19 +175,19 @@ class Kinematics:
             return self.turned(self._cosine(to), v)
         if to is self.inertial:
             return self.turned(list(zip(*self._cosine(frame), strict=True)), v)
-        up, down = self._way_in(frame), self._way_in(to)
+        up, down = self.way_in(frame), self.way_in(to)
         while up and down and up[-1] is down[-1]:
             up.pop()
             down.pop()
         for f in up:
-            v = self.turned(list(zip(*self.step(f), strict=True)), v)
+            v = self.turned(list(zip(*self.frames.step(f), strict=True)), v)
         for f in reversed(down):
-            v = self.turned(self.step(f), v)
+            v = self.turned(self.frames.step(f), v)
         return list(v)
 
-    def _way_in(self, frame: Any) -> list[Any]:
+    def way_in(self, frame: Any) -> list[Any]:
         way = [frame]
-        while (parent := self.tree.parent(way[-1])) is not None:
+        while (parent := self.frames.parent(way[-1])) is not None:
             way.append(parent)
         return way
 
@@ -196,7 +195,9 @@ class Kinematics:
         """Return the components of a SymPy vector in a frame."""
         total = [self.graph.zero] * 3
         for part, frame in vector.args:
-            total = self.plus(total, self.expressed(self.read.all(part), frame, to))
+            total = self.plus(
+                total, self.expressed(*self.frames.in_axes(self.read.all(part), frame), to)
+            )
         return total
 
     def tensor(self, terms: Iterable[tuple[Any, Any, Any]], to: Any) -> list[Vec]:
@@ -208,7 +209,11 @@ class Kinematics:
             for i in range(3):
                 for j in range(3):
                     cells[i][j].append((g.mul(s, a[i], b[j]), 1.0))
-        return [[g.sum(cell) for cell in row] for row in cells]
+        found = [[g.sum(cell) for cell in row] for row in cells]
+        if not self.frames.written:
+            return found
+        flat = unrounded(g, [n for row in found for n in row])
+        return [flat[:3], flat[3:6], flat[6:]]
 
     def equal(self, a: Sequence[int], b: Sequence[int]) -> bool:
         """Return whether nodes are equal as functions."""
@@ -244,20 +249,30 @@ class Kinematics:
 
     def spin(self, frame: Any, home: Any = None) -> tuple[Vec, Vec]:
         """Return a frame's angular velocity and acceleration, in its own axes or another's."""
+        frame = self.frames.axes(frame)
         home = frame if home is None else home
         key = (frame, home)
         if key not in self._spins:
-            g, base = self.graph, self.tree.turns_in(frame)
+            g, base = self.graph, self.frames.base(frame)
             if base is None:
                 self._spins[key] = [g.zero] * 3, [g.zero] * 3
             else:
                 self._spins[key] = self._spun(frame, base, home)
         return self._spins[key]
 
+    def relative_spin(self, frame: Any, home: Any) -> Vec:
+        """Return a frame's angular velocity in its base, in some axes."""
+        if frame not in self.frames.turns:
+            return self.vector(self.tree.relative_spin(frame, self.tree.turns_in(frame)), home)
+        turns = self.frames.turns[frame] or [self.graph.zero] * 3
+        # It turns about an axis that both have in common.
+        return turns if home is self.frames.above[frame] else self.expressed(turns, frame, home)
+
     def _spun(self, frame: Any, base: Any, home: Any) -> tuple[Vec, Vec]:
+        while home is not frame and home is not base and self.frames.is_fixed(base):
+            base = self.frames.above[base]
         w, alpha = self.spin(base)
-        given = self.tree.relative_spin(frame, base)
-        own = self.vector(given, home)
+        own = self.relative_spin(frame, home)
         carried = self.anchored(self.expressed(w, base, home))
         whole = self.plus(carried, own)
         # d/dt of `own` in the inertial frame takes the angular velocity of the axes it is in.
@@ -326,7 +341,7 @@ class Kinematics:
         """Find out how points hang together; those whose motion is wanted must be among them."""
         roles = {where: "which a load acts at" for where, _ in self.body.loads}
         roles |= {b.masscenter: f"the mass centre of the body {b.name}" for b in self.body.bodies}
-        self._ways = self.tree.paths(points, roles)
+        self._ways, self._parts = self.tree.paths(points, roles), {}
 
     def placed(self) -> list[Any]:
         """Return the points whose ways are known."""
@@ -336,41 +351,23 @@ class Kinematics:
         """Return the point from which another is reached, None for a root, and the vectors."""
         return self._ways[point]
 
-    def lead(self, point: Any, base: Any, step: Any) -> None:
+    def parts(self, point: Any) -> Parts:
+        """Return the components of the way to a point from the one that it is reached from."""
+        if point not in self._parts:
+            given = [part for step in self._ways[point][1] for part in step.args]
+            self._parts[point] = [
+                self.frames.in_axes(self.read.all(v), frame) for v, frame in given
+            ]
+        return self._parts[point]
+
+    def lead(self, point: Any, base: Any, parts: Parts) -> None:
         """Let a point be reached in another way."""
-        self._ways[point] = base, (step,)
+        self._ways[point], self._parts[point] = (base, ()), parts
 
     def at_rest(self, point: Any, frame: Any) -> bool:
         """Return whether a point does not move, nor the frame that it is fixed in."""
         zero = self.graph.zero
         return frame is self.inertial and all(n == zero for n in self.motion(point)[1])
-
-    def axis(self, frame: Any, before: Any) -> int | None:
-        """Return which axis a frame has in common at all times with the one that it turns in."""
-        g = self.graph
-        tree = self.tree
-        if frame not in tree.oriented or frame is self.inertial:
-            return None
-        if tree.parent(frame) is not before or tree.turns_in(frame) is not before:
-            return None
-        turn = self.step(frame)
-        spin = self.vector(self.tree.relative_spin(frame, before), frame)
-        for i in range(3):
-            unit = [g.one if j == i else g.zero for j in range(3)]
-            others = {n for j, n in enumerate(spin) if j != i}
-            if turn[i] == unit and [row[i] for row in turn] == unit and others == {g.zero}:
-                return i
-        return None
-
-    def in_a_plane(self) -> bool:
-        """Return whether all frames that occur turn about one axis."""
-        frames = {frame for _, steps in self._ways.values() for s in steps for _, frame in s.args}
-        frames |= {body.frame for body in self.body.bodies if is_rigid(body)}
-        if not frames <= self.tree.oriented.keys():
-            return False
-        turning = {f for frame in frames for f in self._way_in(frame)} - {self.inertial}
-        axes = {self.axis(f, self.tree.parent(f)) for f in turning}
-        return len(axes) <= 1 and None not in axes
 
     def motion(self, point: Any) -> Motion:
         """Return the frame of the components, velocity and acceleration of a point."""
@@ -390,23 +387,22 @@ class Kinematics:
         if base is None:
             return self._given(point)
         home, v, a = self._motions[base]
-        for step in self._ways[point][1]:
-            for part, frame in step.args:
-                r, (w, alpha) = self.read.all(part), self.spin(frame)
-                rate = self.dt(r)
-                own_v = self.plus(self.cross(w, r), rate)
-                own_a = (
-                    self.plus(
-                        self.cross(alpha, r), self.dt(rate), self.cross(w, self.plus(own_v, rate))
-                    )
-                    if any(n != self.graph.zero for n in rate)
-                    else self.turned(self.turning(frame), r)
+        for r, frame in self.parts(point):
+            w, alpha = self.spin(frame)
+            rate = self.dt(r)
+            own_v = self.plus(self.cross(w, r), rate)
+            own_a = (
+                self.plus(
+                    self.cross(alpha, r), self.dt(rate), self.cross(w, self.plus(own_v, rate))
                 )
-                to = frame if self.in_bodies else self.inertial
-                v, a = self._carried(base, home, v, a, to)
-                v = self.anchored(self.plus(v, self.expressed(own_v, frame, to)))
-                a = self.plus(a, self.expressed(own_a, frame, to))
-                home, base = to, None
+                if any(n != self.graph.zero for n in rate)
+                else self.turned(self.turning(frame), r)
+            )
+            to = frame if self.in_bodies else self.inertial
+            v, a = self._carried(base, home, v, a, to)
+            v = self.anchored(self.plus(v, self.expressed(own_v, frame, to)))
+            a = self.plus(a, self.expressed(own_a, frame, to))
+            home, base = to, None
         return home, v, a
 
     def _carried(self, base: Any, home: Any, v: Vec, a: Vec, to: Any) -> tuple[Vec, Vec]:
@@ -414,6 +410,11 @@ class Kinematics:
             return v, a
         key = (base, to)
         if base is None or key not in self._moved:
+            above = self.frames.above.get(to)
+            if above is not None and above is not home and self.frames.is_fixed(above):
+                # The plane rotations between two hinges, one after the other.
+                v, a = self._carried(base, home, v, a, above)
+                home = above
             moved = self.anchored(self.expressed(v, home, to)), self.expressed(a, home, to)
             if base is None:
                 return moved
@@ -427,9 +428,7 @@ class Kinematics:
 
     def first_there(self, point: Any) -> Any:
         """Return the first of the points that are at one place at all times."""
-        while (base := self._base(point)) is not None and not any(
-            step.args for step in self._ways[point][1]
-        ):
+        while (base := self._base(point)) is not None and not self.parts(point):
             point = base
         return point
 
@@ -439,13 +438,10 @@ class Kinematics:
         None where the point's own velocity is given, or the way is none of constants in one frame.
         """
         base = self._base(point)
-        parts = [part for step in self._ways[point][1] for part in step.args]
-        frames = list(dict.fromkeys(frame for _, frame in parts))
+        frames = list(dict.fromkeys(frame for _, frame in self.parts(point)))
         if base is None or len(frames) != 1:
             return None
-        place = [self.graph.zero] * 3
-        for part, _ in parts:
-            place = self.plus(place, self.read.all(part))
+        place = self.plus(*(part for part, _ in self.parts(point)))
         constant = all(self.graph.constant[n] for n in place)
         return (base, frames[0], place) if constant else None
 
@@ -453,7 +449,7 @@ class Kinematics:
         """Return the motion of a point by the velocity that the user set."""
         velocity = self.tree.velocity(point)
         frames = [frame for _, frame in velocity.args]
-        home = frames[-1] if self.in_bodies and frames else self.inertial
+        home = self.frames.axes(frames[-1]) if self.in_bodies and frames else self.inertial
         v = self.vector(velocity, home)
         a = self.plus(self.dt(v), self.cross(self.spin(home)[0], v))
         return home, self.anchored(v), self._falling(a, home, self.pull)
@@ -470,11 +466,12 @@ class Kinematics:
             home, v, _ = self._motions[point]
             nodes += [*v, *self.vector(self.tree.velocity(point), home)]
         values = signatures(self.graph, nodes) if nodes else []
-        bad = {
-            p
-            for k, p in enumerate(points)
-            if values[6 * k : 6 * k + 3] != values[6 * k + 3 : 6 * k + 6]
-        }
+        bad = set()
+        for k, point in zip(range(0, len(nodes), 6), points, strict=True):
+            if values[k : k + 3] != values[k + 3 : k + 6] and not same_numbers(
+                self.graph, nodes[k : k + 3], nodes[k + 3 : k + 6]
+            ):
+                bad.add(point)
         return [p for p in points if p in bad and not self._leads_to(p, bad)]
 
     def _leads_to(self, point: Any, others: set[Any]) -> bool:
@@ -488,4 +485,4 @@ class Kinematics:
         if isinstance(where, Point):
             home, v, _ = self.motion(where)
             return home, v
-        return where, self.spin(where)[0]
+        return self.frames.axes(where), self.spin(where)[0]

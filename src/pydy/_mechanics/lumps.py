@@ -19,6 +19,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from pydy._mechanics.axes import hinge_axis
+from pydy._mechanics.components import transposed, unrounded
 from pydy._mechanics.dynamics import Inertia, Load, contributions, inertia_seen, without_rest
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid
@@ -84,19 +86,22 @@ class _Lumps:
             return False
         mass = k.read(body.mass)
         terms = tuple(body.central_inertia.args)
-        home, tensor, change = inertia_seen(k, body.frame, terms)
+        frame = k.frames.axes(body.frame)
+        home, tensor, change = inertia_seen(k, frame, terms)
         cells = [n for row in tensor for n in row]
         a = k.acceleration(body.masscenter)
         if (
             not all(g.constant[n] for n in (mass, *cells))
             or any(n != g.zero for row in change for n in row)
             or a is not k.motion(body.masscenter)[2]
-            or k.angular_acceleration(body.frame, home) is not k.spin(body.frame, home)[1]
+            or k.angular_acceleration(body.frame, home) is not k.spin(frame, home)[1]
             or home is k.inertial
         ):
             return False
-        if home is not body.frame and not self._spins(body.frame, home, tensor):
+        if home is not frame and not self._spins(frame, home, tensor):
             return False
+        while k.frames.is_fixed(home):
+            tensor, home = self._turned(tensor, home), k.frames.parent(home)
         point, place = self._root(body.masscenter, home)
         lump = self._at(home, point)
         self._add(lump, _Lump(mass, [g.zero] * 3, self._second(tensor), tensor), place)
@@ -194,7 +199,10 @@ class _Lumps:
     def _hand_on(self, frame: Any, point: Any) -> None:
         """Let what a joint leaves in place move with the body before."""
         k, g = self.kinematics, self.graph
-        before = k.tree.parent(frame) if frame in k.tree.oriented else None
+        inner = before = k.frames.parent(frame) if frame in k.tree.oriented else None
+        while k.frames.is_fixed(before):
+            before = k.frames.parent(before)
+        host = before
         if (before, point) in self.lumps:
             origin, place = point, [g.zero] * 3
         elif before is not k.inertial or not k.at_rest(point, before):
@@ -211,7 +219,7 @@ class _Lumps:
         lump, zero = self.lumps[frame, point], g.zero
         part = _Lump(lump.mass, [zero] * 3, *_empty(zero))
         lump.mass = zero
-        axis = k.axis(frame, before)
+        axis = hinge_axis(k, frame, inner) if before is host else None
         if axis is not None:
             part.first[axis], lump.first[axis] = lump.first[axis], zero
             size = lump.second[axis][axis]
@@ -219,8 +227,24 @@ class _Lumps:
             for i in {0, 1, 2} - {axis}:
                 part.tensor[i][i] = size
                 lump.tensor[i][i] = g.sub(lump.tensor[i][i], size)
+        while k.frames.is_fixed(inner) and axis is not None:
+            part.second, part.tensor = (
+                self._turned(part.second, inner),
+                self._turned(part.tensor, inner),
+            )
+            part.first = unrounded(g, k.turned(transposed(k.frames.step(inner)), part.first))
+            inner = k.frames.parent(inner)
         if target is not None:
             self._add(target, part, place)
+
+    def _turned(self, tensor: list[Vec], axes: Any) -> list[Vec]:
+        """Return a constant tensor in the axes that others are fixed in."""
+        k = self.kinematics
+        turn = transposed(k.frames.step(axes))
+        half = [k.turned(turn, row) for row in tensor]
+        found = [k.turned(turn, row) for row in transposed(half)]
+        flat = unrounded(self.graph, [n for row in found for n in row])
+        return [flat[:3], flat[3:6], flat[6:]]
 
     # -- contributions ----------------------------------------------------------------------------
 

@@ -15,6 +15,8 @@ __all__ = [
     "NEARLY_DEPENDENT",
     "NEAR_ESTIMATES",
     "OPEN",
+    "SAME_AXES",
+    "SAME_DIRECTION",
     "SHIFT",
     "SMALL_PIVOT",
     "SOUND_PIVOT",
@@ -43,6 +45,13 @@ CLOSED, OPEN = 1e-13, 1e-7
 FULL_STEPS = (0.05, 1e-14)
 """Shares below which singular values are left out of Newton's steps: first with few directions,
 since redundant constraints draw full steps to singular positions; then with all."""
+
+SAME_AXES = 1e-14
+"""What is left of 0 and 1 by products of rotations by numbers: some 1e-16 for each."""
+
+SAME_DIRECTION = 1e-12
+"""The difference of two unit vectors, and of two rotations, that are the same: users' axes are
+normalised to rounding, or to all digits that they wrote."""
 
 SMALL_PIVOT = 1e-8
 """A pivot of rows of unit size that is none."""

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 
 from pydy._graph.derivative import Row
 from pydy._graph.node import Graph
+from pydy._mechanics.tuning import SAME_DIRECTION
 
 __all__ = ["Turn", "joined_turns", "turn_of"]
 
@@ -69,20 +70,38 @@ def turn_of(graph: Graph, rows: Mapping[int, Row], pair: Sequence[int]) -> Turn 
     first, second = rows[pair[0]], rows[pair[1]]
     if len(first) != 2 or first.keys() != second.keys():
         return None
+    parts = _by_numbers(graph, first) or _by_an_angle(graph, first)
+    if parts is None:
+        return None
+    (x, one, c), (y, two, s) = parts
+    for sign in (1.0, -1.0):
+        if second[x] == graph.sum([(s, -sign * one)]) and second[y] == graph.sum([(c, sign * two)]):
+            return Turn((x, y), (one, two), sign, c, s)
+    return None
+
+
+# The column, the sign and the node of the cosine, and of the sine.
+_Parts = tuple[tuple[int, float, int], tuple[int, float, int]]
+
+
+def _by_an_angle(graph: Graph, row: Row) -> _Parts | None:
     parts = {}
-    for column, n in first.items():
+    for column, n in row.items():
         size, node = graph.scaled(n)
         if abs(size) == 1.0:
             parts[graph.ops[node]] = column, size, node
     if parts.keys() != {"cos", "sin"}:
         return None
-    (x, one, c), (y, two, s) = parts["cos"], parts["sin"]
-    if graph.args[c] != graph.args[s]:
+    cosine, sine = parts["cos"], parts["sin"]
+    return (cosine, sine) if graph.args[cosine[2]] == graph.args[sine[2]] else None
+
+
+def _by_numbers(graph: Graph, row: Row) -> _Parts | None:
+    numbers = [graph.value(n) for n in row.values()]
+    if None in numbers or abs(sum(x * x for x in numbers if x is not None) - 1.0) > SAME_DIRECTION:
         return None
-    for sign in (1.0, -1.0):
-        if second[x] == graph.sum([(s, -sign * one)]) and second[y] == graph.sum([(c, sign * two)]):
-            return Turn((x, y), (one, two), sign, c, s)
-    return None
+    (x, c), (y, s) = row.items()
+    return (x, 1.0, c), (y, 1.0, s)
 
 
 def joined_turns(

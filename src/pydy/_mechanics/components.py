@@ -1,0 +1,70 @@
+"""Components of vectors and tensors as nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from pydy._graph.interpret import run
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.tuning import SAME_AXES, SAME_DIRECTION
+
+_STATES = 3
+
+__all__ = ["same_numbers", "terms_of", "transposed", "turned", "unrounded"]
+
+
+def turned(graph: Graph, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:
+    """Return the product of a matrix and a vector."""
+    g = graph
+    return [g.sum([(g.mul(a, b), 1.0) for a, b in zip(row, v, strict=True)]) for row in matrix]
+
+
+def transposed(matrix: Sequence[Sequence[int]]) -> list[list[int]]:
+    """Return a matrix with rows for columns."""
+    return [list(column) for column in zip(*matrix, strict=True)]
+
+
+def terms_of(graph: Graph, node: int) -> dict[int, float]:
+    """Return what a node is a sum of; a number is so many times one."""
+    if graph.ops[node] == "const":
+        return {graph.one: graph.args[node][0]} if node != graph.zero else {}
+    if graph.ops[node] != "sum":
+        return {node: 1.0}
+    c0, terms = graph.args[node]
+    return {graph.one: c0, **dict(terms)} if c0 else dict(terms)
+
+
+def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Leave out what rotations by numbers leave of zeros: so small a share of one vector."""
+    rows = [terms_of(graph, n) for n in nodes]
+    sizes: dict[int, float] = {}
+    for row in rows:
+        for n, c in row.items():
+            sizes[n] = max(sizes.get(n, 0.0), abs(c))
+    kept = [{n: c for n, c in row.items() if abs(c) > SAME_AXES * sizes[n]} for row in rows]
+    return [
+        node if len(own) == len(row) else graph.sum(own.items())
+        for node, row, own in zip(nodes, rows, kept, strict=True)
+    ]
+
+
+def same_numbers(graph: Graph, a: Sequence[int], b: Sequence[int]) -> bool:
+    """Return whether two vectors are equal at random states, but for rounding.
+
+    Directions that are given by numbers are rounded: products of them that are equal are not so
+    modulo a prime.
+    """
+    inputs = [n for n in graph.reachable([*a, *b]) if graph.ops[n] == "input"]
+    places = {n: graph.input("x", k) for k, n in enumerate(inputs)}
+    nodes = substitute(graph, [*a, *b], places)
+    program = lower(graph, (len(inputs), 0, 0), [("both", (2, len(a)), nodes)])
+    x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
+    found, failed = run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))
+    one, two = found[:, : len(a)], found[:, len(a) :]
+    size = np.linalg.norm(one, axis=1) + np.linalg.norm(two, axis=1)
+    near = np.linalg.norm(one - two, axis=1) <= SAME_DIRECTION * size
+    return bool(near.all() and not failed.any())

@@ -1,0 +1,84 @@
+"""Frames as the equations see them: between them there may be axes that the user did not name."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydy._graph.node import Graph
+from pydy._mechanics.components import turned, unrounded
+from pydy._mechanics.reader import InputReader, Tree
+
+__all__ = ["Frames"]
+
+Vec = list[int]
+
+
+class Frames:
+    """The tree of frames, with axes put between them (`pydy._mechanics.alignment`).
+
+    Attributes
+    ----------
+    above : dict of axes to axes
+        What was put behind what.
+    turns : dict of axes to nodes or None
+        How fast they turn there; None if they are fixed.
+    written : dict of frames to (axes, matrix or None)
+        The axes that a frame's components are turned into, and how.
+    steps : dict of frames to matrices
+        Which give components in a frame from those in its parent.
+    """
+
+    def __init__(self, graph: Graph, tree: Tree, read: InputReader) -> None:
+        self.graph, self.tree, self.read = graph, tree, read
+        self.above: dict[Any, Any] = {}
+        self.turns: dict[Any, Vec | None] = {}
+        self.written: dict[Any, tuple[Any, list[Vec] | None]] = {}
+        self.steps: dict[Any, list[Vec]] = {}
+
+    def insert(self, axes: Any, above: Any, step: list[Vec], turns: Vec | None, depth: int) -> None:
+        """Add axes behind others, which turn so beside them; None if they are fixed."""
+        self.above[axes], self.steps[axes], self.turns[axes] = above, step, turns
+        self.tree.oriented[axes] = depth
+
+    def write(self, frame: Any, axes: Any, matrix: list[Vec] | None) -> None:
+        """Let components in a frame be turned into those in axes that are fixed in it."""
+        self.written[frame] = axes, matrix
+
+    def axes(self, frame: Any) -> Any:
+        """Return the axes that a frame's components are written in."""
+        return self.written.get(frame, (frame, None))[0]
+
+    def written_in(self, frame: Any) -> tuple[Any, list[Vec]]:
+        """Return the axes that a frame's components are written in, and the rotation."""
+        g = self.graph
+        axes, matrix = self.written.get(frame, (frame, None))
+        return axes, matrix or [[g.one if i == j else g.zero for j in range(3)] for i in range(3)]
+
+    def in_axes(self, v: Vec, frame: Any) -> tuple[Vec, Any]:
+        """Return components in a frame as they are written, and the axes."""
+        axes, matrix = self.written.get(frame, (frame, None))
+        return (v if matrix is None else unrounded(self.graph, turned(self.graph, matrix, v))), axes
+
+    def parent(self, axes: Any) -> Any:
+        """Return the axes next to these on the way to the inertial frame, None for that itself."""
+        return self.above.get(axes) or self.axes(self.tree.parent(axes))
+
+    def base(self, axes: Any) -> Any:
+        """Return the axes in which an angular velocity is given, None for the inertial frame."""
+        return self.above.get(axes) or self.axes(self.tree.turns_in(axes))
+
+    def is_fixed(self, axes: Any) -> bool:
+        """Return whether axes do not turn beside those that they were put behind."""
+        return axes in self.turns and self.turns[axes] is None
+
+    def step(self, axes: Any) -> list[Vec]:
+        """Return the matrix that gives components in axes from those in their parent."""
+        if axes not in self.steps:
+            above = self.tree.parent(axes)
+            self.steps[axes] = [self.in_axes(row, above)[0] for row in self.given(axes, above)]
+        return self.steps[axes]
+
+    def given(self, frame: Any, parent: Any) -> list[Vec]:
+        """Return the user's matrix that gives components in a frame from those in its parent."""
+        matrix = self.tree.rotation(frame, parent)
+        return [self.read.all(matrix.row(i)) for i in range(3)]
