@@ -3,12 +3,16 @@
 import json
 import subprocess
 import sys
+from dataclasses import replace
 
 import sympy as sm
 
 import zoo
-from graphs import P, X, program_of
+from graphs import P, T, X, program_of
+from pydy._assembly import stored
 from pydy._assembly.form import assemble_form
+from pydy._graph import passes
+from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program
 
 SCRIPT = """
@@ -86,3 +90,34 @@ def test_a_program_does_not_depend_on_which_others_were_made_before():
     two.jacobian_program("rates", "x")
     assert one.program("rates").digest == two.program("rates").digest
     assert one.fingerprint() == two.fingerprint()
+
+
+def test_a_pass_of_somebody_else_is_never_passed_over(tmp_path, monkeypatch):
+    """It may be another function today than when the Program was stored."""
+    monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr(stored, "_WORTH_STORING", 0)
+    assembly = assemble_form([X[0] * P[0]], [X[0]], [], P, [], None, None, [], T)
+
+    def made():
+        calls.append(True)
+        return assembly.program("rates")
+
+    def own(graph, roots):
+        return list(roots)
+
+    calls = []
+    for expected in (1, 1):  # found the second time
+        stored.stored_program(assembly, "rates", made)
+        assert len(calls) == expected
+    monkeypatch.setattr(passes, "ROUND", [*passes.ROUND, ("own", own)])
+    monkeypatch.setattr(stored, "ROUND", passes.ROUND)
+    for expected in (2, 3):
+        stored.stored_program(assembly, "rates", made)
+        assert len(calls) == expected
+
+
+def test_code_is_stored_under_what_the_table_says_of_its_operations(monkeypatch):
+    before = program_of([sm.tan(X[0])]).digest
+    row = replace(OPERATIONS["tan"], llvm="libm tan_of_another_library")
+    monkeypatch.setitem(OPERATIONS, "tan", row)
+    assert program_of([sm.tan(X[0])]).digest != before

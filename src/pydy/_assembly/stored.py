@@ -12,7 +12,10 @@ import pydy._assembly
 import pydy._graph
 from pydy import _cache_folder
 from pydy._assembly.assembly import Assembly
+from pydy._graph.operations import OPERATIONS, SHIPPED
+from pydy._graph.passes import ONCE, ROUND
 from pydy._graph.program import Program
+from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 
 __all__ = ["stored_program"]
 
@@ -30,6 +33,15 @@ def _circumstances() -> bytes:
     return sha.digest()
 
 
+def _as_shipped() -> bool:
+    """Return whether all operations, passes and strategies are the package's own.
+
+    Others change without a change of the package's files.
+    """
+    functions = [function for _, function in (*ONCE, *ROUND, *UNKNOWNS, *FACTORISATIONS)]
+    return OPERATIONS == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
+
+
 def stored_program(assembly: Assembly, what: str, make: Callable[[], Program]) -> Program:
     """Return a Program from the cache, or make it and put it there.
 
@@ -42,7 +54,7 @@ def stored_program(assembly: Assembly, what: str, make: Callable[[], Program]) -
     make : callable
         Returns the Program.
     """
-    if len(assembly.graph) < _WORTH_STORING:
+    if len(assembly.graph) < _WORTH_STORING or not _as_shipped():
         return make()
     parts = (_circumstances(), assembly.fingerprint(), what.encode())
     key = hashlib.sha256(b"".join(parts)).hexdigest()

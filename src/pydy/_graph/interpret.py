@@ -6,7 +6,7 @@ what small one-off evaluations use, where compiling would not pay.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program
 from pydy._graph.tuning import SINGULAR
 
-__all__ = ["run"]
+__all__ = ["run", "solved", "stacked"]
 
 Values = list[Any]
 
@@ -56,40 +56,53 @@ def run(
             elif op == "input":
                 values[k] = inputs[args[0]](args[1])
             elif op == "factor":
-                values[k] = _stack(values, args[2], m).reshape(m, args[1], args[1])
+                values[k] = _columns(values, args[2], m).reshape(m, args[1], args[1])
             elif op == "solve":
-                values[k] = _solve(values[args[0]], _stack(values, args[1], m), failed)
+                values[k] = solved(values[args[0]], _columns(values, args[1], m), failed)
             elif op == "guard":
                 values[k] = _guard(values, args, m, failed)
             elif op == "item":
                 values[k] = values[args[0]][:, args[1]]
             else:
                 values[k] = OPERATIONS[op].numpy(*(values[a] for a in args))
-        return _stack(values, program.outputs, m), failed
+        return _columns(values, program.outputs, m), failed
 
 
-def _stack(values: Values, nodes: tuple[int, ...], m: int) -> np.ndarray:
-    out = np.empty((m, len(nodes)))
-    for k, node in enumerate(nodes):
-        out[:, k] = values[node]
+def _columns(values: Values, nodes: tuple[int, ...], m: int) -> np.ndarray:
+    return stacked([values[node] for node in nodes], m)
+
+
+def stacked(columns: Sequence[Any], m: int) -> np.ndarray:
+    """Return numbers, or arrays of m, as the columns of an array."""
+    out = np.empty((m, len(columns)))
+    for k, column in enumerate(columns):
+        out[:, k] = column
     return out
 
 
 def _guard(values: Values, args: tuple[Any, ...], m: int, failed: np.ndarray) -> np.ndarray:
     """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
     n, entries, column, sound, fast = args
-    x = _stack(values, fast, m)
+    x = _columns(values, fast, m)
     weak = ~np.broadcast_to(values[sound], m)
     if weak.any():
-        matrix = _stack(values, entries, m).reshape(m, n, n)[weak]
+        matrix = _columns(values, entries, m).reshape(m, n, n)[weak]
         bad = np.zeros(len(matrix), dtype=bool)
-        x[weak] = _solve(matrix, _stack(values, column, m)[weak], bad)
+        x[weak] = solved(matrix, _columns(values, column, m)[weak], bad)
         failed[weak] |= bad
     return x
 
 
-def _solve(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> np.ndarray:
-    """Solve sample by sample with partial pivoting; mark the singular ones and give them NaN."""
+def solved(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> np.ndarray:
+    """Solve sample by sample with partial pivoting.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (m, n, n)
+    column : ndarray, shape (m, n)
+    failed : ndarray of bool, shape (m,)
+        Gets True where the matrix is singular; the solution is NaN there.
+    """
     m, n = column.shape
     x = np.empty((m, n))
     if n == 0:

@@ -18,6 +18,7 @@ from pydy._graph.modular import cosine, sine
 __all__ = [
     "ANGLES",
     "OPERATIONS",
+    "SHIPPED",
     "TRUTHS",
     "Operation",
     "named_in_sympy",
@@ -269,6 +270,9 @@ register(
     Operation("not", 1, np.logical_not, "!{0}", "inversion", rewrite=_not, truth=True, sympy="Not")
 )
 register(Operation("select", 3, np.where, "{0} ? {1} : {2}", "selection", rewrite=_select))
+
+SHIPPED = dict(OPERATIONS)
+"""The rows of the package itself."""
 
 
 # -- operations with other arguments than nodes ---------------------------------------------------

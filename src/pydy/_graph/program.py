@@ -30,7 +30,7 @@ from typing import TYPE_CHECKING, Any
 from pydy._forks import cached_property
 from pydy._graph.hash_consing import Nodes
 from pydy._graph.listing import listing
-from pydy._graph.operations import ANGLES, operands, with_operands
+from pydy._graph.operations import ANGLES, OPERATIONS, operands, with_operands
 from pydy._graph.tuning import DEEPER
 
 if TYPE_CHECKING:
@@ -243,6 +243,9 @@ class Program:
             else:
                 sha.update(repr((op, args)).encode())
         sha.update(repr((self.outputs, self.blocks)).encode())
+        for op in sorted(OPERATIONS.keys() & set(self.ops)):
+            row = OPERATIONS[op]
+            sha.update(f"{op} {row.c} {row.llvm}\n".encode())
         return sha.hexdigest()
 
     @cached_property
