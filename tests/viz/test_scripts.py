@@ -3,6 +3,8 @@
 Each builds a model, simulates and shows it as published examples do, in other words and numbers.
 """
 
+import copy
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -229,3 +231,65 @@ def test_the_old_modules_hand_out_the_same_classes():
     assert camera.OrthoGraphicCamera is OrthoGraphicCamera
     assert light.PointLight is PointLight
     assert visualization_frame.VisualizationFrame is VisualizationFrame
+
+
+@pytest.fixture
+def rod():
+    """A scene of a rod that turns, and its symbols."""
+    q, length = me.dynamicsymbols("q"), sm.Symbol("l")
+    frame = N.orientnew("R", "Axis", (q, N.z))
+    visual = VisualizationFrame("rod", frame, O, Cylinder(length, length / 20))
+    return Scene(N, O, visual), q, length
+
+
+def test_generate_visualization_json_sets_the_motion_and_display_shows_it(rod, opened):
+    scene, q, length = rod
+    angles = np.linspace(0.0, 2.0, num=61)[:, None]
+    scene.generate_visualization_json([q], [length], angles, [0.7], fps=20, outfile_prefix="rod")
+    np.testing.assert_allclose(scene.times, np.arange(61) / 20)
+    np.testing.assert_allclose(scene.poses[:, 0, 0, 0], np.cos(angles[:, 0]), atol=1e-15)
+    scene.display()
+    assert len(opened) == 1
+    assert scene.display_ipython() is scene
+    with pytest.raises(ValueError, match=r"`constant_values` must have 1 numbers.* got 2"):
+        scene.generate_visualization_json([q], [length], angles, [0.7, 1.0])
+    with pytest.raises(ValueError, match="`fps` must be"):
+        scene.generate_visualization_json([q], [length], angles, [0.7], fps=0)
+
+
+def test_generate_visualization_json_system_simulates():
+    system = n_link_pendulum_on_cart(1)
+    system.times = TIMES
+    system.initial_conditions = {"q1": 0.4}
+    bodies = system.eom_method.bodies
+    shown = system.scene()
+    scene = Scene(shown.reference_frame, shown.origin, *bodies)
+    scene.generate_visualization_json_system(system, outfile_prefix="cart")
+    assert len(scene.times) == len(TIMES)
+    system.initial_conditions = {"q1": 0.8}
+    before = scene.poses.copy()
+    scene.generate_visualization_json_system(system)
+    assert not np.array_equal(before, scene.poses)
+
+
+@pytest.mark.parametrize(
+    ("name", "remedy"),
+    [
+        ("create_static_html", r"Scene has no attribute .*: call `scene\.to_html\(path\)`"),
+        ("remove_static_html", "one file, which you may delete"),
+        ("generate_simulation_dict", r"`scene\.poses` holds the 4 x 4 matrices"),
+        ("no_such_thing", "Scene has no attribute `no_such_thing`.$"),
+    ],
+)
+def test_methods_without_a_counterpart_name_the_remedy(rod, name, remedy):
+    scene, _, _ = rod
+    with pytest.raises(AttributeError, match=remedy):
+        getattr(scene, name)
+
+
+def test_transformation_matrices_are_those_of_the_scene(rod):
+    scene, _, _ = rod
+    visual = scene.visualization_frames[0]
+    with pytest.raises(AttributeError, match=r"Visual has no attribute .*`scene\.poses`"):
+        visual.generate_transformation_matrix(N, O)
+    assert copy.copy(visual).name == "rod"

@@ -15,12 +15,12 @@ from pydy.viz.motion import Motion
 from pydy.viz.poses import Geometry, Placement, place
 from pydy.viz.shapes import Arrow, Line, Plane, Shape, Trace
 from pydy.viz.surfaces import arrow, rods, surface
+from pydy.viz.tuning import USUAL
 from pydy.viz.visuals import Visual
 
 __all__ = ["Animation", "Item", "animate"]
 
 _SEEN = 150  # instants at which the extent of the scene is measured
-_USUAL = 0.9  # of the instants an arrow is no longer than its usual length
 
 
 @dataclass(frozen=True, eq=False)
@@ -277,7 +277,7 @@ def _shown(longest: np.ndarray) -> float:
     to see of the rest, the peak may be as long as the scene.
     """
     peak = float(longest.max())
-    usual = float(np.quantile(longest, _USUAL))
+    usual = float(np.quantile(longest, USUAL))
     return 1.0 / max(3.0 * usual, peak) if peak else 1.0
 
 

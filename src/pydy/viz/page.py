@@ -31,7 +31,7 @@ from pydy.viz.solids import Circle, Cube, Icosahedron, Octahedron, Tetrahedron, 
 from pydy.viz.surfaces import surface
 from pydy.viz.tuning import AT_REST, TRACK
 
-__all__ = ["Look", "page", "page_data"]
+__all__ = ["Look", "embedded", "page", "page_data"]
 
 # The scripts of the page, in the order in which they build on each other.
 SCRIPTS = (
@@ -95,6 +95,15 @@ def _hash(text: str) -> str:
 @cache
 def _resource(name: str) -> str:
     return (files("pydy.viz") / "assets" / name).read_text(encoding="utf-8")
+
+
+def embedded(html: str) -> str:
+    """Return the element that shows a page within a notebook."""
+    return (
+        '<iframe title="Animation" sandbox="allow-scripts allow-downloads" allowfullscreen '
+        'style="width: 100%; height: 520px; border: 0; border-radius: 8px" '
+        f'srcdoc="{escape(html, quote=True)}"></iframe>'
+    )
 
 
 def page_data(

@@ -7,7 +7,7 @@ import webbrowser
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
@@ -40,8 +40,9 @@ from pydy.viz.defaults import unit_vector
 from pydy.viz.ghosts import compared
 from pydy.viz.live import live_page
 from pydy.viz.motion import Model, checked_samples, motion_of_arrays, motion_of_trajectory, sampled
-from pydy.viz.page import Look, page
-from pydy.viz.views import direction_of
+from pydy.viz.page import Look, embedded, page
+from pydy.viz.retired import no_attribute
+from pydy.viz.views import animate_states, animate_system, direction_of
 from pydy.viz.visuals import Visual
 
 __all__ = ["Scene"]
@@ -388,6 +389,14 @@ class Scene:
 
     display = show
 
+    generate_visualization_json = animate_states
+    generate_visualization_json_system = animate_system
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            no_attribute(self, name)
+
     def display_jupyter(
         self, window_size: Any = None, axes_arrow_length: float | None = None
     ) -> Self:
@@ -406,16 +415,10 @@ class Scene:
         self._moving()
         return self
 
-    def _repr_html_(self) -> str | None:
-        from html import escape
+    display_ipython = display_jupyter
 
-        if self._animation is None:
-            return None
-        return (
-            '<iframe title="Animation" sandbox="allow-scripts allow-downloads" allowfullscreen '
-            'style="width: 100%; height: 520px; border: 0; border-radius: 8px" '
-            f'srcdoc="{escape(self.html(), quote=True)}"></iframe>'
-        )
+    def _repr_html_(self) -> str | None:
+        return None if self._animation is None else embedded(self.html())
 
     # -- figures and films ------------------------------------------------------------------------
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-__all__ = ["ALIKE", "AT_REST", "FLAT", "ON_TIME", "RIGID", "ROUND", "TRACK"]
+__all__ = ["ALIKE", "AT_REST", "FLAT", "ON_TIME", "RIGID", "ROUND", "TRACK", "USUAL"]
 
 ALIKE = 1e-6
 """Moments of inertia that differ by no more than this part of the greatest count as equal."""
@@ -24,3 +24,6 @@ ON_TIME = 1e-6
 
 ROUND = 1e-9
 """By what part a length that is 1, 2 or 5 may be less."""
+
+USUAL = 0.9
+"""The part of the time for which an arrow is no longer than its usual length."""

@@ -8,7 +8,8 @@ import numpy as np
 from sympy.physics.mechanics import Particle
 from sympy.physics.vector import Point
 
-from pydy._checks import shown
+from pydy._checks import listed, real_array, shown
+from pydy.viz.arguments import within
 from pydy.viz.shape import Shape
 from pydy.viz.visuals import Visual
 
@@ -17,6 +18,8 @@ __all__ = [
     "PerspectiveCamera",
     "PointLight",
     "VisualizationFrame",
+    "animate_states",
+    "animate_system",
     "direction_of",
 ]
 
@@ -79,6 +82,55 @@ class OrthoGraphicCamera(PerspectiveCamera):
 
 class PointLight(PerspectiveCamera):
     """A light of PyDy's viz package; accepted and ignored, since the page has its own lights."""
+
+
+def animate_states(
+    scene: Any,
+    dynamic_variables: Any,
+    constant_variables: Any,
+    dynamic_values: Any,
+    constant_values: Any,
+    fps: float = 30.0,
+    outfile_prefix: Any = None,
+) -> None:
+    """Animate states at `fps` instants a second, as in PyDy's viz package; writes no files.
+
+    Parameters
+    ----------
+    scene : Scene
+    dynamic_variables, constant_variables : sequence of symbols
+    dynamic_values : array_like, shape (m, n)
+    constant_values : sequence of numbers
+    fps : float, optional
+    outfile_prefix : str, optional
+        Accepted and ignored: `display` and `to_html` need no other files.
+    """
+    rate = within(fps, "`fps`", 0.001, 1000.0)
+    names = listed("constant_variables", constant_variables, "symbols", hashable=True)
+    values = listed("constant_values", constant_values, "numbers")
+    if len(names) != len(values):
+        raise ValueError(
+            f"`constant_values` must have {len(names)} numbers, one for each of "
+            f"`constant_variables`, got {len(values)}."
+        )
+    states = real_array(dynamic_values, "`dynamic_values`")
+    constants = dict(zip(names, values, strict=True))
+    times = np.arange(len(np.atleast_1d(states))) / rate
+    scene.animate(times, states, symbols=dynamic_variables, constants=constants)
+
+
+def animate_system(scene: Any, system: Any, **ignored: Any) -> None:
+    """Simulate and animate a System, as in PyDy's viz package; writes no files.
+
+    Parameters
+    ----------
+    scene : Scene
+    system : System
+    **ignored
+        `fps` and `outfile_prefix` are accepted and ignored.
+    """
+    scene.system, scene._states, scene._animation = system, None, None
+    scene._moving()
 
 
 def direction_of(camera: Any, frame: Any, origin: Any) -> np.ndarray | None:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from sympy.physics.mechanics import Particle, RigidBody
 from sympy.physics.vector import Point, ReferenceFrame
 
 from pydy._checks import flag
+from pydy.viz.retired import no_attribute
 from pydy.viz.shapes import Line, Shape
 
 __all__ = ["Visual"]
@@ -62,6 +63,11 @@ class Visual:
         values = (shape, frame, point, name, body, flag(trail, "`trail`"))
         for attribute, value in zip(self.__dataclass_fields__, values, strict=True):
             object.__setattr__(self, attribute, value)  # it is frozen from here on
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            no_attribute(self, name)
 
     def __repr__(self) -> str:
         kind = "default shape" if self.shape is None else type(self.shape).__name__
