@@ -14,8 +14,10 @@ import zoo
 from graphs import on_tape
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.backend import LLVMBackend, _repeats
+from pydy._backends.tuning import LARGE
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
+from pydy.models import multi_mass_spring_damper
 from pydy.system import System
 
 
@@ -135,3 +137,10 @@ def test_a_long_chain_of_masses_gives_the_same_bits_side_by_side(nothing_cached)
 
 def test_a_pendulum_does_not_repeat_itself(nothing_cached):
     assert not _repeats(rates_kernel("pendulum").program)
+
+
+def test_many_results_are_written_out_one_by_one():
+    # LLVM's search for what repeats takes the square of their number.
+    program = multi_mass_spring_damper(45).model.assembly.jacobian_program("rates", "x")
+    assert program.operation_count["run"].total() > LARGE
+    assert not _repeats(program)

@@ -22,7 +22,7 @@ from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions, si
 from pydy._backends.llvm.solve import solver_declarations, solver_functions, solver_names
 from pydy._backends.llvm.targets import target
 from pydy._backends.registry import compile_program
-from pydy._backends.tuning import LARGE, LOOP, SHORT, TEMPORARY
+from pydy._backends.tuning import LARGE, LOOP, MOST_RESULTS, SHORT, TEMPORARY
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -138,7 +138,8 @@ def _repeats(program: Program) -> bool:
     It then writes vectors for a chain's masses: half the code, and half the time for 300 of them;
     compiling takes 3 to 5 times as long.
     """
-    return _does_little(program) and program.operation_count["run"].total() > LARGE
+    large = program.operation_count["run"].total() > LARGE
+    return large and len(program.outputs) <= MOST_RESULTS and _does_little(program)
 
 
 def _does_little(program: Program) -> bool:
