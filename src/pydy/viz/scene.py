@@ -12,15 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import (
-    choice,
-    file_of,
-    flag,
-    listed,
-    number,
-    text,
-    vector,
-)
+from pydy._checks import choice, file_of, flag, listed, number, shown, text, vector
 from pydy._names import nearest
 from pydy.viz.animation import Animation, animate
 from pydy.viz.arguments import (
@@ -42,7 +34,7 @@ from pydy.viz.live import live_page
 from pydy.viz.motion import Model, checked_samples, motion_of_arrays, motion_of_trajectory, sampled
 from pydy.viz.page import Look, embedded, page
 from pydy.viz.retired import no_attribute
-from pydy.viz.views import animate_states, animate_system, direction_of
+from pydy.viz.views import PerspectiveCamera, animate_states, animate_system, direction_of
 from pydy.viz.visuals import Visual
 
 __all__ = ["Scene"]
@@ -305,6 +297,8 @@ class Scene:
     def cameras(self, cameras: Iterable[Any]) -> None:
         self._cameras = listed("cameras", cameras, "PerspectiveCamera")
         for camera in self._cameras[:1]:
+            if not isinstance(camera, PerspectiveCamera):
+                raise TypeError(f"`cameras` must hold PerspectiveCameras, got {shown(camera)}.")
             view = direction_of(camera, self.reference_frame, self.origin)
             self._look = self._look if view is None else replace(self._look, view=view)
 
@@ -322,10 +316,10 @@ class Scene:
             symbols, constants = self.states_symbols, self.constants
             self.animate(self._times, self._states, symbols=symbols, constants=constants)
         elif self._animation is None and self.system is not None:
-            shown = self.system.scene(
+            known = self.system.scene(
                 *self.visuals, reference_frame=self.reference_frame, origin=self.origin
             )
-            self._model, self.visuals = shown._model, shown.visuals
+            self._model, self.visuals = known._model, known.visuals
             self.animate(self.system.simulate(), constants=self.constants)
         if self._animation is None:
             raise ValueError(

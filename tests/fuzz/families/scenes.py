@@ -118,6 +118,10 @@ def _(v):
 # -- scenes ---------------------------------------------------------------------------------------
 
 
+def _empty(value: Any) -> bool:
+    return isinstance(value, (list, tuple, dict, np.ndarray)) and len(value) == 0
+
+
 def _scene(**changes: Any) -> Any:
     o = world().o
     given = {"reference_frame": o.N, "origin": o.O, "visuals": _ball(), **changes}
@@ -188,6 +192,86 @@ def _(v):
 @target("scene.title", text())
 def _(v):
     return _scene(title=v).html()
+
+
+def _dictionary(value: Any) -> bool:
+    """Whether a value is None or a dictionary without entries."""
+    return value is None or value == {}
+
+
+@target("scene.units", nothing("symbols", "texts", "arrays", allowed=_dictionary))
+def _(v):
+    return _scene(units=v).html()
+
+
+@target("scene.units[value]", text(), "`units")
+def _(v):
+    return _scene(series={"x": world().o.x}, units={"x": v}).html()
+
+
+@target("scene.cameras", nothing("symbols", "texts", "arrays", allowed=_empty))
+def _(v):
+    return _scene(cameras=v).html()
+
+
+@target("scene.cameras[0]", nothing("symbols", "texts"), "cameras")
+def _(v):
+    return _scene(cameras=[v]).html()
+
+
+@target("PerspectiveCamera.point", key, "PerspectiveCamera")
+def _(v):
+    return viz.PerspectiveCamera("first", world().o.N, v)
+
+
+@target("VisualizationFrame.shape", key, "VisualizationFrame")
+def _(v):
+    return viz.VisualizationFrame("ball", world().o.N, world().o.P, v)
+
+
+@target("system.scene.loads", flags)
+def _(v):
+    return len(world().o.system.scene(loads=v).visuals)
+
+
+@target("animate.compare", nothing("symbols", "texts", "arrays", allowed=empty_or_none))
+def _(v):
+    return world().o.system.scene().animate(world().o.trajectory, compare=v).poses
+
+
+@target("animate.compare[label]", nothing("symbols", "texts", "arrays"), "`compare")
+def _(v):
+    return world().o.system.scene().animate(world().o.trajectory, compare={"other": v}).poses
+
+
+def _json(**changes: Any) -> Any:
+    o, states = world().o, np.sin(TIMES)[:, None]
+    given = {
+        **{"dynamic_variables": [o.x], "constant_variables": [o.k]},
+        **{"dynamic_values": states, "constant_values": [2.0], **changes},
+    }
+    scene = viz.Scene(o.N, o.O, *_ball())
+    scene.generate_visualization_json(**given)
+    return scene.poses
+
+
+@target("generate_visualization_json.constant_values", array((1,)), "`constant", "k`")
+def _(v):
+    return _json(constant_values=v)
+
+
+@target(
+    "generate_visualization_json.dynamic_values",
+    array((None, 1), check=lambda a: np.isfinite(a).all()),
+    *("`dynamic", "`states", "`times"),
+)
+def _(v):
+    return _json(dynamic_values=v)
+
+
+@target("generate_visualization_json.fps", real(least=1e-3, most=1e3))
+def _(v):
+    return _json(fps=v)
 
 
 def _animated(**changes: Any) -> Any:
