@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from copy import copy
 from dataclasses import dataclass, replace
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -25,6 +24,21 @@ class _Frame:
     """A frame in another run: it turns otherwise than that of the run shown."""
 
     frame: Any
+
+
+@dataclass(frozen=True, eq=False)
+class _Member:
+    """What is shown of one sample of an ensemble: a Trajectory of names and numbers."""
+
+    times: np.ndarray
+    states: np.ndarray
+    state_symbols: tuple[str, ...]
+    constants: dict[str, float]
+
+    def at(self, times: np.ndarray) -> _Member:
+        """Return the same at other times, by straight lines."""
+        columns = [np.interp(times, self.times, column) for column in self.states.T]
+        return replace(self, times=times, states=np.stack(columns, 1))
 
 
 def runs_of(compare: Any) -> list[tuple[str, Any]]:
@@ -49,7 +63,7 @@ def runs_of(compare: Any) -> list[tuple[str, Any]]:
 
 def _members(label: str, run: Any) -> Iterator[tuple[str, Any]]:
     if not hasattr(run, "data_vars"):
-        if not hasattr(run, "state_symbols"):
+        if not (hasattr(run, "state_symbols") and hasattr(run, "at")):
             raise TypeError(
                 "`compare` must be a Trajectory, an xarray.Dataset with the dimension 'time', or a "
                 f"list or dictionary of these, got {shown(run)}."
@@ -74,24 +88,13 @@ def _members(label: str, run: Any) -> Iterator[tuple[str, Any]]:
         if np.isfinite(table).all():  # a sample that failed has nothing to show
             roles = one.coords.items()
             constants = {n: float(v) for n, v in roles if v.attrs.get("role") == "constant"}
-            yield (
-                label,
-                SimpleNamespace(
-                    times=np.asarray(one["time"], dtype=float),
-                    states=table,
-                    state_symbols=tuple(states),
-                    constants=constants,
-                ),
-            )
+            times = np.asarray(one["time"], dtype=float)
+            yield label, _Member(times, table, tuple(states), constants)
 
 
 def at_times(run: Any, times: np.ndarray) -> Any:
     """Return a run at the times of another; before and after its own it rests."""
-    own = np.clip(times, run.times[0], run.times[-1])
-    if hasattr(run, "at"):
-        return run.at(own)
-    states = np.stack([np.interp(own, run.times, column) for column in run.states.T], 1)
-    return SimpleNamespace(**{**vars(run), "times": own, "states": states})
+    return run.at(np.clip(times, run.times[0], run.times[-1]))
 
 
 def compared(animation: Animation, compare: Any, animated: Callable[[Any], Animation]) -> Animation:
