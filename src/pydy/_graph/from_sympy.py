@@ -300,7 +300,11 @@ class SymPyReader:
 
     def all(self, expressions: Iterable[Any]) -> list[int]:
         """Return the nodes of several expressions."""
-        return [self(e) for e in expressions]
+        known = self._seen
+        if isinstance(expressions, sm.MatrixBase):
+            expressions = expressions.flat()  # one by one, each takes as long as reading it
+        nodes = ((known.get(id(e)), e) for e in expressions)
+        return [self(e) if node is None else node for node, e in nodes]
 
     def _leaf(self, expr: Any) -> int | None:
         if isinstance(expr, Formula) or (

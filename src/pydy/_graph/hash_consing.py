@@ -29,6 +29,7 @@ class Nodes:
         self.ops: list[str] = []
         self.args: list[tuple[Any, ...]] = []
         self.constant: list[bool] = []
+        self._operands: list[tuple[int, ...]] = []
         self._known: dict[tuple[Any, ...], int] = {}
 
     def node(self, op: str, args: tuple[Any, ...]) -> int:
@@ -40,11 +41,12 @@ class Nodes:
             self._known[key] = node
             self.ops.append(op)
             self.args.append(args)
-            self.constant.append(self._is_constant(op, args))
+            needs = operands(op, args)
+            self._operands.append(needs)
+            self.constant.append(self._is_constant(op, args, needs))
         return node
 
-    def _is_constant(self, op: str, args: tuple[Any, ...]) -> bool:
+    def _is_constant(self, op: str, args: tuple[Any, ...], needs: tuple[int, ...]) -> bool:
         if op == "input":
             return bool(args[0] == "p")
-        constant = self.constant
-        return op not in _REPORTING and all(constant[n] for n in operands(op, args))
+        return op not in _REPORTING and all(map(self.constant.__getitem__, needs))

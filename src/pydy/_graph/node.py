@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from pydy._graph.hash_consing import Nodes
-from pydy._graph.operations import OPERATIONS, Operation, operands
+from pydy._graph.operations import OPERATIONS, Operation
 
 __all__ = ["Graph"]
 
@@ -49,6 +49,7 @@ class Graph(Nodes):
 
     def __init__(self) -> None:
         super().__init__()
+        self._counted: list[bool] = []  # whether a product only counts how often it has the node
         self.zero = self.const(0.0)
         self.one = self.const(1.0)
 
@@ -60,6 +61,7 @@ class Graph(Nodes):
         other = Graph.__new__(Graph)
         other.ops, other.args = self.ops.copy(), self.args.copy()
         other.constant, other._known = self.constant.copy(), self._known.copy()
+        other._operands, other._counted = self._operands.copy(), self._counted.copy()
         other.zero, other.one = self.zero, self.one
         return other
 
@@ -141,18 +143,14 @@ class Graph(Nodes):
     def product(self, factors: Iterable[tuple[int, int]], coefficient: float = 1.0) -> int:
         """Return ``coefficient · Π node ** exponent``; nested products are flattened."""
         powers: dict[int, int] = {}
-        ops, args, special = self.ops, self.args, []
+        counted, special = self._counted, []
+        if (known := len(counted)) != len(self.ops):
+            counted += map(_is_counted, self.ops[known:], self.args[known:])
         for node, exponent in factors:
-            op = ops[node]
-            if op == "sum":
-                c0, terms = args[node]
-                counted = terms[0][1] > 0.0 and (len(terms) > 1 or c0 != 0.0)
-            else:
-                counted = op not in _SPECIAL_FACTORS
-            if counted:
+            if counted[node]:
                 powers[node] = powers.get(node, 0) + exponent
-            elif op == "const" and exponent == 1:
-                coefficient *= args[node][0]
+            elif exponent == 1 and self.ops[node] == "const":
+                coefficient *= self.args[node][0]
             else:
                 special.append((node, exponent))
         if special:
@@ -307,7 +305,7 @@ class Graph(Nodes):
 
     def operands(self, node: int) -> tuple[int, ...]:
         """Return the nodes that `node` refers to, in order."""
-        return operands(self.ops[node], self.args[node])
+        return self._operands[node]
 
     def reachable(self, roots: Iterable[int], *, fallbacks: bool = True) -> list[int]:
         """Return every node the roots need, in topological (ascending) order.
@@ -318,18 +316,28 @@ class Graph(Nodes):
         fallbacks : bool
             Whether the systems that guards fall back to count.
         """
-        ops, args = self.ops, self.args
+        ops, needs = self.ops, self._operands
         seen = set(roots)
         stack = list(seen)
         while stack:
             node = stack.pop()
             if fallbacks or ops[node] != "guard":
-                new = set(operands(ops[node], args[node])) - seen
+                new = set(needs[node]) - seen
             else:
-                new = {args[node][3], *args[node][4]} - seen
-            seen |= new
-            stack += new
+                sound, fast = self.args[node][3:]
+                new = {sound, *fast} - seen
+            if new:
+                seen |= new
+                stack += new
         return sorted(seen)
+
+
+def _is_counted(op: str, args: tuple[Any, ...]) -> bool:
+    """Return whether a factor stays what it is in a product."""
+    if op != "sum":
+        return op not in _SPECIAL_FACTORS
+    c0, terms = args
+    return terms[0][1] > 0.0 and (len(terms) > 1 or c0 != 0.0)
 
 
 def _powi(base: float, exponent: int) -> float:

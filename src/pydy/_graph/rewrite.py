@@ -27,7 +27,10 @@ def rebuild(
     """
     new: dict[int, int] = {}
     for node in graph.reachable(roots):
-        new[node] = rule(node, graph.ops[node], replaced(graph, node, new))
+        args = graph.args[node]
+        if any(new[n] != n for n in graph.operands(node)):
+            args = replaced(graph, node, new)
+        new[node] = rule(node, graph.ops[node], args)
     return [new[r] for r in roots]
 
 

@@ -44,7 +44,8 @@ class _Run:
         self.graph = graph
         self.passes = passes
         self.nodes = list(roots)
-        self.cost = operations(graph, roots)
+        self._counts: dict[int, int] = {}
+        self.cost = operations(graph, roots, self._counts)
         self._left: dict[str, list[int]] = {}  # by each pass, which would leave it so again
 
     def all(self, passes: Sequence[tuple[str, Pass]]) -> None:
@@ -54,7 +55,7 @@ class _Run:
                 continue
             tried = function(self.graph, self.nodes)
             if tried != self.nodes:
-                cost = operations(self.graph, tried)
+                cost = operations(self.graph, tried, self._counts)
                 if cost < self.cost:
                     self.nodes, self.cost = tried, cost
             self._left[name] = self.nodes

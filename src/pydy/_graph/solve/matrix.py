@@ -75,4 +75,5 @@ class Matrix:
 
 def symmetric(n: int, entries: list[int]) -> list[int]:
     """Return the matrix that the lower triangle stands for, whatever the upper one holds."""
-    return [entries[max(i, j) * n + min(i, j)] for i in range(n) for j in range(n)]
+    rows = ((entries[i * n : i * n + i], entries[i * n + i :: n]) for i in range(n))
+    return [entry for before, below in rows for entry in (*before, *below)]
