@@ -1,6 +1,6 @@
 """Whether equations that a method derived may be replaced by those formed from its bodies.
 
-They may where there are no constraints, both give the same numbers at random states and hold the
+They may where both give the same numbers at random states that keep the constraints and hold the
 same symbols, and the formed ones cost fewer operations. What decides is logged.
 """
 
@@ -68,9 +68,6 @@ def _unfit(equations: Equations, body: Multibody) -> str:
         return "it holds no bodies"
     if any(rate in equations.symbols for rate in equations.speed_rates):
         return "loads depend on accelerations"
-    if equations.velocity:
-        # Near a singular configuration they say other things: where it is met, and how near.
-        return "there are constraints"
     return ""
 
 
@@ -108,9 +105,10 @@ def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:
 
 def _costs_less(equations: Equations, formed: Formed) -> bool:
     own = _as_formed(equations, formed)
-    if estimated(formed) < _CLEAR * estimated(own):
+    kind = "ldl" if equations.positive_definite else "lu"
+    if estimated(formed, kind) < _CLEAR * estimated(own, kind):
         return True
-    return counted(formed) < counted(own)
+    return counted(formed, kind) < counted(own, kind)
 
 
 def _as_formed(equations: Equations, formed: Formed) -> Formed:

@@ -45,7 +45,7 @@ def chosen(body: Multibody) -> Formed:
     return best[costs.index(min(costs))]
 
 
-def estimated(formed: Formed, *, merged: bool = True) -> int:
+def estimated(formed: Formed, kind: str = "ldl", *, merged: bool = True) -> int:
     """Estimate the operations of q' and u': those of a graph, in which equal nodes may be one."""
     graph, n = formed.graph, len(formed.forcing)
     if formed.accelerations is not None:
@@ -53,6 +53,12 @@ def estimated(formed: Formed, *, merged: bool = True) -> int:
         guards = [k for k in graph.reachable(roots) if graph.ops[k] == "guard"]
         if guards:
             roots = list(graph.args[guards[0]][4])
+    elif kind == "lu":
+        cells = [node for row in formed.matrix for node in row]
+        filled = sum(node != graph.zero for node in cells)
+        # What LU takes of a matrix with so many entries, less what its structure saves: half.
+        solving = filled * (filled // n + 9) // 3
+        roots = [*cells, *formed.forcing]
     else:
         matrix, column = formed.matrix, formed.forcing
         if (chain := difference_basis(graph, matrix, column)) is not None:
@@ -66,12 +72,19 @@ def estimated(formed: Formed, *, merged: bool = True) -> int:
     return operations(graph, merge_equal(graph, roots) if merged else roots) + solving
 
 
-def counted(formed: Formed) -> int:
-    """Count the operations of q' and u' as they are compiled."""
+def counted(formed: Formed, kind: str = "ldl") -> int:
+    """Count the operations of q' and u' as they are compiled.
+
+    Parameters
+    ----------
+    formed : Formed
+    kind : {'ldl', 'lu'}
+        How the mass matrix is solved, where the accelerations are left to that.
+    """
     graph = formed.graph.copy()
     solved = formed.accelerations
     if solved is None:
-        solved = solve_accelerations(graph, formed.matrix, formed.forcing, "ldl", Passes())
+        solved = solve_accelerations(graph, formed.matrix, formed.forcing, kind, Passes())
     nodes = simplify(graph, [*formed.rates, *solved])
     sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])

@@ -14,6 +14,7 @@ from pydy._graph.symbols import input_symbols
 from pydy._mechanics import axes
 from pydy._mechanics.alignment import align
 from pydy._mechanics.axes import move_along_axes
+from pydy._mechanics.divided import divided
 from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.gravity import take_gravity_off
@@ -303,7 +304,7 @@ def reduced(
     rows, drift = _constraints(kinematics, kinematics.body.velocity)
     held = [row[p:] for row in rows]
     columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in drift]]
-    solved = g.solve(held, columns, "lu")
+    solved = divided(g, held, columns) or g.solve(held, columns, "lu")
     a, b = solved[:p], solved[p]
 
     def joined(column: Sequence[int], i: int) -> int:

@@ -18,6 +18,7 @@ from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_
 __all__ = ["ODEINT_OPTIONS", "call_odeint"]
 
 ODEINT_OPTIONS = frozenset(signature(odeint).parameters) - {"func", "y0", "t", "args", "tfirst"}
+_ILLEGAL = "Illegal input"
 _GOOD = ("Integration successful", "Nothing was done")
 _MORE_STEPS = (
     "Raise `mxstep`, how many steps it may take between two times (500 by default), ask for more "
@@ -60,10 +61,12 @@ def call_odeint(
         return states, info
     # Rows that it did not come to hold whatever lay in memory, times too.
     came = np.isfinite(states).all(axis=1)
-    if good:
+    if not good:
+        came[1:] &= info["tcur"] >= times[1:]
+    # What is illegal after steps that were not is infinite derivatives.
+    if good or (info["message"].startswith(_ILLEGAL) and info["tcur"].max() > times[0]):
         code, what = NOT_FINITE, "met derivatives that are not finite"
     else:
-        came[1:] &= info["tcur"] >= times[1:]
         what = info["message"].split(".")[0]
         code = TOO_MANY_STEPS if what.startswith("Excess work") else STEP_UNDERFLOW
         what = f"gave up ({what})"
