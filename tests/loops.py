@@ -1,6 +1,6 @@
 """Closed loops with more constraints than their rank, and with positions where the rank falls.
 
-The first is IFToMM's benchmark of a mechanism that is always redundantly constrained; the others
+The first is IFToMM's benchmark of a mechanism that is always redundantly constrained; most others
 pass positions in which they could change over to another branch.
 """
 
@@ -124,4 +124,69 @@ def three_cranks(rate=6.0, crank=1, base=1, angle=np.pi / 3):
     gaps = [tips[k].pos_from(tips[0]) - k * base * along for k in (1, 2)]
     rows = [gap.dot(e) for gap in gaps for e in (frame.x, frame.y)]
     start = dict(zip([*q, *u], [*[angle] * 3, 0.0, *[rate] * 3, 0.0], strict=True))
+    return _defined(frame, q, u, bodies, rows), start
+
+
+def kite(rate=4.0, angle=1.0):
+    """A four-bar of two short and two long neighbours: the long ones may fold together."""
+    arms = [(1, 0, 0), (1, 0, 0), (2, 0, 0)]
+    frame, origin, q, u, bodies, _, end = _chain("zzz", arms)
+    rows = [(end.pos_from(origin) - 2 * frame.x).dot(e) for e in (frame.x, frame.y)]
+    # It is symmetric to the line from the crank's tip to the other bearing.
+    tip = np.exp(1j * angle)
+    side = (2 - tip) / abs(2 - tip)
+    second = np.angle(-tip.conjugate() * side**2)
+    places = [angle, second - angle, np.angle(2 - tip - np.exp(1j * second)) - second]
+    start = dict(zip([*q, *u], [*places, rate, 0.0, 0.0], strict=True))
+    return _defined(frame, q, u, bodies, rows), start
+
+
+def even_slider_crank(rate=6.0, angle=0.7):
+    """Crank and rod of one length: with the slider at the crank's bearing both turn on it alone."""
+    frame, origin = _ground()
+    q, u = list(me.dynamicsymbols("q1:4")), list(me.dynamicsymbols("u1:4"))
+    bodies, point = [], origin
+    for k in range(2):
+        own = me.ReferenceFrame(f"B{k}")
+        own.orient_axis(frame, frame.z, q[k])
+        own.set_ang_vel(frame, u[k] * frame.z)
+        centre = point.locatenew(f"C{k}", own.x / 2)
+        flat = sm.Rational(1, 12)
+        inertia = me.inertia(own, 0, flat, flat)
+        bodies.append(me.RigidBody(f"rod{k}", centre, own, 1, (inertia, centre)))
+        point = point.locatenew(f"E{k}", own.x)
+    slider = origin.locatenew("S", q[2] * frame.x)
+    bodies.append(me.Particle("slider", slider, sm.Rational(1, 2)))
+    rows = [point.pos_from(slider).dot(e) for e in (frame.x, frame.y)]
+    places = [angle, -angle, 2 * np.cos(angle), rate, -rate, 0.0]
+    return _defined(frame, q, u, bodies, rows), dict(zip([*q, *u], places, strict=True))
+
+
+def sarrus(rate=2.0, angle=0.6):
+    """Sarrus' linkage: two chains of three hinges lift a plate, six rows of rank five."""
+    frame, origin = _ground()
+    q, u = list(me.dynamicsymbols("q1:7")), list(me.dynamicsymbols("u1:7"))
+    bodies, middles, plates = [], [], []
+    for chain, (axis, arm) in enumerate(("xz", "zx")):
+        own, point = frame, origin.locatenew(f"A{chain}", getattr(frame, arm))
+        for j in range(3):
+            above, own, k = own, me.ReferenceFrame(f"B{chain}{j}"), 3 * chain + j
+            own.orient_axis(above, getattr(above, axis), q[k])
+            own.set_ang_vel(above, u[k] * getattr(above, axis))
+            if j == 2:
+                break
+            centre = point.locatenew(f"C{chain}{j}", own.y / 2)
+            inertia = me.inertia(own, *(sm.Rational(1, n) for n in (12, 50, 12)))
+            bodies.append(me.RigidBody(f"link{chain}{j}", centre, own, 1, (inertia, centre)))
+            point = point.locatenew(f"P{chain}{j}", own.y)
+        middle = point.locatenew(f"M{chain}", -getattr(own, arm))
+        inertia = me.inertia(own, *(sm.Rational(1, n) for n in (3, 2, 3)))
+        bodies.append(me.RigidBody(f"half{chain}", middle, own, 1, (inertia, middle)))
+        middles.append(middle)
+        plates.append(own)
+    a, b = plates
+    rows = [middles[1].pos_from(middles[0]).dot(e) for e in frame]
+    rows += [a.x.dot(b.y), a.y.dot(b.z), a.z.dot(b.x)]
+    bent = np.array([1.0, -2.0, 1.0, -1.0, 2.0, -1.0])
+    start = dict(zip([*q, *u], [*angle * bent, *rate * bent], strict=True))
     return _defined(frame, q, u, bodies, rows), start

@@ -19,6 +19,9 @@ RANKS = {
     "spatial_four_bar": (2, 3),
     "parallelogram": (2, 1),  # two rows vanish for all motions of the plane
     "three_cranks": (3, 1),
+    "kite": (2, 0),
+    "even_slider_crank": (2, 0),
+    "sarrus": (5, 1),
 }
 
 
