@@ -1616,7 +1616,8 @@ class System:
         Notes
         -----
         Trajectories are integrated one by one, by the same solvers, where specifieds are Python
-        functions, with `sensitivities`, `events` or ``constraints='project'``, and with 'radau'.
+        functions, with `control_sensitivities`, sensitivities by samples, `events` or
+        ``constraints='project'``, and with 'radau'.
 
         Examples
         --------

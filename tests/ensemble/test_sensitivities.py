@@ -64,6 +64,21 @@ def test_each_trajectory_has_the_sensitivities_of_a_single_simulation(method, op
         assert np.abs(sample.sensitivity - table).max() < 1e-12 * np.abs(table).max()
         assert np.abs(sample.q1 - one["q1"]).max() < 1e-12
         assert int(sample.steps) == one.statistics["steps"]
+        if many.attrs["lanes"] > 1:
+            assert same_bits(sample.sensitivity[:, :6], one.sensitivity.values)
+    in_lanes = method != "radau" and "control_sensitivities" not in options
+    assert many.attrs["lanes"] == (8 if in_lanes else 1)
+
+
+@pytest.mark.parametrize("wanted", [["m1"], ["m0", "q1", "u1"], "constants", ["q2"]])
+def test_lanes_have_the_bits_of_single_simulations(wanted):
+    system = swinging()
+    lengths = np.linspace(0.7, 1.3, 11)
+    many = system.integrate_ensemble(constants={"l1": lengths}, sensitivities=wanted, **FINE)
+    assert many.attrs["lanes"] == 8
+    for k, one in enumerate(singly(system, "l1", lengths, wanted, **FINE)):
+        assert same_bits(many.sensitivity[k], one.sensitivity.values)
+        assert same_bits(many.u2[k], one["u2"])
 
 
 def test_parameters_that_vary_are_differentiated_by_where_they_are():

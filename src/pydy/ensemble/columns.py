@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -65,6 +65,12 @@ class EnsembleSensitivities:
         return [self.rates, self.outputs, self.residuals, *self.gradients, *self.jumps]
 
     @property
+    def lanes(self) -> SplitProgram:
+        """The derivatives by time, of the wanted columns alone."""
+        rates = self.rates
+        return replace(rates, directions=rates.directions[:, : len(self.names)])
+
+    @property
     def identity(self) -> Any:
         """What tells it from others, beside the Programs."""
         samples = [(c, s.breaks, s.values, s.interpolation) for c, s in self.sampled]
@@ -83,11 +89,11 @@ class EnsembleSensitivities:
         p: np.ndarray,
         kernel: Callable[[Program], Kernel],
     ) -> np.ndarray:
-        """Return states and sensitivities of one sample at the beginning, shape (n (1 + K),)."""
+        """Return the sensitivities of one sample at the beginning, shape (n, K)."""
         values = self.start.copy()
         if self.gradients:
             assert self.residuals is not None
-            r, at = inputs(x, t)[None], np.array([t])
+            r, at, p = inputs(x, t)[None], np.array([t]), np.ascontiguousarray(p)
             s = self.gradients[0].num_specifieds
             rows = [kernel(g).evaluate(at, x[None], r[:, :s], p)[0][0] for g in self.gradients]
             gradient = np.concatenate(rows).reshape(-1, len(x))
@@ -95,7 +101,7 @@ class EnsembleSensitivities:
             moved = kernel(self.residuals).evaluate(at, whole[None], r, p)[0][0]
             if not follow(values, gradient, moved.reshape(len(gradient), -1), self.dependent):
                 raise ValueError(self.unsolved)
-        return np.concatenate([x, values.ravel()])
+        return values
 
     def compiled(
         self, x: np.ndarray, r: np.ndarray, p: np.ndarray, kernel: Callable[[Program], Kernel]

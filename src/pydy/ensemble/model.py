@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from pydy import _forks
+from pydy._backends.llvm.column_lanes import compile_lanes_of_columns
 from pydy._backends.llvm.columns import compile_columns
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
@@ -60,7 +61,8 @@ class Model:
     def in_lanes(self) -> bool:
         """Whether trajectories are integrated several at a time."""
         asks = self.options.events is not None or self.options.constraints is not None
-        asks = asks or self.sensitivities is not None
+        beside = self.sensitivities
+        asks = asks or (beside is not None and beside.sized is not None)
         return self.method != "radau" and not self.functions and not asks
 
 
@@ -93,12 +95,12 @@ class Results:
     moments: list[list[np.ndarray]] = field(default_factory=list)
 
 
-_KERNELS: dict[tuple[str, int], Kernel] = {}
+_KERNELS: dict[tuple[str, int], Any] = {}
 _KEPT = 64  # of several models with all that events need, for blocks that come one by one
 _LOCK = _forks.Lock()
 
 
-def _kernel(program: Program | SplitProgram, lanes: int) -> Kernel:
+def _kernel(program: Program | SplitProgram, lanes: int) -> Any:
     """Return the Kernel of a Program, compiled or loaded once in a process."""
     key = (program.digest, lanes)
     with _LOCK:
@@ -106,7 +108,11 @@ def _kernel(program: Program | SplitProgram, lanes: int) -> Kernel:
             while len(_KERNELS) >= _KEPT:
                 del _KERNELS[next(iter(_KERNELS))]
             if isinstance(program, SplitProgram):
-                _KERNELS[key] = compile_columns(program)
+                _KERNELS[key] = (
+                    compile_columns(program)
+                    if lanes == 1
+                    else compile_lanes_of_columns(program, lanes)
+                )
             else:
                 _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
         return _KERNELS[key]
@@ -114,7 +120,8 @@ def _kernel(program: Program | SplitProgram, lanes: int) -> Kernel:
 
 def _single(program: Program) -> Kernel:
     """Return the Kernel of one state at a time."""
-    return _kernel(program, 1)
+    kernel: Kernel = _kernel(program, 1)
+    return kernel
 
 
 def run(
@@ -133,11 +140,26 @@ def run(
         states = np.empty((x.shape[1], len(x), len(times)))
     if not model.in_lanes:
         return _run_one_by_one(model, x, r, p, times, stopped, states)
+    kernel = _kernel(model.rates, LANES)
+    return _run_in_lanes(model, kernel, (x, r, p), model.sampled, times, stopped, states)
+
+
+def _run_in_lanes(
+    model: Model,
+    kernel: Any,
+    inputs: tuple[np.ndarray, np.ndarray, np.ndarray],
+    sampled: Sequence[tuple[np.ndarray, Any]],
+    times: np.ndarray,
+    stopped: Callable[[], bool],
+    states: np.ndarray,
+    controlled: int | None = None,
+) -> Results:
+    """Integrate several samples at a time: x, r and p with one row for each."""
     from pydy.solvers.lanes.runs import integrate_samples
 
-    kernel = _kernel(model.rates, LANES)
+    x, r, p = inputs
     found = integrate_samples(
-        kernel, model.method, x, r, p, model.sampled, times, model.options, states, stopped
+        kernel, model.method, x, r, p, sampled, times, model.options, states, stopped, controlled
     )
     steps, rejected, evaluations, status = (np.array(c) for c in found.counts.T)
     return Results(states, steps, rejected, evaluations, status, found.reached)
@@ -230,19 +252,23 @@ def _run_with_columns(
     states: np.ndarray | None,
 ) -> Results:
     """Integrate states with their sensitivities."""
-    (m, n), columns = x.shape, beside.start.shape[1]
+    (m, n), wanted = x.shape, len(beside.names)
+    columns = wanted if model.in_lanes else beside.start.shape[1]
     r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
     t, sampled = float(times[0]), (*model.sampled, *beside.sampled)
     whole = np.empty((n * (1 + columns), m, len(times)))
-    start = np.array(
-        [
-            beside.beginning(x[k], t, Inputs(r[k], sampled), np.ascontiguousarray(p[k]), _single)
-            for k in range(m)
-        ]
-    )
-    results = _run_one_by_one(model, start.reshape(m, len(whole)), r, p, times, stopped, whole)
+    start = np.empty((m, len(whole)))
+    for k in range(m):
+        values = beside.beginning(x[k], t, Inputs(r[k], sampled), p[k], _single)
+        start[k, :n], start[k, n:] = x[k], values[:, :columns].ravel()
+    if model.in_lanes:
+        results = _run_in_lanes(
+            model, _kernel(beside.lanes, LANES), (start, r, p), sampled, times, stopped, whole, n
+        )
+    else:
+        results = _run_one_by_one(model, start, r, p, times, stopped, whole)
     table = whole[n:].reshape(n, columns, m, len(times))
-    results.states, results.columns = whole[:n], table[:, : len(beside.names)]
+    results.states, results.columns = whole[:n], table[:, :wanted]
     if states is not None:
         states[:] = results.states
         results.states = states

@@ -74,16 +74,24 @@ class CompiledSensitivities:
     events: Callable[[int], Kernel]
     constraints: Callable[[], Kernel]
 
-    def tolerances(self, rtol: np.ndarray, atol: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def leads(self, implicit: bool) -> bool:
+        """Tell whether the error norm is that of the first components, the states, alone."""
+        return self.scales is None and not implicit
+
+    def tolerances(
+        self, rtol: np.ndarray, atol: np.ndarray, implicit: bool
+    ) -> tuple[np.ndarray, np.ndarray]:
         """Return the tolerances (n (1 + k),) of states and sensitivities from those of states.
 
-        The error norm is a root mean square over all of them. What it is not to see has an infinite
-        tolerance, and the others make up for their number.
+        The implicit method's norms are root mean squares over all of them. What they are not to see
+        has an infinite tolerance, and the others make up for their number.
         """
         n, k = self.states, self.columns
         if self.scales is not None:
             every = (atol[:, None] / self.scales).ravel()
             return np.concatenate([rtol, np.repeat(rtol, k)]), np.concatenate([atol, every])
+        if self.leads(implicit):
+            return np.append(rtol, np.ones(n * k)), np.append(atol, np.ones(n * k))
         share = (1.0 + k) ** -0.5
         return (
             np.concatenate([share * rtol, np.ones(n * k)]),

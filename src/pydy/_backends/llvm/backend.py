@@ -27,7 +27,7 @@ from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["LLVMBackend", "kernel_text", "shared_routines"]
+__all__ = ["LLVMBackend", "kernel_text", "shared_routines", "wide_code"]
 
 
 class LLVMBackend:
@@ -112,6 +112,17 @@ class _Text:
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _read_text, (self.program.to_bytes(), self.lanes, self.width)
+
+
+def wide_code(program: Program, lanes: int, width: int | None = None) -> jit.Code:
+    """Return the best code of a Program for several states at once, compiled if need be."""
+    width = width or width_of(program, lanes)
+    names = ("kernel", "prepare", "strided")
+    source = jit.Source(
+        f"kernel {program.digest} {lanes} {width}", _Text(program, lanes, width), names
+    )
+    calls = {*SOLVES, *ANGLES} & set(program.ops)
+    return jit.load(source, shared_routines(width, at_best=True) if calls else None)
 
 
 def _read_text(program: bytes, lanes: int, width: int) -> _Text:

@@ -1,4 +1,4 @@
-; sources 703265638d58f827e38788ce8d1e3d96d289acf43ad808cc41b07a226c4fba56
+; sources a243c5a0316fa093bf91fd0122377a58f58da7dbe137269f446f09291abb46fc
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, i64 %5, ptr %6, i64 %7, ptr %8, i64 %9, i64 %10, double %11) unnamed_addr #0 {
@@ -963,7 +963,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   br label %211
 
 226:                                              ; preds = %188
-  br label %1315
+  br label %1374
 
 227:                                              ; preds = %188
   %228 = load i64, ptr %26, align 8, !noalias !15
@@ -985,7 +985,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %244 = load double, ptr %243, align 8, !noalias !15
   %245 = load i64, ptr %144, align 8, !noalias !15
   %246 = icmp eq i64 %245, 0
-  br i1 %246, label %247, label %414
+  br i1 %246, label %247, label %417
 
 247:                                              ; preds = %227
   %248 = getelementptr i8, ptr %144, i64 24
@@ -1025,19 +1025,19 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 261:                                              ; preds = %255, %257
   %262 = phi i32 [ %260, %257 ], [ 0, %255 ]
   %263 = phi i32 [ 0, %257 ], [ %256, %255 ]
-  switch i32 %263, label %1135 [
-    i32 -2, label %1133
-    i32 0, label %1133
+  switch i32 %263, label %1194 [
+    i32 -2, label %1192
+    i32 0, label %1192
   ], !prof !35
 
-264:                                              ; preds = %1133
+264:                                              ; preds = %1192
   %265 = getelementptr i8, ptr %144, i64 72
   store i64 3, ptr %265, align 8, !noalias !15
   %266 = icmp slt i32 %262, 0
   %267 = select i1 %266, i64 -4, i64 2
-  br label %1315
+  br label %1374
 
-268:                                              ; preds = %1133
+268:                                              ; preds = %1192
   store i64 1, ptr %144, align 8, !noalias !15
   %269 = getelementptr i8, ptr %49, i64 40
   %270 = load double, ptr %269, align 8, !noalias !15
@@ -1047,1570 +1047,1641 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   store double %270, ptr %272, align 8, !noalias !15
   store i8 0, ptr %19, align 1, !noalias !15
   %273 = call fastcc i32 @write_reached(ptr nonnull %19, ptr %52, ptr %87, i64 %86, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %273, label %1139 [
-    i32 -2, label %1136
-    i32 0, label %1136
+  switch i32 %273, label %1198 [
+    i32 -2, label %1195
+    i32 0, label %1195
   ], !prof !35
 
-274:                                              ; preds = %1136
-  br label %1315
+274:                                              ; preds = %1195
+  br label %1374
 
-275:                                              ; preds = %1136
+275:                                              ; preds = %1195
   %276 = fcmp oeq double %244, 0.000000e+00
-  br i1 %276, label %277, label %414
+  br i1 %276, label %277, label %417
 
 277:                                              ; preds = %275
   %278 = load i64, ptr %150, align 8, !noalias !15
   %279 = getelementptr i8, ptr %139, i64 16
   %280 = load double, ptr %279, align 8, !noalias !15
+  %281 = getelementptr i8, ptr %52, i64 24
+  %282 = load i64, ptr %281, align 8, !noalias !15
   store double 0.000000e+00, ptr %17, align 8, !noalias !37
   store double 0.000000e+00, ptr %18, align 8, !noalias !37
   store double 0.000000e+00, ptr %17, align 8, !noalias !37
-  %281 = call fastcc i32 @norm(ptr nonnull %17, ptr %87, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %278) #2
-  %282 = load double, ptr %17, align 8, !noalias !37
-  switch i32 %281, label %1140 [
-    i32 -2, label %283
-    i32 0, label %283
+  %283 = call fastcc i32 @norm(ptr nonnull %17, ptr %87, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
+  %284 = load double, ptr %17, align 8, !noalias !37
+  switch i32 %283, label %1199 [
+    i32 -2, label %285
+    i32 0, label %285
   ], !prof !35
 
-283:                                              ; preds = %277, %277
+285:                                              ; preds = %277, %277
   store double 0.000000e+00, ptr %18, align 8, !noalias !37
-  %284 = call fastcc i32 @norm(ptr nonnull %18, ptr %119, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %278) #2
-  %285 = load double, ptr %18, align 8, !noalias !37
-  switch i32 %284, label %1140 [
-    i32 -2, label %286
-    i32 0, label %286
+  %286 = call fastcc i32 @norm(ptr nonnull %18, ptr %119, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
+  %287 = load double, ptr %18, align 8, !noalias !37
+  switch i32 %286, label %1199 [
+    i32 -2, label %288
+    i32 0, label %288
   ], !prof !35
 
-286:                                              ; preds = %283, %283
-  %287 = fcmp olt double %282, 1.000000e-05
-  %288 = fcmp olt double %285, 1.000000e-05
-  %289 = or i1 %287, %288
-  %290 = fmul double %282, 1.000000e-02
-  %291 = fdiv double %290, %285
-  %292 = select i1 %289, double 0x3EB0C6F7A0B5ED8D, double %291
-  %293 = fcmp olt double %280, %292
-  %294 = select i1 %293, double %280, double %292
-  %295 = call i64 @llvm.smax.i64(i64 %278, i64 0)
-  br label %296
+288:                                              ; preds = %285, %285
+  %289 = fcmp olt double %284, 1.000000e-05
+  %290 = fcmp olt double %287, 1.000000e-05
+  %291 = or i1 %289, %290
+  %292 = fmul double %284, 1.000000e-02
+  %293 = fdiv double %292, %287
+  %294 = select i1 %291, double 0x3EB0C6F7A0B5ED8D, double %293
+  %295 = fcmp olt double %280, %294
+  %296 = select i1 %295, double %280, double %294
+  %297 = call i64 @llvm.smax.i64(i64 %278, i64 0)
+  br label %298
 
-296:                                              ; preds = %286, %1141
-  %297 = phi i64 [ 0, %286 ], [ %1143, %1141 ]
-  %298 = phi i64 [ %295, %286 ], [ %1142, %1141 ]
-  %299 = icmp sgt i64 %298, 0
-  br i1 %299, label %1141, label %300
+298:                                              ; preds = %288, %1200
+  %299 = phi i64 [ 0, %288 ], [ %1202, %1200 ]
+  %300 = phi i64 [ %297, %288 ], [ %1201, %1200 ]
+  %301 = icmp sgt i64 %300, 0
+  br i1 %301, label %1200, label %302
 
-300:                                              ; preds = %296
-  %301 = load i64, ptr %248, align 8, !noalias !15
-  %302 = add nsw i64 %301, 1
-  store i64 %302, ptr %248, align 8, !noalias !15
-  %303 = shl i64 %86, 3
-  %304 = add i64 %303, %116
-  %305 = fadd double %242, %294
+302:                                              ; preds = %298
+  %303 = load i64, ptr %248, align 8, !noalias !15
+  %304 = add nsw i64 %303, 1
+  store i64 %304, ptr %248, align 8, !noalias !15
+  %305 = shl i64 %86, 3
+  %306 = add i64 %305, %116
+  %307 = fadd double %242, %296
   store ptr null, ptr %14, align 8, !noalias !41
   store ptr null, ptr %15, align 8, !noalias !41
-  store double %305, ptr %55, align 8, !noalias !41
-  br i1 %251, label %306, label %309
+  store double %307, ptr %55, align 8, !noalias !41
+  br i1 %251, label %308, label %311
 
-306:                                              ; preds = %300
+308:                                              ; preds = %302
   store ptr null, ptr %14, align 8, !noalias !41
-  %307 = call fastcc i32 @_sample(ptr nonnull %14, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %305) #2
-  switch i32 %307, label %308 [
-    i32 -2, label %309
-    i32 0, label %309
-  ], !prof !35
-
-308:                                              ; preds = %306
-  br label %309
-
-309:                                              ; preds = %306, %306, %300, %308
-  %310 = phi i32 [ %307, %308 ], [ 0, %300 ], [ 0, %306 ], [ 0, %306 ]
-  switch i32 %310, label %317 [
+  %309 = call fastcc i32 @_sample(ptr nonnull %14, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %307) #2
+  switch i32 %309, label %310 [
     i32 -2, label %311
     i32 0, label %311
   ], !prof !35
 
-311:                                              ; preds = %309, %309
-  %312 = load i64, ptr %52, align 8, !noalias !48
-  %313 = inttoptr i64 %312 to ptr
-  %314 = inttoptr i64 %304 to ptr
-  %315 = call i32 %313(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %314) #2, !noalias !48
-  %316 = icmp eq i32 %315, 0
-  br label %317
+310:                                              ; preds = %308
+  br label %311
 
-317:                                              ; preds = %309, %311
-  %318 = phi i1 [ %316, %311 ], [ true, %309 ]
-  %319 = phi i32 [ 0, %311 ], [ %310, %309 ]
-  switch i32 %319, label %1159 [
-    i32 -2, label %1158
-    i32 0, label %1158
+311:                                              ; preds = %308, %308, %302, %310
+  %312 = phi i32 [ %309, %310 ], [ 0, %302 ], [ 0, %308 ], [ 0, %308 ]
+  switch i32 %312, label %319 [
+    i32 -2, label %313
+    i32 0, label %313
   ], !prof !35
 
-320:                                              ; preds = %1158
-  %321 = fmul double %294, 1.000000e-03
-  br label %409
+313:                                              ; preds = %311, %311
+  %314 = load i64, ptr %52, align 8, !noalias !48
+  %315 = inttoptr i64 %314 to ptr
+  %316 = inttoptr i64 %306 to ptr
+  %317 = call i32 %315(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %316) #2, !noalias !48
+  %318 = icmp eq i32 %317, 0
+  br label %319
 
-322:                                              ; preds = %1158
-  store double 0.000000e+00, ptr %16, align 8, !noalias !49
-  %323 = icmp slt i64 %86, 0
-  %324 = select i1 %323, i64 %118, i64 0
-  %325 = add i64 %86, %324
-  %326 = icmp slt i64 %325, 0
-  br i1 %326, label %333, label %334, !prof !4
-
-327:                                              ; preds = %338, %341
-  %328 = phi i64 [ 0, %338 ], [ %343, %341 ]
-  %329 = phi i64 [ %295, %338 ], [ %342, %341 ]
-  %330 = icmp sgt i64 %329, 0
-  br i1 %330, label %341, label %331
-
-331:                                              ; preds = %327
-  store double 0.000000e+00, ptr %16, align 8, !noalias !49
-  %332 = call fastcc i32 @norm(ptr nonnull %16, ptr %340, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %278) #2
-  switch i32 %332, label %1160 [
-    i32 -2, label %349
-    i32 0, label %349
+319:                                              ; preds = %311, %313
+  %320 = phi i1 [ %318, %313 ], [ true, %311 ]
+  %321 = phi i32 [ 0, %313 ], [ %312, %311 ]
+  switch i32 %321, label %1218 [
+    i32 -2, label %1217
+    i32 0, label %1217
   ], !prof !35
 
-333:                                              ; preds = %322
-  br label %334
+322:                                              ; preds = %1217
+  %323 = fmul double %296, 1.000000e-03
+  br label %412
 
-334:                                              ; preds = %333, %322
-  %335 = phi i64 [ 0, %333 ], [ %325, %322 ]
-  %336 = icmp slt i64 %325, %118
-  br i1 %336, label %338, label %337, !prof !8
+324:                                              ; preds = %1217
+  store double 0.000000e+00, ptr %16, align 8, !noalias !49
+  %325 = icmp slt i64 %86, 0
+  %326 = select i1 %325, i64 %118, i64 0
+  %327 = add i64 %86, %326
+  %328 = icmp slt i64 %327, 0
+  br i1 %328, label %335, label %336, !prof !4
 
-337:                                              ; preds = %334
-  br label %338
+329:                                              ; preds = %340, %344
+  %330 = phi i64 [ 0, %340 ], [ %346, %344 ]
+  %331 = phi i64 [ %343, %340 ], [ %345, %344 ]
+  %332 = icmp sgt i64 %331, 0
+  br i1 %332, label %344, label %333
 
-338:                                              ; preds = %337, %334
-  %339 = phi i64 [ %118, %337 ], [ %335, %334 ]
-  %340 = getelementptr double, ptr %119, i64 %339
-  br label %327
+333:                                              ; preds = %329
+  store double 0.000000e+00, ptr %16, align 8, !noalias !49
+  %334 = call fastcc i32 @norm(ptr nonnull %16, ptr %342, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
+  switch i32 %334, label %1219 [
+    i32 -2, label %352
+    i32 0, label %352
+  ], !prof !35
 
-341:                                              ; preds = %327
-  %342 = add nsw i64 %329, -1
-  %343 = add i64 %328, 1
-  %344 = getelementptr double, ptr %340, i64 %328
-  %345 = load double, ptr %344, align 8, !noalias !49
-  %346 = getelementptr double, ptr %119, i64 %328
-  %347 = load double, ptr %346, align 8, !noalias !49
-  %348 = fsub double %345, %347
-  store double %348, ptr %344, align 8, !noalias !49
-  br label %327
+335:                                              ; preds = %324
+  br label %336
 
-349:                                              ; preds = %331, %331
-  %350 = load double, ptr %16, align 8, !noalias !49
-  %351 = fdiv double %350, %294
-  %352 = fcmp ogt double %285, %351
-  %353 = select i1 %352, double %285, double %351
-  %354 = fcmp ogt double %353, 1.000000e-15
-  %355 = fdiv double 1.000000e-02, %353
-  %356 = select i1 %354, double %355, double 1.000000e+13
-  %357 = load double, ptr %49, align 8, !noalias !49
-  %358 = bitcast double %356 to i64
-  %359 = add nsw i64 %358, -4604544271217802189
-  %360 = ashr i64 %359, 52
-  %361 = and i64 %359, -4503599627370496
-  %362 = sub i64 %358, %361
-  %363 = bitcast i64 %362 to double
-  %364 = fadd double %363, -1.000000e+00
-  %365 = fadd double %363, 1.000000e+00
-  %366 = fdiv double %364, %365
-  %367 = fmul double %366, %366
-  %368 = call double @llvm.fma.f64(double %367, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %369 = call double @llvm.fma.f64(double %368, double %367, double 0x3FE2776C50EF9BFE)
-  %370 = call double @llvm.fma.f64(double %369, double %367, double 0x3FEEC709DC3A03FD)
-  %371 = call double @llvm.fma.f64(double %370, double %367, double 0x40071547652B82FE)
-  %372 = fmul double %371, %366
-  %373 = trunc nsw i64 %360 to i32
-  %374 = sitofp i32 %373 to double
-  %375 = fadd double %372, %374
-  %376 = fmul double %375, %357
-  %377 = fcmp ogt double %376, -1.000000e+03
-  %378 = select i1 %377, double %376, double -1.000000e+03
-  %379 = fcmp olt double %378, 1.000000e+03
-  %380 = select i1 %379, double %378, double 1.000000e+03
-  %381 = call double @llvm.rint.f64(double %380)
-  %382 = fsub double %380, %381
-  %383 = call double @llvm.fma.f64(double %382, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %384 = call double @llvm.fma.f64(double %383, double %382, double 0x3F55D87FE78A6730)
-  %385 = call double @llvm.fma.f64(double %384, double %382, double 0x3F83B2AB6FBA4E77)
-  %386 = call double @llvm.fma.f64(double %385, double %382, double 0x3FAC6B08D704A0BF)
-  %387 = call double @llvm.fma.f64(double %386, double %382, double 0x3FCEBFBDFF82C58E)
-  %388 = call double @llvm.fma.f64(double %387, double %382, double 0x3FE62E42FEFA39EF)
-  %389 = call double @llvm.fma.f64(double %388, double %382, double 1.000000e+00)
-  %390 = fptosi double %381 to i32
-  %391 = zext i32 %390 to i64
-  %392 = shl i64 %391, 52
-  %393 = bitcast double %389 to i64
-  %394 = add i64 %392, %393
-  %395 = bitcast i64 %394 to double
-  %396 = fmul double %294, 1.000000e-03
-  %397 = fcmp olt double %396, 0x3EB0C6F7A0B5ED8D
-  %398 = select i1 %397, double 0x3EB0C6F7A0B5ED8D, double %396
-  %399 = fmul double %294, 1.000000e+02
-  %400 = select i1 %354, double %395, double %398
-  %401 = fcmp olt double %399, %400
-  %402 = select i1 %401, double %399, double %400
-  %403 = call double @llvm.fabs.f64(double %242)
-  %404 = fmul double %403, 0x3D30000000000000
-  %405 = fcmp ogt double %404, %402
-  %406 = select i1 %405, double %404, double %402
-  %407 = fcmp olt double %280, %406
-  %408 = select i1 %407, double %280, double %406
-  br label %409
+336:                                              ; preds = %335, %324
+  %337 = phi i64 [ 0, %335 ], [ %327, %324 ]
+  %338 = icmp slt i64 %327, %118
+  br i1 %338, label %340, label %339, !prof !8
 
-409:                                              ; preds = %349, %320
-  %410 = phi double [ %321, %320 ], [ %408, %349 ]
-  %411 = call i1 @llvm.is.fpclass.f64(double %410, i32 384)
-  br i1 %411, label %414, label %412
+339:                                              ; preds = %336
+  br label %340
 
-412:                                              ; preds = %409
-  %413 = getelementptr i8, ptr %144, i64 72
-  store i64 4, ptr %413, align 8, !noalias !15
-  br label %414
+340:                                              ; preds = %339, %336
+  %341 = phi i64 [ %118, %339 ], [ %337, %336 ]
+  %342 = getelementptr double, ptr %119, i64 %341
+  %343 = call i64 @llvm.smax.i64(i64 %282, i64 0)
+  br label %329
 
-414:                                              ; preds = %409, %412, %275, %227
-  %415 = phi double [ %410, %409 ], [ %410, %412 ], [ %244, %275 ], [ %244, %227 ]
-  br label %416
+344:                                              ; preds = %329
+  %345 = add nsw i64 %331, -1
+  %346 = add i64 %330, 1
+  %347 = getelementptr double, ptr %342, i64 %330
+  %348 = load double, ptr %347, align 8, !noalias !49
+  %349 = getelementptr double, ptr %119, i64 %330
+  %350 = load double, ptr %349, align 8, !noalias !49
+  %351 = fsub double %348, %350
+  store double %351, ptr %347, align 8, !noalias !49
+  br label %329
 
-416:                                              ; preds = %1077, %414
-  %417 = phi double [ %415, %414 ], [ %1128, %1077 ]
-  %418 = phi double [ %242, %414 ], [ %421, %1077 ]
+352:                                              ; preds = %333, %333
+  %353 = load double, ptr %16, align 8, !noalias !49
+  %354 = fdiv double %353, %296
+  %355 = fcmp ogt double %287, %354
+  %356 = select i1 %355, double %287, double %354
+  %357 = fcmp ogt double %356, 1.000000e-15
+  %358 = fdiv double 1.000000e-02, %356
+  %359 = select i1 %357, double %358, double 1.000000e+13
+  %360 = load double, ptr %49, align 8, !noalias !49
+  %361 = bitcast double %359 to i64
+  %362 = add nsw i64 %361, -4604544271217802189
+  %363 = ashr i64 %362, 52
+  %364 = and i64 %362, -4503599627370496
+  %365 = sub i64 %361, %364
+  %366 = bitcast i64 %365 to double
+  %367 = fadd double %366, -1.000000e+00
+  %368 = fadd double %366, 1.000000e+00
+  %369 = fdiv double %367, %368
+  %370 = fmul double %369, %369
+  %371 = call double @llvm.fma.f64(double %370, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %372 = call double @llvm.fma.f64(double %371, double %370, double 0x3FE2776C50EF9BFE)
+  %373 = call double @llvm.fma.f64(double %372, double %370, double 0x3FEEC709DC3A03FD)
+  %374 = call double @llvm.fma.f64(double %373, double %370, double 0x40071547652B82FE)
+  %375 = fmul double %374, %369
+  %376 = trunc nsw i64 %363 to i32
+  %377 = sitofp i32 %376 to double
+  %378 = fadd double %375, %377
+  %379 = fmul double %378, %360
+  %380 = fcmp ogt double %379, -1.000000e+03
+  %381 = select i1 %380, double %379, double -1.000000e+03
+  %382 = fcmp olt double %381, 1.000000e+03
+  %383 = select i1 %382, double %381, double 1.000000e+03
+  %384 = call double @llvm.rint.f64(double %383)
+  %385 = fsub double %383, %384
+  %386 = call double @llvm.fma.f64(double %385, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %387 = call double @llvm.fma.f64(double %386, double %385, double 0x3F55D87FE78A6730)
+  %388 = call double @llvm.fma.f64(double %387, double %385, double 0x3F83B2AB6FBA4E77)
+  %389 = call double @llvm.fma.f64(double %388, double %385, double 0x3FAC6B08D704A0BF)
+  %390 = call double @llvm.fma.f64(double %389, double %385, double 0x3FCEBFBDFF82C58E)
+  %391 = call double @llvm.fma.f64(double %390, double %385, double 0x3FE62E42FEFA39EF)
+  %392 = call double @llvm.fma.f64(double %391, double %385, double 1.000000e+00)
+  %393 = fptosi double %384 to i32
+  %394 = zext i32 %393 to i64
+  %395 = shl i64 %394, 52
+  %396 = bitcast double %392 to i64
+  %397 = add i64 %395, %396
+  %398 = bitcast i64 %397 to double
+  %399 = fmul double %296, 1.000000e-03
+  %400 = fcmp olt double %399, 0x3EB0C6F7A0B5ED8D
+  %401 = select i1 %400, double 0x3EB0C6F7A0B5ED8D, double %399
+  %402 = fmul double %296, 1.000000e+02
+  %403 = select i1 %357, double %398, double %401
+  %404 = fcmp olt double %402, %403
+  %405 = select i1 %404, double %402, double %403
+  %406 = call double @llvm.fabs.f64(double %242)
+  %407 = fmul double %406, 0x3D30000000000000
+  %408 = fcmp ogt double %407, %405
+  %409 = select i1 %408, double %407, double %405
+  %410 = fcmp olt double %280, %409
+  %411 = select i1 %410, double %280, double %409
+  br label %412
+
+412:                                              ; preds = %352, %322
+  %413 = phi double [ %323, %322 ], [ %411, %352 ]
+  %414 = call i1 @llvm.is.fpclass.f64(double %413, i32 384)
+  br i1 %414, label %417, label %415
+
+415:                                              ; preds = %412
+  %416 = getelementptr i8, ptr %144, i64 72
+  store i64 4, ptr %416, align 8, !noalias !15
+  br label %417
+
+417:                                              ; preds = %412, %415, %275, %227
+  %418 = phi double [ %413, %412 ], [ %413, %415 ], [ %244, %275 ], [ %244, %227 ]
   br label %419
 
-419:                                              ; preds = %1064, %416
-  %420 = phi double [ %417, %416 ], [ %1058, %1064 ]
-  %421 = phi double [ %418, %416 ], [ %464, %1064 ]
-  %422 = load i64, ptr %195, align 8, !noalias !15
-  %423 = icmp eq i64 %422, 0
-  br i1 %423, label %424, label %425
+419:                                              ; preds = %1136, %417
+  %420 = phi double [ %418, %417 ], [ %1187, %1136 ]
+  %421 = phi double [ %242, %417 ], [ %424, %1136 ]
+  br label %422
 
-424:                                              ; preds = %419
-  store double %420, ptr %243, align 8, !noalias !15
-  br label %1315
+422:                                              ; preds = %1123, %419
+  %423 = phi double [ %420, %419 ], [ %1117, %1123 ]
+  %424 = phi double [ %421, %419 ], [ %467, %1123 ]
+  %425 = load i64, ptr %195, align 8, !noalias !15
+  %426 = icmp eq i64 %425, 0
+  br i1 %426, label %427, label %428
 
-425:                                              ; preds = %419
-  %426 = add nsw i64 %422, -1
-  store i64 %426, ptr %195, align 8, !noalias !15
-  %427 = getelementptr i8, ptr %144, i64 8
-  %428 = load i64, ptr %427, align 8, !noalias !15
-  %429 = getelementptr i8, ptr %144, i64 16
-  %430 = load i64, ptr %429, align 8, !noalias !15
-  %431 = add nsw i64 %428, %430
-  %432 = getelementptr i8, ptr %144, i64 64
+427:                                              ; preds = %422
+  store double %423, ptr %243, align 8, !noalias !15
+  br label %1374
+
+428:                                              ; preds = %422
+  %429 = add nsw i64 %425, -1
+  store i64 %429, ptr %195, align 8, !noalias !15
+  %430 = getelementptr i8, ptr %144, i64 8
+  %431 = load i64, ptr %430, align 8, !noalias !15
+  %432 = getelementptr i8, ptr %144, i64 16
   %433 = load i64, ptr %432, align 8, !noalias !15
-  %434 = icmp slt i64 %431, %433
-  br i1 %434, label %436, label %435
+  %434 = add nsw i64 %431, %433
+  %435 = getelementptr i8, ptr %144, i64 64
+  %436 = load i64, ptr %435, align 8, !noalias !15
+  %437 = icmp slt i64 %434, %436
+  br i1 %437, label %439, label %438
 
-435:                                              ; preds = %425
-  store double %420, ptr %243, align 8, !noalias !15
-  br label %1315
+438:                                              ; preds = %428
+  store double %423, ptr %243, align 8, !noalias !15
+  br label %1374
 
-436:                                              ; preds = %425
-  br i1 %233, label %437, label %442
+439:                                              ; preds = %428
+  br i1 %233, label %440, label %445
 
-437:                                              ; preds = %436
-  %438 = getelementptr i8, ptr %139, i64 16
-  %439 = load double, ptr %438, align 8, !noalias !15
-  %440 = fcmp olt double %420, %439
-  %441 = select i1 %440, double %420, double %439
-  br label %455
+440:                                              ; preds = %439
+  %441 = getelementptr i8, ptr %139, i64 16
+  %442 = load double, ptr %441, align 8, !noalias !15
+  %443 = fcmp olt double %423, %442
+  %444 = select i1 %443, double %423, double %442
+  br label %458
 
-442:                                              ; preds = %436
-  %443 = getelementptr i8, ptr %144, i64 48
-  %444 = load i64, ptr %443, align 8, !noalias !15
-  %445 = icmp slt i64 %444, 0
-  %446 = select i1 %445, i64 %148, i64 0
-  %447 = getelementptr double, ptr %149, i64 %444
-  %448 = getelementptr double, ptr %447, i64 %446
-  %449 = load double, ptr %448, align 8, !noalias !15
-  %450 = fsub double %449, %421
-  %451 = fdiv double %450, %420
-  %452 = fmul double %451, 0x3FEFFFFFFFFFDCD1
-  %453 = call double @llvm.ceil.f64(double %452)
-  %454 = fdiv double %450, %453
-  br label %455
+445:                                              ; preds = %439
+  %446 = getelementptr i8, ptr %144, i64 48
+  %447 = load i64, ptr %446, align 8, !noalias !15
+  %448 = icmp slt i64 %447, 0
+  %449 = select i1 %448, i64 %148, i64 0
+  %450 = getelementptr double, ptr %149, i64 %447
+  %451 = getelementptr double, ptr %450, i64 %449
+  %452 = load double, ptr %451, align 8, !noalias !15
+  %453 = fsub double %452, %424
+  %454 = fdiv double %453, %423
+  %455 = fmul double %454, 0x3FEFFFFFFFFFDCD1
+  %456 = call double @llvm.ceil.f64(double %455)
+  %457 = fdiv double %453, %456
+  br label %458
 
-455:                                              ; preds = %442, %437
-  %456 = phi double [ %241, %437 ], [ %449, %442 ]
-  %457 = phi double [ %441, %437 ], [ %454, %442 ]
-  %458 = fadd double %421, %457
-  %459 = fmul double %457, 1.000000e-03
-  %460 = fsub double %456, %459
-  %461 = fcmp ogt double %458, %460
-  %462 = fsub double %456, %421
-  %463 = select i1 %461, double %462, double %457
-  %464 = select i1 %461, double %456, double %458
-  %465 = fmul double %463, 6.250000e-02
-  %466 = fadd double %421, %465
-  %467 = fcmp ogt double %466, %421
-  %468 = fcmp oeq double %464, %456
-  %469 = or i1 %467, %468
-  br i1 %469, label %470, label %1131
+458:                                              ; preds = %445, %440
+  %459 = phi double [ %241, %440 ], [ %452, %445 ]
+  %460 = phi double [ %444, %440 ], [ %457, %445 ]
+  %461 = fadd double %424, %460
+  %462 = fmul double %460, 1.000000e-03
+  %463 = fsub double %459, %462
+  %464 = fcmp ogt double %461, %463
+  %465 = fsub double %459, %424
+  %466 = select i1 %464, double %465, double %460
+  %467 = select i1 %464, double %459, double %461
+  %468 = fmul double %466, 6.250000e-02
+  %469 = fadd double %424, %468
+  %470 = fcmp ogt double %469, %424
+  %471 = fcmp oeq double %467, %459
+  %472 = or i1 %470, %471
+  br i1 %472, label %473, label %1190
 
-470:                                              ; preds = %455
-  %471 = call i64 @llvm.smax.i64(i64 %101, i64 0)
-  br label %472
+473:                                              ; preds = %458
+  %474 = call i64 @llvm.smax.i64(i64 %101, i64 0)
+  br label %475
 
-472:                                              ; preds = %470, %1161
-  %473 = phi i64 [ 0, %470 ], [ %1163, %1161 ]
-  %474 = phi i64 [ %471, %470 ], [ %1162, %1161 ]
-  %475 = icmp sgt i64 %474, 0
-  br i1 %475, label %1161, label %476
+475:                                              ; preds = %473, %1220
+  %476 = phi i64 [ 0, %473 ], [ %1222, %1220 ]
+  %477 = phi i64 [ %474, %473 ], [ %1221, %1220 ]
+  %478 = icmp sgt i64 %477, 0
+  br i1 %478, label %1220, label %479
 
-476:                                              ; preds = %472
-  %477 = load i64, ptr %26, align 8, !noalias !15
-  %478 = add i64 %477, -1
-  %479 = call i64 @llvm.smax.i64(i64 %478, i64 0)
-  br label %480
+479:                                              ; preds = %475
+  %480 = load i64, ptr %26, align 8, !noalias !15
+  %481 = add i64 %480, -1
+  %482 = call i64 @llvm.smax.i64(i64 %481, i64 0)
+  br label %483
 
-480:                                              ; preds = %1201, %476
-  %481 = phi i64 [ 1, %476 ], [ %1170, %1201 ]
-  %482 = phi i64 [ %479, %476 ], [ %1169, %1201 ]
-  %483 = icmp slt i64 %482, 1
-  br i1 %483, label %486, label %1168
+483:                                              ; preds = %1260, %479
+  %484 = phi i64 [ 1, %479 ], [ %1229, %1260 ]
+  %485 = phi i64 [ %482, %479 ], [ %1228, %1260 ]
+  %486 = icmp slt i64 %485, 1
+  br i1 %486, label %489, label %1227
 
-484:                                              ; preds = %1201
-  %485 = sext i32 %1198 to i64
-  br label %488
+487:                                              ; preds = %1260
+  %488 = sext i32 %1257 to i64
+  br label %491
 
-486:                                              ; preds = %480
+489:                                              ; preds = %483
   store ptr null, ptr %21, align 8, !noalias !15
-  %487 = call fastcc i32 @_combine_latest(ptr nonnull %21, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %477, i64 %89, double %463) #2
-  switch i32 %487, label %1204 [
-    i32 -2, label %488
-    i32 0, label %488
+  %490 = call fastcc i32 @_combine_latest(ptr nonnull %21, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %480, i64 %89, double %466) #2
+  switch i32 %490, label %1263 [
+    i32 -2, label %491
+    i32 0, label %491
   ], !prof !35
 
-488:                                              ; preds = %486, %486, %484
-  %489 = phi i64 [ %485, %484 ], [ 0, %486 ], [ 0, %486 ]
-  br i1 %483, label %490, label %513
+491:                                              ; preds = %489, %489, %487
+  %492 = phi i64 [ %488, %487 ], [ 0, %489 ], [ 0, %489 ]
+  br i1 %486, label %493, label %516
 
-490:                                              ; preds = %488
-  %491 = getelementptr i8, ptr %26, i64 32
-  %492 = load i64, ptr %491, align 8, !noalias !15
-  %493 = icmp eq i64 %492, 1
-  br i1 %493, label %494, label %513
+493:                                              ; preds = %491
+  %494 = getelementptr i8, ptr %26, i64 32
+  %495 = load i64, ptr %494, align 8, !noalias !15
+  %496 = icmp eq i64 %495, 1
+  br i1 %496, label %497, label %516
 
-494:                                              ; preds = %490
-  %495 = getelementptr i8, ptr %144, i64 24
-  %496 = load i64, ptr %495, align 8, !noalias !15
-  %497 = add nsw i64 %496, 1
-  store i64 %497, ptr %495, align 8, !noalias !15
+497:                                              ; preds = %493
+  %498 = getelementptr i8, ptr %144, i64 24
+  %499 = load i64, ptr %498, align 8, !noalias !15
+  %500 = add nsw i64 %499, 1
+  store i64 %500, ptr %498, align 8, !noalias !15
   store ptr null, ptr %8, align 8, !noalias !53
   store ptr null, ptr %9, align 8, !noalias !53
-  store double %464, ptr %55, align 8, !noalias !53
-  %498 = icmp sgt i64 %67, 0
-  br i1 %498, label %499, label %502
+  store double %467, ptr %55, align 8, !noalias !53
+  %501 = icmp sgt i64 %67, 0
+  br i1 %501, label %502, label %505
 
-499:                                              ; preds = %494
+502:                                              ; preds = %497
   store ptr null, ptr %8, align 8, !noalias !53
-  %500 = call fastcc i32 @_sample(ptr nonnull %8, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %464) #2
-  switch i32 %500, label %501 [
-    i32 -2, label %502
-    i32 0, label %502
+  %503 = call fastcc i32 @_sample(ptr nonnull %8, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %467) #2
+  switch i32 %503, label %504 [
+    i32 -2, label %505
+    i32 0, label %505
   ], !prof !35
 
-501:                                              ; preds = %499
-  br label %502
+504:                                              ; preds = %502
+  br label %505
 
-502:                                              ; preds = %499, %499, %494, %501
-  %503 = phi i32 [ %500, %501 ], [ 0, %494 ], [ 0, %499 ], [ 0, %499 ]
-  switch i32 %503, label %510 [
-    i32 -2, label %504
-    i32 0, label %504
+505:                                              ; preds = %502, %502, %497, %504
+  %506 = phi i32 [ %503, %504 ], [ 0, %497 ], [ 0, %502 ], [ 0, %502 ]
+  switch i32 %506, label %513 [
+    i32 -2, label %507
+    i32 0, label %507
   ], !prof !35
 
-504:                                              ; preds = %502, %502
-  %505 = load i64, ptr %52, align 8, !noalias !60
-  %506 = inttoptr i64 %505 to ptr
-  %507 = inttoptr i64 %236 to ptr
-  %508 = call i32 %506(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %507) #2, !noalias !60
-  %509 = sext i32 %508 to i64
-  br label %510
+507:                                              ; preds = %505, %505
+  %508 = load i64, ptr %52, align 8, !noalias !60
+  %509 = inttoptr i64 %508 to ptr
+  %510 = inttoptr i64 %236 to ptr
+  %511 = call i32 %509(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %510) #2, !noalias !60
+  %512 = sext i32 %511 to i64
+  br label %513
 
-510:                                              ; preds = %502, %504
-  %511 = phi i64 [ %509, %504 ], [ 0, %502 ]
-  %512 = phi i32 [ 0, %504 ], [ %503, %502 ]
-  switch i32 %512, label %1205 [
-    i32 -2, label %513
-    i32 0, label %513
+513:                                              ; preds = %505, %507
+  %514 = phi i64 [ %512, %507 ], [ 0, %505 ]
+  %515 = phi i32 [ 0, %507 ], [ %506, %505 ]
+  switch i32 %515, label %1264 [
+    i32 -2, label %516
+    i32 0, label %516
   ], !prof !35
 
-513:                                              ; preds = %510, %510, %490, %488
-  %514 = phi i64 [ %489, %488 ], [ 0, %490 ], [ %511, %510 ], [ %511, %510 ]
-  %515 = icmp slt i64 %514, 0
-  br i1 %515, label %516, label %517
+516:                                              ; preds = %513, %513, %493, %491
+  %517 = phi i64 [ %492, %491 ], [ 0, %493 ], [ %514, %513 ], [ %514, %513 ]
+  %518 = icmp slt i64 %517, 0
+  br i1 %518, label %519, label %520
 
-516:                                              ; preds = %513
-  br label %1315
+519:                                              ; preds = %516
+  br label %1374
 
-517:                                              ; preds = %513
-  %518 = icmp eq i64 %514, 0
-  br i1 %518, label %519, label %664
+520:                                              ; preds = %516
+  %521 = icmp eq i64 %517, 0
+  br i1 %521, label %522, label %723
 
-519:                                              ; preds = %517
-  br i1 %233, label %520, label %623
+522:                                              ; preds = %520
+  br i1 %233, label %523, label %682
 
-520:                                              ; preds = %519
-  %521 = load i64, ptr %150, align 8, !noalias !61
-  %522 = load i64, ptr %231, align 8, !noalias !61
-  %523 = load i64, ptr %26, align 8, !noalias !61
-  %524 = add nsw i64 %523, 1
-  %525 = call i64 @llvm.smax.i64(i64 %522, i64 0)
-  br label %526
+523:                                              ; preds = %522
+  %524 = getelementptr i8, ptr %52, i64 24
+  %525 = load i64, ptr %524, align 8, !noalias !61
+  %526 = getelementptr i8, ptr %52, i64 32
+  %527 = load i64, ptr %526, align 8, !noalias !61
+  %528 = load i64, ptr %231, align 8, !noalias !61
+  %529 = load i64, ptr %26, align 8, !noalias !61
+  %530 = add nsw i64 %529, 1
+  %531 = call i64 @llvm.smax.i64(i64 %528, i64 0)
+  br label %532
 
-526:                                              ; preds = %520, %552
-  %527 = phi i64 [ 0, %520 ], [ %554, %552 ]
-  %528 = phi i64 [ %525, %520 ], [ %553, %552 ]
-  %529 = icmp sgt i64 %528, 0
-  br i1 %529, label %552, label %576
+532:                                              ; preds = %523, %613
+  %533 = phi i64 [ 0, %523 ], [ %615, %613 ]
+  %534 = phi i64 [ %531, %523 ], [ %614, %613 ]
+  %535 = icmp sgt i64 %534, 0
+  br i1 %535, label %613, label %635
 
-530:                                              ; preds = %586, %590
-  %531 = phi i64 [ 0, %586 ], [ %592, %590 ]
-  %532 = phi i64 [ %589, %586 ], [ %591, %590 ]
-  %533 = phi double [ 0.000000e+00, %586 ], [ %622, %590 ]
-  %534 = phi double [ 0.000000e+00, %586 ], [ %620, %590 ]
-  %535 = freeze double %534
-  %536 = icmp sgt i64 %532, 0
-  br i1 %536, label %590, label %537
+536:                                              ; preds = %645, %649
+  %537 = phi i64 [ 0, %645 ], [ %651, %649 ]
+  %538 = phi i64 [ %648, %645 ], [ %650, %649 ]
+  %539 = phi double [ 0.000000e+00, %645 ], [ %681, %649 ]
+  %540 = phi double [ 0.000000e+00, %645 ], [ %679, %649 ]
+  %541 = icmp sgt i64 %538, 0
+  br i1 %541, label %649, label %542
 
-537:                                              ; preds = %530
-  %538 = icmp eq i64 %522, 2
-  br i1 %538, label %539, label %548
+542:                                              ; preds = %536
+  %543 = load i64, ptr %150, align 8, !noalias !61
+  %544 = add nsw i64 %543, -3
+  %545 = sub i64 %544, %525
+  %546 = add nuw i64 %545, 3
+  %547 = lshr i64 %546, 2
+  %548 = icmp sgt i64 %545, 0
+  %549 = select i1 %548, i64 %547, i64 0
+  br label %550
 
-539:                                              ; preds = %537
-  %540 = fmul double %533, 1.000000e-02
-  %541 = fadd double %535, %540
-  %542 = sitofp i64 %521 to double
-  %543 = fmul double %541, %542
-  %544 = call double @llvm.sqrt.f64(double %543)
-  %545 = fcmp oeq double %535, 0.000000e+00
-  %546 = fdiv double %535, %544
-  %547 = select i1 %545, double 0.000000e+00, double %546
-  br label %630
+550:                                              ; preds = %542, %574
+  %551 = phi i64 [ %525, %542 ], [ %576, %574 ]
+  %552 = phi i64 [ %549, %542 ], [ %575, %574 ]
+  %553 = phi double [ 0.000000e+00, %542 ], [ %580, %574 ]
+  %554 = phi double [ 0.000000e+00, %542 ], [ %584, %574 ]
+  %555 = phi double [ 0.000000e+00, %542 ], [ %588, %574 ]
+  %556 = phi double [ 0.000000e+00, %542 ], [ %592, %574 ]
+  %557 = icmp sgt i64 %552, 0
+  br i1 %557, label %574, label %558
 
-548:                                              ; preds = %537
-  %549 = sitofp i64 %521 to double
-  %550 = fdiv double %535, %549
-  %551 = call double @llvm.sqrt.f64(double %550)
-  br label %630
+558:                                              ; preds = %550
+  %559 = sub nsw i64 %543, %525
+  %560 = and i64 %559, 3
+  %561 = sub nsw i64 %543, %560
+  br label %562
 
-552:                                              ; preds = %526
-  %553 = add nsw i64 %528, -1
-  %554 = add i64 %527, 1
-  %555 = add nsw i64 %524, %527
-  %556 = mul nsw i64 %527, %86
-  %557 = shl i64 %556, 3
-  %558 = add i64 %557, %111
-  %559 = icmp slt i64 %555, 0
-  %560 = select i1 %559, i64 %30, i64 0
-  %561 = getelementptr i64, ptr %31, i64 %555
-  %562 = getelementptr i64, ptr %561, i64 %560
-  %563 = load i64, ptr %562, align 8, !noalias !65
-  %564 = shl i64 %563, 3
-  %565 = add i64 %564, %33
-  %566 = add i64 %564, %38
-  %567 = icmp slt i64 %555, -1
-  %568 = select i1 %567, i64 %30, i64 0
-  %569 = getelementptr i8, ptr %561, i64 8
-  %570 = getelementptr i64, ptr %569, i64 %568
-  %571 = load i64, ptr %570, align 8, !noalias !65
-  %572 = xor i64 %563, -1
-  %573 = add i64 %571, %572
-  %574 = getelementptr i8, ptr %52, i64 16
-  %575 = load i64, ptr %574, align 8, !noalias !65
-  call fastcc void @pydy_combine(i64 %558, i64 %109, i64 %99, i64 %116, i64 %565, i64 %566, i64 %573, i64 1, i64 %575) #2, !noalias !65
-  br label %526
+562:                                              ; preds = %558, %593
+  %563 = phi i64 [ %561, %558 ], [ %595, %593 ]
+  %564 = phi i64 [ %560, %558 ], [ %594, %593 ]
+  %565 = phi double [ %553, %558 ], [ %599, %593 ]
+  %566 = icmp sgt i64 %564, 0
+  br i1 %566, label %593, label %567
 
-576:                                              ; preds = %526
-  %577 = icmp slt i64 %86, 0
-  %578 = select i1 %577, i64 %113, i64 0
-  %579 = add i64 %86, %578
-  %580 = icmp slt i64 %579, 0
-  br i1 %580, label %581, label %582, !prof !4
+567:                                              ; preds = %562
+  %568 = fadd double %565, %554
+  %569 = fadd double %555, %556
+  %570 = fadd double %568, %569
+  %571 = fadd double %540, %570
+  %572 = freeze double %571
+  %573 = icmp eq i64 %528, 2
+  br i1 %573, label %600, label %609
 
-581:                                              ; preds = %576
-  br label %582
+574:                                              ; preds = %550
+  %575 = add nsw i64 %552, -1
+  %576 = add i64 %551, 4
+  %577 = getelementptr double, ptr %92, i64 %551
+  %578 = load double, ptr %577, align 8, !noalias !65
+  %579 = fmul double %578, 0.000000e+00
+  %580 = fadd double %553, %579
+  %581 = getelementptr i8, ptr %577, i64 8
+  %582 = load double, ptr %581, align 8, !noalias !65
+  %583 = fmul double %582, 0.000000e+00
+  %584 = fadd double %554, %583
+  %585 = getelementptr i8, ptr %577, i64 16
+  %586 = load double, ptr %585, align 8, !noalias !65
+  %587 = fmul double %586, 0.000000e+00
+  %588 = fadd double %555, %587
+  %589 = getelementptr i8, ptr %577, i64 24
+  %590 = load double, ptr %589, align 8, !noalias !65
+  %591 = fmul double %590, 0.000000e+00
+  %592 = fadd double %556, %591
+  br label %550
 
-582:                                              ; preds = %581, %576
-  %583 = phi i64 [ 0, %581 ], [ %579, %576 ]
-  %584 = icmp slt i64 %579, %113
-  br i1 %584, label %586, label %585, !prof !8
+593:                                              ; preds = %562
+  %594 = add nsw i64 %564, -1
+  %595 = add i64 %563, 1
+  %596 = getelementptr double, ptr %92, i64 %563
+  %597 = load double, ptr %596, align 8, !noalias !65
+  %598 = fmul double %597, 0.000000e+00
+  %599 = fadd double %565, %598
+  br label %562
 
-585:                                              ; preds = %582
-  br label %586
+600:                                              ; preds = %567
+  %601 = fmul double %539, 1.000000e-02
+  %602 = fadd double %572, %601
+  %603 = sitofp i64 %525 to double
+  %604 = fmul double %602, %603
+  %605 = call double @llvm.sqrt.f64(double %604)
+  %606 = fcmp oeq double %572, 0.000000e+00
+  %607 = fdiv double %572, %605
+  %608 = select i1 %606, double 0.000000e+00, double %607
+  br label %689
 
-586:                                              ; preds = %585, %582
-  %587 = phi i64 [ %113, %585 ], [ %583, %582 ]
-  %588 = getelementptr double, ptr %114, i64 %587
-  %589 = call i64 @llvm.smax.i64(i64 %521, i64 0)
-  br label %530
+609:                                              ; preds = %567
+  %610 = sitofp i64 %525 to double
+  %611 = fdiv double %572, %610
+  %612 = call double @llvm.sqrt.f64(double %611)
+  br label %689
 
-590:                                              ; preds = %530
-  %591 = add nsw i64 %532, -1
-  %592 = add i64 %531, 1
-  %593 = getelementptr double, ptr %87, i64 %531
-  %594 = load double, ptr %593, align 8, !noalias !61
-  %595 = getelementptr double, ptr %92, i64 %531
-  %596 = load double, ptr %595, align 8, !noalias !61
-  %597 = icmp slt i64 %531, 0
-  %598 = select i1 %597, i64 %133, i64 0
-  %599 = getelementptr double, ptr %134, i64 %531
-  %600 = getelementptr double, ptr %599, i64 %598
-  %601 = load double, ptr %600, align 8, !noalias !71
-  %602 = select i1 %597, i64 %128, i64 0
-  %603 = getelementptr double, ptr %129, i64 %531
-  %604 = getelementptr double, ptr %603, i64 %602
-  %605 = load double, ptr %604, align 8, !noalias !71
-  %606 = call double @llvm.fabs.f64(double %594)
-  %607 = call double @llvm.fabs.f64(double %596)
-  %608 = fcmp ogt double %606, %607
-  %609 = select i1 %608, double %606, double %607
-  %610 = fmul double %605, %609
-  %611 = fadd double %601, %610
-  %612 = fdiv double 1.000000e+00, %611
-  %613 = getelementptr double, ptr %114, i64 %531
-  %614 = load double, ptr %613, align 8, !noalias !61
-  %615 = fmul double %614, %612
-  %616 = getelementptr double, ptr %588, i64 %531
-  %617 = load double, ptr %616, align 8, !noalias !61
-  %618 = fmul double %617, %612
-  %619 = fmul double %615, %615
-  %620 = fadd double %535, %619
-  %621 = fmul double %618, %618
-  %622 = fadd double %533, %621
-  br label %530
+613:                                              ; preds = %532
+  %614 = add nsw i64 %534, -1
+  %615 = add i64 %533, 1
+  %616 = mul nsw i64 %533, %86
+  %617 = shl i64 %616, 3
+  %618 = add i64 %617, %111
+  %619 = add nsw i64 %530, %533
+  %620 = icmp slt i64 %619, 0
+  %621 = select i1 %620, i64 %30, i64 0
+  %622 = getelementptr i64, ptr %31, i64 %619
+  %623 = getelementptr i64, ptr %622, i64 %621
+  %624 = load i64, ptr %623, align 8, !noalias !69
+  %625 = shl i64 %624, 3
+  %626 = add i64 %625, %33
+  %627 = add i64 %625, %38
+  %628 = icmp slt i64 %619, -1
+  %629 = select i1 %628, i64 %30, i64 0
+  %630 = getelementptr i8, ptr %622, i64 8
+  %631 = getelementptr i64, ptr %630, i64 %629
+  %632 = load i64, ptr %631, align 8, !noalias !69
+  %633 = xor i64 %624, -1
+  %634 = add i64 %632, %633
+  call fastcc void @pydy_combine(i64 %618, i64 %109, i64 %99, i64 %116, i64 %626, i64 %627, i64 %634, i64 1, i64 %527) #2, !noalias !69
+  br label %532
 
-623:                                              ; preds = %519
-  %624 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %625
+635:                                              ; preds = %532
+  %636 = icmp slt i64 %86, 0
+  %637 = select i1 %636, i64 %113, i64 0
+  %638 = add i64 %86, %637
+  %639 = icmp slt i64 %638, 0
+  br i1 %639, label %640, label %641, !prof !4
 
-625:                                              ; preds = %623, %1206
-  %626 = phi i64 [ 0, %623 ], [ %1208, %1206 ]
-  %627 = phi i64 [ %624, %623 ], [ %1207, %1206 ]
-  %628 = phi double [ 0.000000e+00, %623 ], [ %1215, %1206 ]
-  %629 = icmp sgt i64 %627, 0
-  br i1 %629, label %1206, label %630
+640:                                              ; preds = %635
+  br label %641
 
-630:                                              ; preds = %625, %548, %539
-  %631 = phi double [ %628, %625 ], [ %551, %548 ], [ %547, %539 ]
-  %632 = fcmp olt double %631, 1.000000e+00
-  br i1 %632, label %633, label %664
+641:                                              ; preds = %640, %635
+  %642 = phi i64 [ 0, %640 ], [ %638, %635 ]
+  %643 = icmp slt i64 %638, %113
+  br i1 %643, label %645, label %644, !prof !8
 
-633:                                              ; preds = %630
-  br i1 %230, label %638, label %634
+644:                                              ; preds = %641
+  br label %645
 
-634:                                              ; preds = %633
-  %635 = getelementptr i8, ptr %26, i64 32
-  %636 = load i64, ptr %635, align 8, !noalias !15
-  %637 = icmp eq i64 %636, 0
-  br i1 %637, label %645, label %664
+645:                                              ; preds = %644, %641
+  %646 = phi i64 [ %113, %644 ], [ %642, %641 ]
+  %647 = getelementptr double, ptr %114, i64 %646
+  %648 = call i64 @llvm.smax.i64(i64 %525, i64 0)
+  br label %536
 
-638:                                              ; preds = %633
-  %639 = getelementptr i8, ptr %191, i64 56
-  %640 = load i64, ptr %639, align 8, !noalias !15
-  %641 = inttoptr i64 %640 to ptr
-  %642 = call i64 %641(i64 %0, double %464, i64 %89) #2, !noalias !15
-  %643 = icmp eq i64 %642, 0
-  br i1 %643, label %645, label %644
+649:                                              ; preds = %536
+  %650 = add nsw i64 %538, -1
+  %651 = add i64 %537, 1
+  %652 = getelementptr double, ptr %87, i64 %537
+  %653 = load double, ptr %652, align 8, !noalias !61
+  %654 = getelementptr double, ptr %92, i64 %537
+  %655 = load double, ptr %654, align 8, !noalias !61
+  %656 = icmp slt i64 %537, 0
+  %657 = select i1 %656, i64 %133, i64 0
+  %658 = getelementptr double, ptr %134, i64 %537
+  %659 = getelementptr double, ptr %658, i64 %657
+  %660 = load double, ptr %659, align 8, !noalias !72
+  %661 = select i1 %656, i64 %128, i64 0
+  %662 = getelementptr double, ptr %129, i64 %537
+  %663 = getelementptr double, ptr %662, i64 %661
+  %664 = load double, ptr %663, align 8, !noalias !72
+  %665 = call double @llvm.fabs.f64(double %653)
+  %666 = call double @llvm.fabs.f64(double %655)
+  %667 = fcmp ogt double %665, %666
+  %668 = select i1 %667, double %665, double %666
+  %669 = fmul double %664, %668
+  %670 = fadd double %660, %669
+  %671 = fdiv double 1.000000e+00, %670
+  %672 = getelementptr double, ptr %114, i64 %537
+  %673 = load double, ptr %672, align 8, !noalias !61
+  %674 = fmul double %673, %671
+  %675 = getelementptr double, ptr %647, i64 %537
+  %676 = load double, ptr %675, align 8, !noalias !61
+  %677 = fmul double %676, %671
+  %678 = fmul double %674, %674
+  %679 = fadd double %540, %678
+  %680 = fmul double %677, %677
+  %681 = fadd double %539, %680
+  br label %536
 
-644:                                              ; preds = %638
-  store double %463, ptr %243, align 8, !noalias !15
-  br label %1315
+682:                                              ; preds = %522
+  %683 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %684
 
-645:                                              ; preds = %634, %638
-  %646 = getelementptr i8, ptr %144, i64 24
-  %647 = load i64, ptr %646, align 8, !noalias !15
-  %648 = add nsw i64 %647, 1
-  store i64 %648, ptr %646, align 8, !noalias !15
-  store ptr null, ptr %6, align 8, !noalias !74
-  store ptr null, ptr %7, align 8, !noalias !74
-  store double %464, ptr %55, align 8, !noalias !74
-  %649 = icmp sgt i64 %67, 0
-  br i1 %649, label %650, label %653
+684:                                              ; preds = %682, %1265
+  %685 = phi i64 [ 0, %682 ], [ %1267, %1265 ]
+  %686 = phi i64 [ %683, %682 ], [ %1266, %1265 ]
+  %687 = phi double [ 0.000000e+00, %682 ], [ %1274, %1265 ]
+  %688 = icmp sgt i64 %686, 0
+  br i1 %688, label %1265, label %689
 
-650:                                              ; preds = %645
-  store ptr null, ptr %6, align 8, !noalias !74
-  %651 = call fastcc i32 @_sample(ptr nonnull %6, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %464) #2
-  switch i32 %651, label %652 [
-    i32 -2, label %653
-    i32 0, label %653
+689:                                              ; preds = %684, %609, %600
+  %690 = phi double [ %687, %684 ], [ %612, %609 ], [ %608, %600 ]
+  %691 = fcmp olt double %690, 1.000000e+00
+  br i1 %691, label %692, label %723
+
+692:                                              ; preds = %689
+  br i1 %230, label %697, label %693
+
+693:                                              ; preds = %692
+  %694 = getelementptr i8, ptr %26, i64 32
+  %695 = load i64, ptr %694, align 8, !noalias !15
+  %696 = icmp eq i64 %695, 0
+  br i1 %696, label %704, label %723
+
+697:                                              ; preds = %692
+  %698 = getelementptr i8, ptr %191, i64 56
+  %699 = load i64, ptr %698, align 8, !noalias !15
+  %700 = inttoptr i64 %699 to ptr
+  %701 = call i64 %700(i64 %0, double %467, i64 %89) #2, !noalias !15
+  %702 = icmp eq i64 %701, 0
+  br i1 %702, label %704, label %703
+
+703:                                              ; preds = %697
+  store double %466, ptr %243, align 8, !noalias !15
+  br label %1374
+
+704:                                              ; preds = %693, %697
+  %705 = getelementptr i8, ptr %144, i64 24
+  %706 = load i64, ptr %705, align 8, !noalias !15
+  %707 = add nsw i64 %706, 1
+  store i64 %707, ptr %705, align 8, !noalias !15
+  store ptr null, ptr %6, align 8, !noalias !75
+  store ptr null, ptr %7, align 8, !noalias !75
+  store double %467, ptr %55, align 8, !noalias !75
+  %708 = icmp sgt i64 %67, 0
+  br i1 %708, label %709, label %712
+
+709:                                              ; preds = %704
+  store ptr null, ptr %6, align 8, !noalias !75
+  %710 = call fastcc i32 @_sample(ptr nonnull %6, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %467) #2
+  switch i32 %710, label %711 [
+    i32 -2, label %712
+    i32 0, label %712
   ], !prof !35
 
-652:                                              ; preds = %650
-  br label %653
+711:                                              ; preds = %709
+  br label %712
 
-653:                                              ; preds = %650, %650, %645, %652
-  %654 = phi i32 [ %651, %652 ], [ 0, %645 ], [ 0, %650 ], [ 0, %650 ]
-  switch i32 %654, label %660 [
-    i32 -2, label %655
-    i32 0, label %655
+712:                                              ; preds = %709, %709, %704, %711
+  %713 = phi i32 [ %710, %711 ], [ 0, %704 ], [ 0, %709 ], [ 0, %709 ]
+  switch i32 %713, label %719 [
+    i32 -2, label %714
+    i32 0, label %714
   ], !prof !35
 
-655:                                              ; preds = %653, %653
-  %656 = load i64, ptr %52, align 8, !noalias !81
-  %657 = inttoptr i64 %656 to ptr
-  %658 = inttoptr i64 %236 to ptr
-  %659 = call i32 %657(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %658) #2, !noalias !81
-  br label %660
+714:                                              ; preds = %712, %712
+  %715 = load i64, ptr %52, align 8, !noalias !82
+  %716 = inttoptr i64 %715 to ptr
+  %717 = inttoptr i64 %236 to ptr
+  %718 = call i32 %716(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %717) #2, !noalias !82
+  br label %719
 
-660:                                              ; preds = %653, %655
-  %661 = phi i32 [ %659, %655 ], [ 0, %653 ]
-  %662 = phi i32 [ 0, %655 ], [ %654, %653 ]
-  switch i32 %662, label %1219 [
-    i32 -2, label %1216
-    i32 0, label %1216
+719:                                              ; preds = %712, %714
+  %720 = phi i32 [ %718, %714 ], [ 0, %712 ]
+  %721 = phi i32 [ 0, %714 ], [ %713, %712 ]
+  switch i32 %721, label %1278 [
+    i32 -2, label %1275
+    i32 0, label %1275
   ], !prof !35
 
-663:                                              ; preds = %1216
-  br label %1315
+722:                                              ; preds = %1275
+  br label %1374
 
-664:                                              ; preds = %1216, %634, %630, %517
-  %665 = phi i1 [ true, %517 ], [ false, %630 ], [ true, %634 ], [ true, %1216 ]
-  %666 = phi i64 [ %514, %517 ], [ 0, %630 ], [ 0, %634 ], [ %1217, %1216 ]
-  %667 = phi double [ 0.000000e+00, %517 ], [ %631, %630 ], [ %631, %634 ], [ %631, %1216 ]
-  %668 = icmp eq i64 %666, 0
-  %669 = and i1 %668, %665
-  br i1 %669, label %670, label %1068
+723:                                              ; preds = %1275, %693, %689, %520
+  %724 = phi i1 [ true, %520 ], [ false, %689 ], [ true, %693 ], [ true, %1275 ]
+  %725 = phi i64 [ %517, %520 ], [ 0, %689 ], [ 0, %693 ], [ %1276, %1275 ]
+  %726 = phi double [ 0.000000e+00, %520 ], [ %690, %689 ], [ %690, %693 ], [ %690, %1275 ]
+  %727 = icmp eq i64 %725, 0
+  %728 = and i1 %727, %724
+  br i1 %728, label %729, label %1127
 
-670:                                              ; preds = %664
-  %671 = load i64, ptr %427, align 8, !noalias !15
-  %672 = add nsw i64 %671, 1
-  store i64 %672, ptr %427, align 8, !noalias !15
-  store double %464, ptr %139, align 8, !noalias !15
-  %673 = getelementptr i8, ptr %139, i64 32
-  store double %463, ptr %673, align 8, !noalias !15
-  %674 = getelementptr i8, ptr %194, i64 8
-  %675 = load i64, ptr %674, align 8, !noalias !15
-  %676 = icmp eq i64 %675, 0
-  br i1 %676, label %677, label %688
+729:                                              ; preds = %723
+  %730 = load i64, ptr %430, align 8, !noalias !15
+  %731 = add nsw i64 %730, 1
+  store i64 %731, ptr %430, align 8, !noalias !15
+  store double %467, ptr %139, align 8, !noalias !15
+  %732 = getelementptr i8, ptr %139, i64 32
+  store double %466, ptr %732, align 8, !noalias !15
+  %733 = getelementptr i8, ptr %194, i64 8
+  %734 = load i64, ptr %733, align 8, !noalias !15
+  %735 = icmp eq i64 %734, 0
+  br i1 %735, label %736, label %747
 
-677:                                              ; preds = %670
-  %678 = getelementptr i8, ptr %144, i64 48
-  %679 = load i64, ptr %678, align 8, !noalias !15
-  %680 = icmp slt i64 %679, 0
-  %681 = select i1 %680, i64 %148, i64 0
-  %682 = getelementptr double, ptr %149, i64 %679
-  %683 = getelementptr double, ptr %682, i64 %681
-  %684 = load double, ptr %683, align 8, !noalias !15
-  %685 = fcmp ult double %684, %464
-  br i1 %685, label %688, label %686
-
-686:                                              ; preds = %677
-  store i8 0, ptr %22, align 1, !noalias !15
-  %687 = call fastcc i32 @write_reached(ptr nonnull %22, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %687, label %1220 [
-    i32 -2, label %949
-    i32 0, label %949
-  ], !prof !35
-
-688:                                              ; preds = %677, %670
-  %689 = load i64, ptr %26, align 8, !noalias !15
-  %690 = getelementptr i8, ptr %26, i64 16
-  %691 = load i64, ptr %690, align 8, !noalias !15
-  %692 = call i64 @llvm.smax.i64(i64 %691, i64 0)
-  br label %693
-
-693:                                              ; preds = %1268, %688
-  %694 = phi i64 [ %689, %688 ], [ %696, %1268 ]
-  %695 = phi i64 [ %692, %688 ], [ %1269, %1268 ]
-  %696 = add i64 %694, 1
-  %697 = icmp sgt i64 %695, 0
-  br i1 %697, label %1221, label %702
-
-698:                                              ; preds = %1268
-  %699 = getelementptr i8, ptr %144, i64 72
-  store i64 3, ptr %699, align 8, !noalias !15
-  %700 = icmp slt i32 %1266, 0
-  %701 = select i1 %700, i64 -4, i64 2
-  br label %1315
-
-702:                                              ; preds = %693
-  %703 = load i64, ptr %150, align 8, !noalias !82
-  %704 = load i64, ptr %26, align 8, !noalias !82
-  %705 = mul nsw i64 %704, %86
-  %706 = icmp slt i64 %705, 0
-  %707 = select i1 %706, i64 %118, i64 0
-  %708 = add i64 %705, %707
-  %709 = icmp slt i64 %708, 0
-  br i1 %709, label %728, label %729, !prof !4
-
-710:                                              ; preds = %756, %760
-  %711 = phi i64 [ 0, %756 ], [ %762, %760 ]
-  %712 = phi i64 [ %759, %756 ], [ %761, %760 ]
-  %713 = icmp sgt i64 %712, 0
-  br i1 %713, label %760, label %714
-
-714:                                              ; preds = %710
-  %715 = add nsw i64 %704, 1
-  %716 = load i64, ptr %231, align 8, !noalias !82
-  %717 = add nsw i64 %715, %716
-  %718 = load i64, ptr %690, align 8, !noalias !82
-  %719 = add nsw i64 %717, %718
-  %720 = getelementptr i8, ptr %26, i64 24
-  %721 = load i64, ptr %720, align 8, !noalias !82
-  %722 = add i64 %721, -3
-  %723 = call i64 @llvm.smax.i64(i64 %722, i64 0)
-  br label %724
-
-724:                                              ; preds = %714, %780
-  %725 = phi i64 [ 3, %714 ], [ %782, %780 ]
-  %726 = phi i64 [ %723, %714 ], [ %781, %780 ]
-  %727 = icmp sgt i64 %726, 0
-  br i1 %727, label %780, label %1272
-
-728:                                              ; preds = %702
-  br label %729
-
-729:                                              ; preds = %728, %702
-  %730 = phi i64 [ 0, %728 ], [ %708, %702 ]
-  %731 = icmp slt i64 %708, %118
-  br i1 %731, label %733, label %732, !prof !8
-
-732:                                              ; preds = %729
-  br label %733
-
-733:                                              ; preds = %732, %729
-  %734 = phi i64 [ %118, %732 ], [ %730, %729 ]
-  %735 = getelementptr double, ptr %119, i64 %734
-  %736 = icmp slt i64 %86, 0
-  %737 = select i1 %736, i64 %123, i64 0
-  %738 = add i64 %86, %737
+736:                                              ; preds = %729
+  %737 = getelementptr i8, ptr %144, i64 48
+  %738 = load i64, ptr %737, align 8, !noalias !15
   %739 = icmp slt i64 %738, 0
-  br i1 %739, label %740, label %741, !prof !4
+  %740 = select i1 %739, i64 %148, i64 0
+  %741 = getelementptr double, ptr %149, i64 %738
+  %742 = getelementptr double, ptr %741, i64 %740
+  %743 = load double, ptr %742, align 8, !noalias !15
+  %744 = fcmp ult double %743, %467
+  br i1 %744, label %747, label %745
 
-740:                                              ; preds = %733
-  br label %741
+745:                                              ; preds = %736
+  store i8 0, ptr %22, align 1, !noalias !15
+  %746 = call fastcc i32 @write_reached(ptr nonnull %22, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
+  switch i32 %746, label %1279 [
+    i32 -2, label %1008
+    i32 0, label %1008
+  ], !prof !35
 
-741:                                              ; preds = %740, %733
-  %742 = phi i64 [ 0, %740 ], [ %738, %733 ]
-  %743 = icmp slt i64 %738, %123
-  br i1 %743, label %745, label %744, !prof !8
-
-744:                                              ; preds = %741
-  br label %745
-
-745:                                              ; preds = %744, %741
-  %746 = phi i64 [ %123, %744 ], [ %742, %741 ]
-  %747 = getelementptr double, ptr %124, i64 %746
-  %748 = shl nsw i64 %86, 1
-  %749 = add i64 %748, %737
-  %750 = icmp slt i64 %749, 0
-  br i1 %750, label %751, label %752, !prof !4
-
-751:                                              ; preds = %745
+747:                                              ; preds = %736, %729
+  %748 = load i64, ptr %26, align 8, !noalias !15
+  %749 = getelementptr i8, ptr %26, i64 16
+  %750 = load i64, ptr %749, align 8, !noalias !15
+  %751 = call i64 @llvm.smax.i64(i64 %750, i64 0)
   br label %752
 
-752:                                              ; preds = %751, %745
-  %753 = phi i64 [ 0, %751 ], [ %749, %745 ]
-  %754 = icmp slt i64 %749, %123
-  br i1 %754, label %756, label %755, !prof !8
+752:                                              ; preds = %1327, %747
+  %753 = phi i64 [ %748, %747 ], [ %755, %1327 ]
+  %754 = phi i64 [ %751, %747 ], [ %1328, %1327 ]
+  %755 = add i64 %753, 1
+  %756 = icmp sgt i64 %754, 0
+  br i1 %756, label %1280, label %761
 
-755:                                              ; preds = %752
-  br label %756
+757:                                              ; preds = %1327
+  %758 = getelementptr i8, ptr %144, i64 72
+  store i64 3, ptr %758, align 8, !noalias !15
+  %759 = icmp slt i32 %1325, 0
+  %760 = select i1 %759, i64 -4, i64 2
+  br label %1374
 
-756:                                              ; preds = %755, %752
-  %757 = phi i64 [ %123, %755 ], [ %753, %752 ]
-  %758 = getelementptr double, ptr %124, i64 %757
-  %759 = call i64 @llvm.smax.i64(i64 %703, i64 0)
-  br label %710
+761:                                              ; preds = %752
+  %762 = load i64, ptr %150, align 8, !noalias !83
+  %763 = load i64, ptr %26, align 8, !noalias !83
+  %764 = mul nsw i64 %763, %86
+  %765 = icmp slt i64 %764, 0
+  %766 = select i1 %765, i64 %118, i64 0
+  %767 = add i64 %764, %766
+  %768 = icmp slt i64 %767, 0
+  br i1 %768, label %787, label %788, !prof !4
 
-760:                                              ; preds = %710
-  %761 = add nsw i64 %712, -1
-  %762 = add i64 %711, 1
-  %763 = getelementptr double, ptr %92, i64 %711
-  %764 = load double, ptr %763, align 8, !noalias !82
-  %765 = getelementptr double, ptr %87, i64 %711
-  %766 = load double, ptr %765, align 8, !noalias !82
-  %767 = fsub double %764, %766
-  %768 = getelementptr double, ptr %119, i64 %711
-  %769 = load double, ptr %768, align 8, !noalias !82
-  %770 = fmul double %463, %769
-  %771 = fsub double %770, %767
-  %772 = getelementptr double, ptr %124, i64 %711
-  store double %767, ptr %772, align 8, !noalias !82
-  %773 = getelementptr double, ptr %747, i64 %711
-  store double %771, ptr %773, align 8, !noalias !82
-  %774 = fsub double %767, %771
-  %775 = getelementptr double, ptr %735, i64 %711
-  %776 = load double, ptr %775, align 8, !noalias !82
-  %777 = fmul double %463, %776
-  %778 = fsub double %774, %777
-  %779 = getelementptr double, ptr %758, i64 %711
-  store double %778, ptr %779, align 8, !noalias !82
-  br label %710
+769:                                              ; preds = %815, %819
+  %770 = phi i64 [ 0, %815 ], [ %821, %819 ]
+  %771 = phi i64 [ %818, %815 ], [ %820, %819 ]
+  %772 = icmp sgt i64 %771, 0
+  br i1 %772, label %819, label %773
 
-780:                                              ; preds = %724
-  %781 = add nsw i64 %726, -1
-  %782 = add i64 %725, 1
-  %783 = mul nsw i64 %725, %86
-  %784 = shl i64 %783, 3
-  %785 = add i64 %784, %121
-  %786 = add nsw i64 %719, %725
-  %787 = icmp slt i64 %786, 3
-  %788 = select i1 %787, i64 %30, i64 0
-  %789 = getelementptr i64, ptr %31, i64 %786
-  %790 = getelementptr i8, ptr %789, i64 -24
-  %791 = getelementptr i64, ptr %790, i64 %788
-  %792 = load i64, ptr %791, align 8, !noalias !86
-  %793 = shl i64 %792, 3
-  %794 = add i64 %793, %33
-  %795 = add i64 %793, %38
-  %796 = icmp slt i64 %786, 2
-  %797 = select i1 %796, i64 %30, i64 0
-  %798 = getelementptr i8, ptr %789, i64 -16
-  %799 = getelementptr i64, ptr %798, i64 %797
-  %800 = load i64, ptr %799, align 8, !noalias !86
-  %801 = xor i64 %792, -1
-  %802 = add i64 %800, %801
-  %803 = getelementptr i8, ptr %52, i64 16
-  %804 = load i64, ptr %803, align 8, !noalias !86
-  call fastcc void @pydy_combine(i64 %785, i64 %109, i64 %99, i64 %116, i64 %794, i64 %795, i64 %802, i64 1, i64 %804) #2, !noalias !86
-  br label %724
+773:                                              ; preds = %769
+  %774 = add nsw i64 %763, 1
+  %775 = load i64, ptr %231, align 8, !noalias !83
+  %776 = add nsw i64 %774, %775
+  %777 = load i64, ptr %749, align 8, !noalias !83
+  %778 = add nsw i64 %776, %777
+  %779 = getelementptr i8, ptr %26, i64 24
+  %780 = load i64, ptr %779, align 8, !noalias !83
+  %781 = add i64 %780, -3
+  %782 = call i64 @llvm.smax.i64(i64 %781, i64 0)
+  br label %783
 
-805:                                              ; preds = %1272
-  %806 = getelementptr i8, ptr %194, i64 16
-  %807 = load i64, ptr %806, align 8, !noalias !15
-  %808 = inttoptr i64 %807 to ptr
-  %809 = call i64 %808(i64 %0, double %421, double %463) #2, !noalias !15
-  %810 = getelementptr i8, ptr %139, i64 48
-  %811 = load double, ptr %810, align 8, !noalias !15
-  br label %812
+783:                                              ; preds = %773, %839
+  %784 = phi i64 [ 3, %773 ], [ %841, %839 ]
+  %785 = phi i64 [ %782, %773 ], [ %840, %839 ]
+  %786 = icmp sgt i64 %785, 0
+  br i1 %786, label %839, label %1331
 
-812:                                              ; preds = %805, %1272
-  %813 = phi double [ %811, %805 ], [ 1.000000e+00, %1272 ]
-  %814 = phi i64 [ %809, %805 ], [ 0, %1272 ]
-  %815 = fcmp oeq double %813, 1.000000e+00
-  br i1 %815, label %816, label %818
+787:                                              ; preds = %761
+  br label %788
 
-816:                                              ; preds = %812
-  %817 = load double, ptr %139, align 8, !noalias !15
-  br label %821
+788:                                              ; preds = %787, %761
+  %789 = phi i64 [ 0, %787 ], [ %767, %761 ]
+  %790 = icmp slt i64 %767, %118
+  br i1 %790, label %792, label %791, !prof !8
 
-818:                                              ; preds = %812
-  %819 = fmul double %813, %463
-  %820 = fadd double %421, %819
-  br label %821
+791:                                              ; preds = %788
+  br label %792
 
-821:                                              ; preds = %818, %816
-  %822 = phi double [ %817, %816 ], [ %820, %818 ]
-  %823 = fcmp olt double %813, 1.000000e+00
-  %824 = load i64, ptr %150, align 8, !noalias !15
-  %825 = load i64, ptr %191, align 8, !noalias !15
-  %826 = icmp eq i64 %825, 1
-  %827 = getelementptr i8, ptr %144, i64 48
-  %828 = load i64, ptr %827, align 8, !noalias !15
-  %829 = icmp slt i64 %828, %148
-  br i1 %829, label %830, label %873
+792:                                              ; preds = %791, %788
+  %793 = phi i64 [ %118, %791 ], [ %789, %788 ]
+  %794 = getelementptr double, ptr %119, i64 %793
+  %795 = icmp slt i64 %86, 0
+  %796 = select i1 %795, i64 %123, i64 0
+  %797 = add i64 %86, %796
+  %798 = icmp slt i64 %797, 0
+  br i1 %798, label %799, label %800, !prof !4
 
-830:                                              ; preds = %821
-  %831 = icmp slt i64 %828, 0
-  %832 = select i1 %831, i64 %148, i64 0
-  %833 = getelementptr double, ptr %149, i64 %828
-  %834 = getelementptr double, ptr %833, i64 %832
-  %835 = load double, ptr %834, align 8, !noalias !15
-  %836 = fcmp olt double %835, %822
-  %837 = fcmp oeq double %835, %822
-  %838 = and i1 %837, %823
-  %839 = or i1 %836, %838
-  br i1 %839, label %840, label %873
+799:                                              ; preds = %792
+  br label %800
 
-840:                                              ; preds = %863, %830
-  %841 = phi i64 [ %828, %830 ], [ %861, %863 ]
-  %842 = icmp slt i64 %841, 0
-  %843 = select i1 %842, i64 %148, i64 0
-  %844 = getelementptr double, ptr %149, i64 %841
-  %845 = getelementptr double, ptr %844, i64 %843
-  %846 = load double, ptr %845, align 8, !noalias !15
-  %847 = fsub double %846, %421
-  %848 = fdiv double %847, %463
-  %849 = mul nsw i64 %841, %824
-  %850 = shl i64 %849, 3
-  %851 = add i64 %850, %1
-  %852 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %1275
+800:                                              ; preds = %799, %792
+  %801 = phi i64 [ 0, %799 ], [ %797, %792 ]
+  %802 = icmp slt i64 %797, %123
+  br i1 %802, label %804, label %803, !prof !8
 
-853:                                              ; preds = %1279
-  %854 = getelementptr i8, ptr %191, i64 56
-  %855 = load i64, ptr %854, align 8, !noalias !15
-  %856 = load double, ptr %845, align 8, !noalias !15
-  %857 = inttoptr i64 %855 to ptr
-  %858 = call i64 %857(i64 %0, double %856, i64 %851) #2, !noalias !15
-  %859 = icmp eq i64 %858, 0
-  br i1 %859, label %860, label %875
+803:                                              ; preds = %800
+  br label %804
 
-860:                                              ; preds = %1279, %853
-  %861 = add nsw i64 %841, 1
-  %862 = icmp slt i64 %861, %148
-  br i1 %862, label %863, label %873
+804:                                              ; preds = %803, %800
+  %805 = phi i64 [ %123, %803 ], [ %801, %800 ]
+  %806 = getelementptr double, ptr %124, i64 %805
+  %807 = shl nsw i64 %86, 1
+  %808 = add i64 %807, %796
+  %809 = icmp slt i64 %808, 0
+  br i1 %809, label %810, label %811, !prof !4
 
-863:                                              ; preds = %860
-  %864 = icmp slt i64 %841, -1
-  %865 = select i1 %864, i64 %148, i64 0
-  %866 = getelementptr double, ptr %149, i64 %861
-  %867 = getelementptr double, ptr %866, i64 %865
-  %868 = load double, ptr %867, align 8, !noalias !15
-  %869 = fcmp olt double %868, %822
-  %870 = fcmp oeq double %868, %822
-  %871 = and i1 %870, %823
-  %872 = or i1 %869, %871
-  br i1 %872, label %840, label %873
+810:                                              ; preds = %804
+  br label %811
 
-873:                                              ; preds = %863, %830, %860, %821
-  %874 = phi i64 [ %828, %830 ], [ %861, %863 ], [ %861, %860 ], [ %828, %821 ]
-  store i64 %874, ptr %827, align 8, !noalias !15
-  br label %875
+811:                                              ; preds = %810, %804
+  %812 = phi i64 [ 0, %810 ], [ %808, %804 ]
+  %813 = icmp slt i64 %808, %123
+  br i1 %813, label %815, label %814, !prof !8
 
-875:                                              ; preds = %853, %873
-  %876 = phi i1 [ true, %873 ], [ false, %853 ]
-  %877 = phi i64 [ 0, %873 ], [ %858, %853 ]
-  %878 = icmp ne i64 %814, 0
-  %879 = select i1 %876, i1 %878, i1 false
-  %880 = and i1 %879, %823
-  br i1 %880, label %881, label %919
+814:                                              ; preds = %811
+  br label %815
 
-881:                                              ; preds = %875
-  %882 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %883
+815:                                              ; preds = %814, %811
+  %816 = phi i64 [ %123, %814 ], [ %812, %811 ]
+  %817 = getelementptr double, ptr %124, i64 %816
+  %818 = call i64 @llvm.smax.i64(i64 %762, i64 0)
+  br label %769
 
-883:                                              ; preds = %881, %907
-  %884 = phi i64 [ 0, %881 ], [ %909, %907 ]
-  %885 = phi i64 [ %882, %881 ], [ %908, %907 ]
-  %886 = icmp sgt i64 %885, 0
-  br i1 %886, label %907, label %887
+819:                                              ; preds = %769
+  %820 = add nsw i64 %771, -1
+  %821 = add i64 %770, 1
+  %822 = getelementptr double, ptr %92, i64 %770
+  %823 = load double, ptr %822, align 8, !noalias !83
+  %824 = getelementptr double, ptr %87, i64 %770
+  %825 = load double, ptr %824, align 8, !noalias !83
+  %826 = fsub double %823, %825
+  %827 = getelementptr double, ptr %119, i64 %770
+  %828 = load double, ptr %827, align 8, !noalias !83
+  %829 = fmul double %466, %828
+  %830 = fsub double %829, %826
+  %831 = getelementptr double, ptr %124, i64 %770
+  store double %826, ptr %831, align 8, !noalias !83
+  %832 = getelementptr double, ptr %806, i64 %770
+  store double %830, ptr %832, align 8, !noalias !83
+  %833 = fsub double %826, %830
+  %834 = getelementptr double, ptr %794, i64 %770
+  %835 = load double, ptr %834, align 8, !noalias !83
+  %836 = fmul double %466, %835
+  %837 = fsub double %833, %836
+  %838 = getelementptr double, ptr %817, i64 %770
+  store double %837, ptr %838, align 8, !noalias !83
+  br label %769
 
-887:                                              ; preds = %883
-  %888 = load i64, ptr %720, align 8, !noalias !92
-  %889 = getelementptr i8, ptr %52, i64 16
-  %890 = load i64, ptr %889, align 8, !noalias !92
-  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %888, i64 %104, i64 %890) #2, !noalias !92
-  %891 = call i64 @llvm.smax.i64(i64 %91, i64 0)
-  br label %892
+839:                                              ; preds = %783
+  %840 = add nsw i64 %785, -1
+  %841 = add i64 %784, 1
+  %842 = mul nsw i64 %784, %86
+  %843 = shl i64 %842, 3
+  %844 = add i64 %843, %121
+  %845 = add nsw i64 %778, %784
+  %846 = getelementptr i8, ptr %52, i64 16
+  %847 = load i64, ptr %846, align 8, !noalias !87
+  %848 = icmp slt i64 %845, 3
+  %849 = select i1 %848, i64 %30, i64 0
+  %850 = getelementptr i64, ptr %31, i64 %845
+  %851 = getelementptr i8, ptr %850, i64 -24
+  %852 = getelementptr i64, ptr %851, i64 %849
+  %853 = load i64, ptr %852, align 8, !noalias !91
+  %854 = shl i64 %853, 3
+  %855 = add i64 %854, %33
+  %856 = add i64 %854, %38
+  %857 = icmp slt i64 %845, 2
+  %858 = select i1 %857, i64 %30, i64 0
+  %859 = getelementptr i8, ptr %850, i64 -16
+  %860 = getelementptr i64, ptr %859, i64 %858
+  %861 = load i64, ptr %860, align 8, !noalias !91
+  %862 = xor i64 %853, -1
+  %863 = add i64 %861, %862
+  call fastcc void @pydy_combine(i64 %844, i64 %109, i64 %99, i64 %116, i64 %855, i64 %856, i64 %863, i64 1, i64 %847) #2, !noalias !91
+  br label %783
 
-892:                                              ; preds = %896, %887
-  %893 = phi i64 [ 0, %887 ], [ %898, %896 ]
-  %894 = phi i64 [ %891, %887 ], [ %897, %896 ]
-  %895 = icmp sgt i64 %894, 0
-  br i1 %895, label %896, label %1290
+864:                                              ; preds = %1331
+  %865 = getelementptr i8, ptr %194, i64 16
+  %866 = load i64, ptr %865, align 8, !noalias !15
+  %867 = inttoptr i64 %866 to ptr
+  %868 = call i64 %867(i64 %0, double %424, double %466) #2, !noalias !15
+  %869 = getelementptr i8, ptr %139, i64 48
+  %870 = load double, ptr %869, align 8, !noalias !15
+  br label %871
 
-896:                                              ; preds = %892
-  %897 = add nsw i64 %894, -1
-  %898 = add i64 %893, 1
-  %899 = icmp slt i64 %893, 0
-  %900 = select i1 %899, i64 %96, i64 0
-  %901 = getelementptr double, ptr %97, i64 %893
-  %902 = getelementptr double, ptr %901, i64 %900
-  %903 = load double, ptr %902, align 8, !noalias !96
-  %904 = select i1 %899, i64 %91, i64 0
-  %905 = getelementptr double, ptr %92, i64 %893
-  %906 = getelementptr double, ptr %905, i64 %904
-  store double %903, ptr %906, align 8, !noalias !96
-  br label %892
+871:                                              ; preds = %864, %1331
+  %872 = phi double [ %870, %864 ], [ 1.000000e+00, %1331 ]
+  %873 = phi i64 [ %868, %864 ], [ 0, %1331 ]
+  %874 = fcmp oeq double %872, 1.000000e+00
+  br i1 %874, label %875, label %877
 
-907:                                              ; preds = %883
-  %908 = add nsw i64 %885, -1
-  %909 = add i64 %884, 1
-  %910 = icmp slt i64 %884, 0
-  %911 = select i1 %910, i64 %106, i64 0
-  %912 = getelementptr double, ptr %107, i64 %884
-  %913 = getelementptr double, ptr %912, i64 %911
-  store double %813, ptr %913, align 8, !noalias !92
-  br label %883
+875:                                              ; preds = %871
+  %876 = load double, ptr %139, align 8, !noalias !15
+  br label %880
 
-914:                                              ; preds = %1290
-  %915 = getelementptr i8, ptr %191, i64 56
-  %916 = load i64, ptr %915, align 8, !noalias !15
-  %917 = inttoptr i64 %916 to ptr
-  %918 = call i64 %917(i64 %0, double %822, i64 %89) #2, !noalias !15
-  br label %919
+877:                                              ; preds = %871
+  %878 = fmul double %872, %466
+  %879 = fadd double %424, %878
+  br label %880
 
-919:                                              ; preds = %1290, %914, %875
-  %920 = phi i64 [ %918, %914 ], [ 0, %1290 ], [ %877, %875 ]
-  %921 = icmp eq i64 %920, 0
-  br i1 %921, label %923, label %922
+880:                                              ; preds = %877, %875
+  %881 = phi double [ %876, %875 ], [ %879, %877 ]
+  %882 = fcmp olt double %872, 1.000000e+00
+  %883 = load i64, ptr %150, align 8, !noalias !15
+  %884 = load i64, ptr %191, align 8, !noalias !15
+  %885 = icmp eq i64 %884, 1
+  %886 = getelementptr i8, ptr %144, i64 48
+  %887 = load i64, ptr %886, align 8, !noalias !15
+  %888 = icmp slt i64 %887, %148
+  br i1 %888, label %889, label %932
+
+889:                                              ; preds = %880
+  %890 = icmp slt i64 %887, 0
+  %891 = select i1 %890, i64 %148, i64 0
+  %892 = getelementptr double, ptr %149, i64 %887
+  %893 = getelementptr double, ptr %892, i64 %891
+  %894 = load double, ptr %893, align 8, !noalias !15
+  %895 = fcmp olt double %894, %881
+  %896 = fcmp oeq double %894, %881
+  %897 = and i1 %896, %882
+  %898 = or i1 %895, %897
+  br i1 %898, label %899, label %932
+
+899:                                              ; preds = %922, %889
+  %900 = phi i64 [ %887, %889 ], [ %920, %922 ]
+  %901 = icmp slt i64 %900, 0
+  %902 = select i1 %901, i64 %148, i64 0
+  %903 = getelementptr double, ptr %149, i64 %900
+  %904 = getelementptr double, ptr %903, i64 %902
+  %905 = load double, ptr %904, align 8, !noalias !15
+  %906 = fsub double %905, %424
+  %907 = fdiv double %906, %466
+  %908 = mul nsw i64 %900, %883
+  %909 = shl i64 %908, 3
+  %910 = add i64 %909, %1
+  %911 = call i64 @llvm.smax.i64(i64 %106, i64 0)
+  br label %1334
+
+912:                                              ; preds = %1338
+  %913 = getelementptr i8, ptr %191, i64 56
+  %914 = load i64, ptr %913, align 8, !noalias !15
+  %915 = load double, ptr %904, align 8, !noalias !15
+  %916 = inttoptr i64 %914 to ptr
+  %917 = call i64 %916(i64 %0, double %915, i64 %910) #2, !noalias !15
+  %918 = icmp eq i64 %917, 0
+  br i1 %918, label %919, label %934
+
+919:                                              ; preds = %1338, %912
+  %920 = add nsw i64 %900, 1
+  %921 = icmp slt i64 %920, %148
+  br i1 %921, label %922, label %932
 
 922:                                              ; preds = %919
-  store double %421, ptr %139, align 8, !noalias !15
-  store double %463, ptr %243, align 8, !noalias !15
-  br label %945
+  %923 = icmp slt i64 %900, -1
+  %924 = select i1 %923, i64 %148, i64 0
+  %925 = getelementptr double, ptr %149, i64 %920
+  %926 = getelementptr double, ptr %925, i64 %924
+  %927 = load double, ptr %926, align 8, !noalias !15
+  %928 = fcmp olt double %927, %881
+  %929 = fcmp oeq double %927, %881
+  %930 = and i1 %929, %882
+  %931 = or i1 %928, %930
+  br i1 %931, label %899, label %932
 
-923:                                              ; preds = %919
-  br i1 %815, label %924, label %926
+932:                                              ; preds = %922, %889, %919, %880
+  %933 = phi i64 [ %887, %889 ], [ %920, %922 ], [ %920, %919 ], [ %887, %880 ]
+  store i64 %933, ptr %886, align 8, !noalias !15
+  br label %934
 
-924:                                              ; preds = %923
+934:                                              ; preds = %912, %932
+  %935 = phi i1 [ true, %932 ], [ false, %912 ]
+  %936 = phi i64 [ 0, %932 ], [ %917, %912 ]
+  %937 = icmp ne i64 %873, 0
+  %938 = select i1 %935, i1 %937, i1 false
+  %939 = and i1 %938, %882
+  br i1 %939, label %940, label %978
+
+940:                                              ; preds = %934
+  %941 = call i64 @llvm.smax.i64(i64 %106, i64 0)
+  br label %942
+
+942:                                              ; preds = %940, %966
+  %943 = phi i64 [ 0, %940 ], [ %968, %966 ]
+  %944 = phi i64 [ %941, %940 ], [ %967, %966 ]
+  %945 = icmp sgt i64 %944, 0
+  br i1 %945, label %966, label %946
+
+946:                                              ; preds = %942
+  %947 = load i64, ptr %779, align 8, !noalias !94
+  %948 = getelementptr i8, ptr %52, i64 16
+  %949 = load i64, ptr %948, align 8, !noalias !94
+  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %947, i64 %104, i64 %949) #2, !noalias !94
+  %950 = call i64 @llvm.smax.i64(i64 %91, i64 0)
+  br label %951
+
+951:                                              ; preds = %955, %946
+  %952 = phi i64 [ 0, %946 ], [ %957, %955 ]
+  %953 = phi i64 [ %950, %946 ], [ %956, %955 ]
+  %954 = icmp sgt i64 %953, 0
+  br i1 %954, label %955, label %1349
+
+955:                                              ; preds = %951
+  %956 = add nsw i64 %953, -1
+  %957 = add i64 %952, 1
+  %958 = icmp slt i64 %952, 0
+  %959 = select i1 %958, i64 %96, i64 0
+  %960 = getelementptr double, ptr %97, i64 %952
+  %961 = getelementptr double, ptr %960, i64 %959
+  %962 = load double, ptr %961, align 8, !noalias !98
+  %963 = select i1 %958, i64 %91, i64 0
+  %964 = getelementptr double, ptr %92, i64 %952
+  %965 = getelementptr double, ptr %964, i64 %963
+  store double %962, ptr %965, align 8, !noalias !98
+  br label %951
+
+966:                                              ; preds = %942
+  %967 = add nsw i64 %944, -1
+  %968 = add i64 %943, 1
+  %969 = icmp slt i64 %943, 0
+  %970 = select i1 %969, i64 %106, i64 0
+  %971 = getelementptr double, ptr %107, i64 %943
+  %972 = getelementptr double, ptr %971, i64 %970
+  store double %872, ptr %972, align 8, !noalias !94
+  br label %942
+
+973:                                              ; preds = %1349
+  %974 = getelementptr i8, ptr %191, i64 56
+  %975 = load i64, ptr %974, align 8, !noalias !15
+  %976 = inttoptr i64 %975 to ptr
+  %977 = call i64 %976(i64 %0, double %881, i64 %89) #2, !noalias !15
+  br label %978
+
+978:                                              ; preds = %1349, %973, %934
+  %979 = phi i64 [ %977, %973 ], [ 0, %1349 ], [ %936, %934 ]
+  %980 = icmp eq i64 %979, 0
+  br i1 %980, label %982, label %981
+
+981:                                              ; preds = %978
+  store double %424, ptr %139, align 8, !noalias !15
+  store double %466, ptr %243, align 8, !noalias !15
+  br label %1004
+
+982:                                              ; preds = %978
+  br i1 %874, label %983, label %985
+
+983:                                              ; preds = %982
   store i8 0, ptr %23, align 1, !noalias !15
-  %925 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %925, label %1293 [
-    i32 -2, label %926
-    i32 0, label %926
+  %984 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
+  switch i32 %984, label %1352 [
+    i32 -2, label %985
+    i32 0, label %985
   ], !prof !35
 
-926:                                              ; preds = %924, %924, %923
-  %927 = icmp eq i64 %814, 0
-  br i1 %927, label %945, label %928
+985:                                              ; preds = %983, %983, %982
+  %986 = icmp eq i64 %873, 0
+  br i1 %986, label %1004, label %987
 
-928:                                              ; preds = %926
-  %929 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %930
+987:                                              ; preds = %985
+  %988 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %989
 
-930:                                              ; preds = %934, %928
-  %931 = phi i64 [ 0, %928 ], [ %936, %934 ]
-  %932 = phi i64 [ %929, %928 ], [ %935, %934 ]
-  %933 = icmp sgt i64 %932, 0
-  br i1 %933, label %934, label %1294
+989:                                              ; preds = %993, %987
+  %990 = phi i64 [ 0, %987 ], [ %995, %993 ]
+  %991 = phi i64 [ %988, %987 ], [ %994, %993 ]
+  %992 = icmp sgt i64 %991, 0
+  br i1 %992, label %993, label %1353
 
-934:                                              ; preds = %930
-  %935 = add nsw i64 %932, -1
-  %936 = add i64 %931, 1
-  %937 = icmp slt i64 %931, 0
-  %938 = select i1 %937, i64 %91, i64 0
-  %939 = getelementptr double, ptr %92, i64 %931
-  %940 = getelementptr double, ptr %939, i64 %938
-  %941 = load double, ptr %940, align 8, !noalias !99
-  %942 = select i1 %937, i64 %86, i64 0
-  %943 = getelementptr double, ptr %87, i64 %931
-  %944 = getelementptr double, ptr %943, i64 %942
-  store double %941, ptr %944, align 8, !noalias !99
-  br label %930
+993:                                              ; preds = %989
+  %994 = add nsw i64 %991, -1
+  %995 = add i64 %990, 1
+  %996 = icmp slt i64 %990, 0
+  %997 = select i1 %996, i64 %91, i64 0
+  %998 = getelementptr double, ptr %92, i64 %990
+  %999 = getelementptr double, ptr %998, i64 %997
+  %1000 = load double, ptr %999, align 8, !noalias !101
+  %1001 = select i1 %996, i64 %86, i64 0
+  %1002 = getelementptr double, ptr %87, i64 %990
+  %1003 = getelementptr double, ptr %1002, i64 %1001
+  store double %1000, ptr %1003, align 8, !noalias !101
+  br label %989
 
-945:                                              ; preds = %926, %1294, %922
-  %946 = phi i1 [ false, %922 ], [ false, %1294 ], [ true, %926 ]
-  %947 = phi i64 [ %920, %922 ], [ %814, %1294 ], [ 0, %926 ]
-  br i1 %946, label %949, label %948
+1004:                                             ; preds = %985, %1353, %981
+  %1005 = phi i1 [ false, %981 ], [ false, %1353 ], [ true, %985 ]
+  %1006 = phi i64 [ %979, %981 ], [ %873, %1353 ], [ 0, %985 ]
+  br i1 %1005, label %1008, label %1007
 
-948:                                              ; preds = %945
-  br label %1315
+1007:                                             ; preds = %1004
+  br label %1374
 
-949:                                              ; preds = %686, %686, %945
-  br i1 %233, label %950, label %1057
+1008:                                             ; preds = %745, %745, %1004
+  br i1 %233, label %1009, label %1116
 
-950:                                              ; preds = %949
-  %951 = getelementptr i8, ptr %139, i64 40
-  %952 = load double, ptr %951, align 8, !noalias !15
-  %953 = getelementptr i8, ptr %49, i64 24
-  %954 = load double, ptr %953, align 8, !noalias !102
-  %955 = fcmp ogt double %667, 1.000000e-10
-  %956 = select i1 %955, double %667, double 1.000000e-10
-  %957 = getelementptr i8, ptr %49, i64 8
-  %958 = load double, ptr %957, align 8, !noalias !102
-  %959 = fneg double %958
-  %960 = bitcast double %956 to i64
-  %961 = add nsw i64 %960, -4604544271217802189
-  %962 = ashr i64 %961, 52
-  %963 = and i64 %961, -4503599627370496
-  %964 = sub i64 %960, %963
-  %965 = bitcast i64 %964 to double
-  %966 = fadd double %965, -1.000000e+00
-  %967 = fadd double %965, 1.000000e+00
-  %968 = fdiv double %966, %967
-  %969 = fmul double %968, %968
-  %970 = call double @llvm.fma.f64(double %969, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %971 = call double @llvm.fma.f64(double %970, double %969, double 0x3FE2776C50EF9BFE)
-  %972 = call double @llvm.fma.f64(double %971, double %969, double 0x3FEEC709DC3A03FD)
-  %973 = call double @llvm.fma.f64(double %972, double %969, double 0x40071547652B82FE)
-  %974 = fmul double %973, %968
-  %975 = trunc nsw i64 %962 to i32
-  %976 = sitofp i32 %975 to double
-  %977 = fadd double %974, %976
-  %978 = fmul double %977, %959
-  %979 = fcmp ogt double %978, -1.000000e+03
-  %980 = select i1 %979, double %978, double -1.000000e+03
-  %981 = fcmp olt double %980, 1.000000e+03
-  %982 = select i1 %981, double %980, double 1.000000e+03
-  %983 = call double @llvm.rint.f64(double %982)
-  %984 = fsub double %982, %983
-  %985 = call double @llvm.fma.f64(double %984, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %986 = call double @llvm.fma.f64(double %985, double %984, double 0x3F55D87FE78A6730)
-  %987 = call double @llvm.fma.f64(double %986, double %984, double 0x3F83B2AB6FBA4E77)
-  %988 = call double @llvm.fma.f64(double %987, double %984, double 0x3FAC6B08D704A0BF)
-  %989 = call double @llvm.fma.f64(double %988, double %984, double 0x3FCEBFBDFF82C58E)
-  %990 = call double @llvm.fma.f64(double %989, double %984, double 0x3FE62E42FEFA39EF)
-  %991 = call double @llvm.fma.f64(double %990, double %984, double 1.000000e+00)
-  %992 = fptosi double %983 to i32
-  %993 = zext i32 %992 to i64
-  %994 = shl i64 %993, 52
-  %995 = bitcast double %991 to i64
-  %996 = add i64 %994, %995
-  %997 = bitcast i64 %996 to double
-  %998 = fmul double %954, %997
-  %999 = getelementptr i8, ptr %49, i64 16
-  %1000 = load double, ptr %999, align 8, !noalias !102
-  %1001 = fcmp une double %1000, 0.000000e+00
-  br i1 %1001, label %1002, label %1043
+1009:                                             ; preds = %1008
+  %1010 = getelementptr i8, ptr %139, i64 40
+  %1011 = load double, ptr %1010, align 8, !noalias !15
+  %1012 = getelementptr i8, ptr %49, i64 24
+  %1013 = load double, ptr %1012, align 8, !noalias !104
+  %1014 = fcmp ogt double %726, 1.000000e-10
+  %1015 = select i1 %1014, double %726, double 1.000000e-10
+  %1016 = getelementptr i8, ptr %49, i64 8
+  %1017 = load double, ptr %1016, align 8, !noalias !104
+  %1018 = fneg double %1017
+  %1019 = bitcast double %1015 to i64
+  %1020 = add nsw i64 %1019, -4604544271217802189
+  %1021 = ashr i64 %1020, 52
+  %1022 = and i64 %1020, -4503599627370496
+  %1023 = sub i64 %1019, %1022
+  %1024 = bitcast i64 %1023 to double
+  %1025 = fadd double %1024, -1.000000e+00
+  %1026 = fadd double %1024, 1.000000e+00
+  %1027 = fdiv double %1025, %1026
+  %1028 = fmul double %1027, %1027
+  %1029 = call double @llvm.fma.f64(double %1028, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1030 = call double @llvm.fma.f64(double %1029, double %1028, double 0x3FE2776C50EF9BFE)
+  %1031 = call double @llvm.fma.f64(double %1030, double %1028, double 0x3FEEC709DC3A03FD)
+  %1032 = call double @llvm.fma.f64(double %1031, double %1028, double 0x40071547652B82FE)
+  %1033 = fmul double %1032, %1027
+  %1034 = trunc nsw i64 %1021 to i32
+  %1035 = sitofp i32 %1034 to double
+  %1036 = fadd double %1033, %1035
+  %1037 = fmul double %1036, %1018
+  %1038 = fcmp ogt double %1037, -1.000000e+03
+  %1039 = select i1 %1038, double %1037, double -1.000000e+03
+  %1040 = fcmp olt double %1039, 1.000000e+03
+  %1041 = select i1 %1040, double %1039, double 1.000000e+03
+  %1042 = call double @llvm.rint.f64(double %1041)
+  %1043 = fsub double %1041, %1042
+  %1044 = call double @llvm.fma.f64(double %1043, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1045 = call double @llvm.fma.f64(double %1044, double %1043, double 0x3F55D87FE78A6730)
+  %1046 = call double @llvm.fma.f64(double %1045, double %1043, double 0x3F83B2AB6FBA4E77)
+  %1047 = call double @llvm.fma.f64(double %1046, double %1043, double 0x3FAC6B08D704A0BF)
+  %1048 = call double @llvm.fma.f64(double %1047, double %1043, double 0x3FCEBFBDFF82C58E)
+  %1049 = call double @llvm.fma.f64(double %1048, double %1043, double 0x3FE62E42FEFA39EF)
+  %1050 = call double @llvm.fma.f64(double %1049, double %1043, double 1.000000e+00)
+  %1051 = fptosi double %1042 to i32
+  %1052 = zext i32 %1051 to i64
+  %1053 = shl i64 %1052, 52
+  %1054 = bitcast double %1050 to i64
+  %1055 = add i64 %1053, %1054
+  %1056 = bitcast i64 %1055 to double
+  %1057 = fmul double %1013, %1056
+  %1058 = getelementptr i8, ptr %49, i64 16
+  %1059 = load double, ptr %1058, align 8, !noalias !104
+  %1060 = fcmp une double %1059, 0.000000e+00
+  br i1 %1060, label %1061, label %1102
 
-1002:                                             ; preds = %950
-  %1003 = getelementptr i8, ptr %139, i64 24
-  %1004 = load i64, ptr %1003, align 8, !noalias !15
-  %1005 = add i64 %1004, -4604544271217802189
-  %1006 = ashr i64 %1005, 52
-  %1007 = and i64 %1005, -4503599627370496
-  %1008 = sub i64 %1004, %1007
-  %1009 = bitcast i64 %1008 to double
-  %1010 = fadd double %1009, -1.000000e+00
-  %1011 = fadd double %1009, 1.000000e+00
-  %1012 = fdiv double %1010, %1011
-  %1013 = fmul double %1012, %1012
-  %1014 = call double @llvm.fma.f64(double %1013, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1015 = call double @llvm.fma.f64(double %1014, double %1013, double 0x3FE2776C50EF9BFE)
-  %1016 = call double @llvm.fma.f64(double %1015, double %1013, double 0x3FEEC709DC3A03FD)
-  %1017 = call double @llvm.fma.f64(double %1016, double %1013, double 0x40071547652B82FE)
-  %1018 = fmul double %1017, %1012
-  %1019 = trunc nsw i64 %1006 to i32
-  %1020 = sitofp i32 %1019 to double
-  %1021 = fadd double %1018, %1020
-  %1022 = fmul double %1021, %1000
-  %1023 = fcmp ogt double %1022, -1.000000e+03
-  %1024 = select i1 %1023, double %1022, double -1.000000e+03
-  %1025 = fcmp olt double %1024, 1.000000e+03
-  %1026 = select i1 %1025, double %1024, double 1.000000e+03
-  %1027 = call double @llvm.rint.f64(double %1026)
-  %1028 = fsub double %1026, %1027
-  %1029 = call double @llvm.fma.f64(double %1028, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1030 = call double @llvm.fma.f64(double %1029, double %1028, double 0x3F55D87FE78A6730)
-  %1031 = call double @llvm.fma.f64(double %1030, double %1028, double 0x3F83B2AB6FBA4E77)
-  %1032 = call double @llvm.fma.f64(double %1031, double %1028, double 0x3FAC6B08D704A0BF)
-  %1033 = call double @llvm.fma.f64(double %1032, double %1028, double 0x3FCEBFBDFF82C58E)
-  %1034 = call double @llvm.fma.f64(double %1033, double %1028, double 0x3FE62E42FEFA39EF)
-  %1035 = call double @llvm.fma.f64(double %1034, double %1028, double 1.000000e+00)
-  %1036 = fptosi double %1027 to i32
-  %1037 = zext i32 %1036 to i64
-  %1038 = shl i64 %1037, 52
-  %1039 = bitcast double %1035 to i64
-  %1040 = add i64 %1038, %1039
-  %1041 = bitcast i64 %1040 to double
-  %1042 = fmul double %998, %1041
-  br label %1043
+1061:                                             ; preds = %1009
+  %1062 = getelementptr i8, ptr %139, i64 24
+  %1063 = load i64, ptr %1062, align 8, !noalias !15
+  %1064 = add i64 %1063, -4604544271217802189
+  %1065 = ashr i64 %1064, 52
+  %1066 = and i64 %1064, -4503599627370496
+  %1067 = sub i64 %1063, %1066
+  %1068 = bitcast i64 %1067 to double
+  %1069 = fadd double %1068, -1.000000e+00
+  %1070 = fadd double %1068, 1.000000e+00
+  %1071 = fdiv double %1069, %1070
+  %1072 = fmul double %1071, %1071
+  %1073 = call double @llvm.fma.f64(double %1072, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1074 = call double @llvm.fma.f64(double %1073, double %1072, double 0x3FE2776C50EF9BFE)
+  %1075 = call double @llvm.fma.f64(double %1074, double %1072, double 0x3FEEC709DC3A03FD)
+  %1076 = call double @llvm.fma.f64(double %1075, double %1072, double 0x40071547652B82FE)
+  %1077 = fmul double %1076, %1071
+  %1078 = trunc nsw i64 %1065 to i32
+  %1079 = sitofp i32 %1078 to double
+  %1080 = fadd double %1077, %1079
+  %1081 = fmul double %1080, %1059
+  %1082 = fcmp ogt double %1081, -1.000000e+03
+  %1083 = select i1 %1082, double %1081, double -1.000000e+03
+  %1084 = fcmp olt double %1083, 1.000000e+03
+  %1085 = select i1 %1084, double %1083, double 1.000000e+03
+  %1086 = call double @llvm.rint.f64(double %1085)
+  %1087 = fsub double %1085, %1086
+  %1088 = call double @llvm.fma.f64(double %1087, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1089 = call double @llvm.fma.f64(double %1088, double %1087, double 0x3F55D87FE78A6730)
+  %1090 = call double @llvm.fma.f64(double %1089, double %1087, double 0x3F83B2AB6FBA4E77)
+  %1091 = call double @llvm.fma.f64(double %1090, double %1087, double 0x3FAC6B08D704A0BF)
+  %1092 = call double @llvm.fma.f64(double %1091, double %1087, double 0x3FCEBFBDFF82C58E)
+  %1093 = call double @llvm.fma.f64(double %1092, double %1087, double 0x3FE62E42FEFA39EF)
+  %1094 = call double @llvm.fma.f64(double %1093, double %1087, double 1.000000e+00)
+  %1095 = fptosi double %1086 to i32
+  %1096 = zext i32 %1095 to i64
+  %1097 = shl i64 %1096, 52
+  %1098 = bitcast double %1094 to i64
+  %1099 = add i64 %1097, %1098
+  %1100 = bitcast i64 %1099 to double
+  %1101 = fmul double %1057, %1100
+  br label %1102
 
-1043:                                             ; preds = %1002, %950
-  %1044 = phi double [ %1042, %1002 ], [ %998, %950 ]
-  %1045 = getelementptr i8, ptr %49, i64 32
-  %1046 = load double, ptr %1045, align 8, !noalias !102
-  %1047 = fcmp ogt double %1044, %1046
-  %1048 = select i1 %1047, double %1044, double %1046
-  %1049 = fcmp olt double %952, %1048
-  %1050 = select i1 %1049, double %952, double %1048
-  %1051 = fmul double %463, %1050
-  %1052 = fcmp ogt double %667, 1.000000e-04
-  %1053 = select i1 %1052, double %667, double 1.000000e-04
-  %1054 = getelementptr i8, ptr %139, i64 24
-  store double %1053, ptr %1054, align 8, !noalias !15
-  %1055 = getelementptr i8, ptr %49, i64 40
-  %1056 = load double, ptr %1055, align 8, !noalias !15
-  store double %1056, ptr %951, align 8, !noalias !15
-  br label %1057
+1102:                                             ; preds = %1061, %1009
+  %1103 = phi double [ %1101, %1061 ], [ %1057, %1009 ]
+  %1104 = getelementptr i8, ptr %49, i64 32
+  %1105 = load double, ptr %1104, align 8, !noalias !104
+  %1106 = fcmp ogt double %1103, %1105
+  %1107 = select i1 %1106, double %1103, double %1105
+  %1108 = fcmp olt double %1011, %1107
+  %1109 = select i1 %1108, double %1011, double %1107
+  %1110 = fmul double %466, %1109
+  %1111 = fcmp ogt double %726, 1.000000e-04
+  %1112 = select i1 %1111, double %726, double 1.000000e-04
+  %1113 = getelementptr i8, ptr %139, i64 24
+  store double %1112, ptr %1113, align 8, !noalias !15
+  %1114 = getelementptr i8, ptr %49, i64 40
+  %1115 = load double, ptr %1114, align 8, !noalias !15
+  store double %1115, ptr %1010, align 8, !noalias !15
+  br label %1116
 
-1057:                                             ; preds = %1043, %949
-  %1058 = phi double [ %1051, %1043 ], [ %420, %949 ]
-  %1059 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %1060
+1116:                                             ; preds = %1102, %1008
+  %1117 = phi double [ %1110, %1102 ], [ %423, %1008 ]
+  %1118 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %1119
 
-1060:                                             ; preds = %1057, %1295
-  %1061 = phi i64 [ 0, %1057 ], [ %1297, %1295 ]
-  %1062 = phi i64 [ %1059, %1057 ], [ %1296, %1295 ]
-  %1063 = icmp sgt i64 %1062, 0
-  br i1 %1063, label %1295, label %1064
+1119:                                             ; preds = %1116, %1354
+  %1120 = phi i64 [ 0, %1116 ], [ %1356, %1354 ]
+  %1121 = phi i64 [ %1118, %1116 ], [ %1355, %1354 ]
+  %1122 = icmp sgt i64 %1121, 0
+  br i1 %1122, label %1354, label %1123
 
-1064:                                             ; preds = %1060
-  %1065 = getelementptr i8, ptr %144, i64 48
-  %1066 = load i64, ptr %1065, align 8, !noalias !15
-  %1067 = icmp eq i64 %1066, %148
-  br i1 %1067, label %1132, label %419
+1123:                                             ; preds = %1119
+  %1124 = getelementptr i8, ptr %144, i64 48
+  %1125 = load i64, ptr %1124, align 8, !noalias !15
+  %1126 = icmp eq i64 %1125, %148
+  br i1 %1126, label %1191, label %422
 
-1068:                                             ; preds = %664
-  %1069 = load i64, ptr %429, align 8, !noalias !15
-  %1070 = add nsw i64 %1069, 1
-  store i64 %1070, ptr %429, align 8, !noalias !15
-  %1071 = fsub double %667, %667
-  %1072 = fcmp ord double %1071, 0.000000e+00
-  %1073 = and i1 %668, %1072
-  %1074 = select i1 %1073, i64 2, i64 4
-  %1075 = select i1 %668, i64 %1074, i64 3
-  %1076 = getelementptr i8, ptr %144, i64 72
-  store i64 %1075, ptr %1076, align 8, !noalias !15
-  br i1 %233, label %1077, label %1130
+1127:                                             ; preds = %723
+  %1128 = load i64, ptr %432, align 8, !noalias !15
+  %1129 = add nsw i64 %1128, 1
+  store i64 %1129, ptr %432, align 8, !noalias !15
+  %1130 = fsub double %726, %726
+  %1131 = fcmp ord double %1130, 0.000000e+00
+  %1132 = and i1 %727, %1131
+  %1133 = select i1 %1132, i64 2, i64 4
+  %1134 = select i1 %727, i64 %1133, i64 3
+  %1135 = getelementptr i8, ptr %144, i64 72
+  store i64 %1134, ptr %1135, align 8, !noalias !15
+  br i1 %233, label %1136, label %1189
 
-1077:                                             ; preds = %1068
-  %1078 = getelementptr i8, ptr %49, i64 24
-  %1079 = load double, ptr %1078, align 8, !noalias !105
-  %1080 = fcmp ogt double %667, 1.000000e-10
-  %1081 = select i1 %1080, double %667, double 1.000000e-10
-  %1082 = bitcast double %1081 to i64
-  %1083 = add nsw i64 %1082, -4604544271217802189
-  %1084 = and i64 %1083, -4503599627370496
-  %1085 = sub i64 %1082, %1084
-  %1086 = bitcast i64 %1085 to double
-  %1087 = fadd double %1086, -1.000000e+00
-  %1088 = fadd double %1086, 1.000000e+00
-  %1089 = fdiv double %1087, %1088
-  %1090 = fmul double %1089, %1089
-  %1091 = call double @llvm.fma.f64(double %1090, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1092 = call double @llvm.fma.f64(double %1091, double %1090, double 0x3FE2776C50EF9BFE)
-  %1093 = call double @llvm.fma.f64(double %1092, double %1090, double 0x3FEEC709DC3A03FD)
-  %1094 = call double @llvm.fma.f64(double %1093, double %1090, double 0x40071547652B82FE)
-  %1095 = fmul double %1094, %1089
-  %1096 = ashr i64 %1083, 52
-  %1097 = trunc nsw i64 %1096 to i32
-  %1098 = sitofp i32 %1097 to double
-  %1099 = fadd double %1095, %1098
-  %1100 = load double, ptr %49, align 8, !noalias !105
-  %1101 = fneg double %1100
-  %1102 = fmul double %1099, %1101
-  %1103 = fcmp ogt double %1102, -1.000000e+03
-  %1104 = select i1 %1103, double %1102, double -1.000000e+03
-  %1105 = fcmp olt double %1104, 1.000000e+03
-  %1106 = select i1 %1105, double %1104, double 1.000000e+03
-  %1107 = call double @llvm.rint.f64(double %1106)
-  %1108 = fptosi double %1107 to i32
-  %1109 = zext i32 %1108 to i64
-  %1110 = shl i64 %1109, 52
-  %1111 = fsub double %1106, %1107
-  %1112 = call double @llvm.fma.f64(double %1111, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1113 = call double @llvm.fma.f64(double %1112, double %1111, double 0x3F55D87FE78A6730)
-  %1114 = call double @llvm.fma.f64(double %1113, double %1111, double 0x3F83B2AB6FBA4E77)
-  %1115 = call double @llvm.fma.f64(double %1114, double %1111, double 0x3FAC6B08D704A0BF)
-  %1116 = call double @llvm.fma.f64(double %1115, double %1111, double 0x3FCEBFBDFF82C58E)
-  %1117 = call double @llvm.fma.f64(double %1116, double %1111, double 0x3FE62E42FEFA39EF)
-  %1118 = call double @llvm.fma.f64(double %1117, double %1111, double 1.000000e+00)
-  %1119 = bitcast double %1118 to i64
-  %1120 = add i64 %1110, %1119
-  %1121 = bitcast i64 %1120 to double
-  %1122 = fmul double %1079, %1121
-  %1123 = getelementptr i8, ptr %49, i64 32
-  %1124 = load double, ptr %1123, align 8, !noalias !105
-  %1125 = fcmp ogt double %1122, %1124
-  %1126 = select i1 %1125, double %1122, double %1124
-  %1127 = select i1 %1073, double %1126, double 2.500000e-01
-  %1128 = fmul double %463, %1127
-  %1129 = getelementptr i8, ptr %139, i64 40
-  store double 1.000000e+00, ptr %1129, align 8, !noalias !15
-  br label %416
+1136:                                             ; preds = %1127
+  %1137 = getelementptr i8, ptr %49, i64 24
+  %1138 = load double, ptr %1137, align 8, !noalias !107
+  %1139 = fcmp ogt double %726, 1.000000e-10
+  %1140 = select i1 %1139, double %726, double 1.000000e-10
+  %1141 = bitcast double %1140 to i64
+  %1142 = add nsw i64 %1141, -4604544271217802189
+  %1143 = and i64 %1142, -4503599627370496
+  %1144 = sub i64 %1141, %1143
+  %1145 = bitcast i64 %1144 to double
+  %1146 = fadd double %1145, -1.000000e+00
+  %1147 = fadd double %1145, 1.000000e+00
+  %1148 = fdiv double %1146, %1147
+  %1149 = fmul double %1148, %1148
+  %1150 = call double @llvm.fma.f64(double %1149, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1151 = call double @llvm.fma.f64(double %1150, double %1149, double 0x3FE2776C50EF9BFE)
+  %1152 = call double @llvm.fma.f64(double %1151, double %1149, double 0x3FEEC709DC3A03FD)
+  %1153 = call double @llvm.fma.f64(double %1152, double %1149, double 0x40071547652B82FE)
+  %1154 = fmul double %1153, %1148
+  %1155 = ashr i64 %1142, 52
+  %1156 = trunc nsw i64 %1155 to i32
+  %1157 = sitofp i32 %1156 to double
+  %1158 = fadd double %1154, %1157
+  %1159 = load double, ptr %49, align 8, !noalias !107
+  %1160 = fneg double %1159
+  %1161 = fmul double %1158, %1160
+  %1162 = fcmp ogt double %1161, -1.000000e+03
+  %1163 = select i1 %1162, double %1161, double -1.000000e+03
+  %1164 = fcmp olt double %1163, 1.000000e+03
+  %1165 = select i1 %1164, double %1163, double 1.000000e+03
+  %1166 = call double @llvm.rint.f64(double %1165)
+  %1167 = fptosi double %1166 to i32
+  %1168 = zext i32 %1167 to i64
+  %1169 = shl i64 %1168, 52
+  %1170 = fsub double %1165, %1166
+  %1171 = call double @llvm.fma.f64(double %1170, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1172 = call double @llvm.fma.f64(double %1171, double %1170, double 0x3F55D87FE78A6730)
+  %1173 = call double @llvm.fma.f64(double %1172, double %1170, double 0x3F83B2AB6FBA4E77)
+  %1174 = call double @llvm.fma.f64(double %1173, double %1170, double 0x3FAC6B08D704A0BF)
+  %1175 = call double @llvm.fma.f64(double %1174, double %1170, double 0x3FCEBFBDFF82C58E)
+  %1176 = call double @llvm.fma.f64(double %1175, double %1170, double 0x3FE62E42FEFA39EF)
+  %1177 = call double @llvm.fma.f64(double %1176, double %1170, double 1.000000e+00)
+  %1178 = bitcast double %1177 to i64
+  %1179 = add i64 %1169, %1178
+  %1180 = bitcast i64 %1179 to double
+  %1181 = fmul double %1138, %1180
+  %1182 = getelementptr i8, ptr %49, i64 32
+  %1183 = load double, ptr %1182, align 8, !noalias !107
+  %1184 = fcmp ogt double %1181, %1183
+  %1185 = select i1 %1184, double %1181, double %1183
+  %1186 = select i1 %1132, double %1185, double 2.500000e-01
+  %1187 = fmul double %466, %1186
+  %1188 = getelementptr i8, ptr %139, i64 40
+  store double 1.000000e+00, ptr %1188, align 8, !noalias !15
+  br label %419
 
-1130:                                             ; preds = %1068
-  store double %463, ptr %243, align 8, !noalias !15
-  br label %1315
+1189:                                             ; preds = %1127
+  store double %466, ptr %243, align 8, !noalias !15
+  br label %1374
 
-1131:                                             ; preds = %455
-  store double %463, ptr %243, align 8, !noalias !15
-  br label %1315
+1190:                                             ; preds = %458
+  store double %466, ptr %243, align 8, !noalias !15
+  br label %1374
 
-1132:                                             ; preds = %1064
-  store double %1058, ptr %243, align 8, !noalias !15
-  br label %1315
+1191:                                             ; preds = %1123
+  store double %1117, ptr %243, align 8, !noalias !15
+  br label %1374
 
-1133:                                             ; preds = %261, %261
-  %1134 = icmp eq i32 %262, 0
-  br i1 %1134, label %268, label %264
+1192:                                             ; preds = %261, %261
+  %1193 = icmp eq i32 %262, 0
+  br i1 %1193, label %268, label %264
 
-1135:                                             ; preds = %261
-  br label %1315
+1194:                                             ; preds = %261
+  br label %1374
 
-1136:                                             ; preds = %268, %268
-  %1137 = load i8, ptr %19, align 1, !noalias !15
-  %1138 = icmp eq i8 %1137, 0
-  br i1 %1138, label %275, label %274
+1195:                                             ; preds = %268, %268
+  %1196 = load i8, ptr %19, align 1, !noalias !15
+  %1197 = icmp eq i8 %1196, 0
+  br i1 %1197, label %275, label %274
 
-1139:                                             ; preds = %268
-  br label %1315
+1198:                                             ; preds = %268
+  br label %1374
 
-1140:                                             ; preds = %277, %283
-  br label %1315
+1199:                                             ; preds = %277, %285
+  br label %1374
 
-1141:                                             ; preds = %296
-  %1142 = add nsw i64 %298, -1
-  %1143 = add i64 %297, 1
-  %1144 = icmp slt i64 %297, 0
-  %1145 = select i1 %1144, i64 %86, i64 0
-  %1146 = getelementptr double, ptr %87, i64 %297
-  %1147 = getelementptr double, ptr %1146, i64 %1145
-  %1148 = load double, ptr %1147, align 8, !noalias !15
-  %1149 = select i1 %1144, i64 %118, i64 0
-  %1150 = getelementptr double, ptr %119, i64 %297
-  %1151 = getelementptr double, ptr %1150, i64 %1149
-  %1152 = load double, ptr %1151, align 8, !noalias !15
-  %1153 = fmul double %294, %1152
-  %1154 = fadd double %1148, %1153
-  %1155 = select i1 %1144, i64 %96, i64 0
-  %1156 = getelementptr double, ptr %97, i64 %297
-  %1157 = getelementptr double, ptr %1156, i64 %1155
-  store double %1154, ptr %1157, align 8, !noalias !15
-  br label %296
+1200:                                             ; preds = %298
+  %1201 = add nsw i64 %300, -1
+  %1202 = add i64 %299, 1
+  %1203 = icmp slt i64 %299, 0
+  %1204 = select i1 %1203, i64 %86, i64 0
+  %1205 = getelementptr double, ptr %87, i64 %299
+  %1206 = getelementptr double, ptr %1205, i64 %1204
+  %1207 = load double, ptr %1206, align 8, !noalias !15
+  %1208 = select i1 %1203, i64 %118, i64 0
+  %1209 = getelementptr double, ptr %119, i64 %299
+  %1210 = getelementptr double, ptr %1209, i64 %1208
+  %1211 = load double, ptr %1210, align 8, !noalias !15
+  %1212 = fmul double %296, %1211
+  %1213 = fadd double %1207, %1212
+  %1214 = select i1 %1203, i64 %96, i64 0
+  %1215 = getelementptr double, ptr %97, i64 %299
+  %1216 = getelementptr double, ptr %1215, i64 %1214
+  store double %1213, ptr %1216, align 8, !noalias !15
+  br label %298
 
-1158:                                             ; preds = %317, %317
-  br i1 %318, label %322, label %320
+1217:                                             ; preds = %319, %319
+  br i1 %320, label %324, label %322
 
-1159:                                             ; preds = %317
-  br label %1315
+1218:                                             ; preds = %319
+  br label %1374
 
-1160:                                             ; preds = %331
-  br label %1315
+1219:                                             ; preds = %333
+  br label %1374
 
-1161:                                             ; preds = %472
-  %1162 = add nsw i64 %474, -1
-  %1163 = add i64 %473, 1
-  %1164 = icmp slt i64 %473, 0
-  %1165 = select i1 %1164, i64 %101, i64 0
-  %1166 = getelementptr double, ptr %102, i64 %473
-  %1167 = getelementptr double, ptr %1166, i64 %1165
-  store double %463, ptr %1167, align 8, !noalias !15
-  br label %472
+1220:                                             ; preds = %475
+  %1221 = add nsw i64 %477, -1
+  %1222 = add i64 %476, 1
+  %1223 = icmp slt i64 %476, 0
+  %1224 = select i1 %1223, i64 %101, i64 0
+  %1225 = getelementptr double, ptr %102, i64 %476
+  %1226 = getelementptr double, ptr %1225, i64 %1224
+  store double %466, ptr %1226, align 8, !noalias !15
+  br label %475
 
-1168:                                             ; preds = %480
-  %1169 = add nsw i64 %482, -1
-  %1170 = add i64 %481, 1
+1227:                                             ; preds = %483
+  %1228 = add nsw i64 %485, -1
+  %1229 = add i64 %484, 1
   store ptr null, ptr %20, align 8, !noalias !15
-  %1171 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %481, i64 %94, double %463) #2
-  switch i32 %1171, label %1200 [
-    i32 -2, label %1172
-    i32 0, label %1172
+  %1230 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %484, i64 %94, double %466) #2
+  switch i32 %1230, label %1259 [
+    i32 -2, label %1231
+    i32 0, label %1231
   ], !prof !35
 
-1172:                                             ; preds = %1168, %1168
-  %1173 = mul nsw i64 %481, %86
-  %1174 = shl i64 %1173, 3
-  %1175 = add i64 %1174, %116
-  %1176 = getelementptr i8, ptr %144, i64 24
-  %1177 = load i64, ptr %1176, align 8, !noalias !15
-  %1178 = add nsw i64 %1177, 1
-  store i64 %1178, ptr %1176, align 8, !noalias !15
-  %1179 = icmp slt i64 %481, 0
-  %1180 = select i1 %1179, i64 %45, i64 0
-  %1181 = getelementptr double, ptr %46, i64 %481
-  %1182 = getelementptr double, ptr %1181, i64 %1180
-  %1183 = load double, ptr %1182, align 8, !noalias !15
-  %1184 = fmul double %1183, %463
-  %1185 = fadd double %421, %1184
-  store ptr null, ptr %10, align 8, !noalias !108
-  store ptr null, ptr %11, align 8, !noalias !108
-  store double %1185, ptr %55, align 8, !noalias !108
-  %1186 = icmp sgt i64 %67, 0
-  br i1 %1186, label %1187, label %1190
+1231:                                             ; preds = %1227, %1227
+  %1232 = mul nsw i64 %484, %86
+  %1233 = shl i64 %1232, 3
+  %1234 = add i64 %1233, %116
+  %1235 = getelementptr i8, ptr %144, i64 24
+  %1236 = load i64, ptr %1235, align 8, !noalias !15
+  %1237 = add nsw i64 %1236, 1
+  store i64 %1237, ptr %1235, align 8, !noalias !15
+  %1238 = icmp slt i64 %484, 0
+  %1239 = select i1 %1238, i64 %45, i64 0
+  %1240 = getelementptr double, ptr %46, i64 %484
+  %1241 = getelementptr double, ptr %1240, i64 %1239
+  %1242 = load double, ptr %1241, align 8, !noalias !15
+  %1243 = fmul double %1242, %466
+  %1244 = fadd double %424, %1243
+  store ptr null, ptr %10, align 8, !noalias !110
+  store ptr null, ptr %11, align 8, !noalias !110
+  store double %1244, ptr %55, align 8, !noalias !110
+  %1245 = icmp sgt i64 %67, 0
+  br i1 %1245, label %1246, label %1249
 
-1187:                                             ; preds = %1172
-  store ptr null, ptr %10, align 8, !noalias !108
-  %1188 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1185) #2
-  switch i32 %1188, label %1189 [
-    i32 -2, label %1190
-    i32 0, label %1190
+1246:                                             ; preds = %1231
+  store ptr null, ptr %10, align 8, !noalias !110
+  %1247 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1244) #2
+  switch i32 %1247, label %1248 [
+    i32 -2, label %1249
+    i32 0, label %1249
   ], !prof !35
 
-1189:                                             ; preds = %1187
-  br label %1190
+1248:                                             ; preds = %1246
+  br label %1249
 
-1190:                                             ; preds = %1187, %1187, %1172, %1189
-  %1191 = phi i32 [ %1188, %1189 ], [ 0, %1172 ], [ 0, %1187 ], [ 0, %1187 ]
-  switch i32 %1191, label %1197 [
-    i32 -2, label %1192
-    i32 0, label %1192
+1249:                                             ; preds = %1246, %1246, %1231, %1248
+  %1250 = phi i32 [ %1247, %1248 ], [ 0, %1231 ], [ 0, %1246 ], [ 0, %1246 ]
+  switch i32 %1250, label %1256 [
+    i32 -2, label %1251
+    i32 0, label %1251
   ], !prof !35
 
-1192:                                             ; preds = %1190, %1190
-  %1193 = load i64, ptr %52, align 8, !noalias !115
-  %1194 = inttoptr i64 %1193 to ptr
-  %1195 = inttoptr i64 %1175 to ptr
-  %1196 = call i32 %1194(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1195) #2, !noalias !115
-  br label %1197
+1251:                                             ; preds = %1249, %1249
+  %1252 = load i64, ptr %52, align 8, !noalias !117
+  %1253 = inttoptr i64 %1252 to ptr
+  %1254 = inttoptr i64 %1234 to ptr
+  %1255 = call i32 %1253(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1254) #2, !noalias !117
+  br label %1256
 
-1197:                                             ; preds = %1190, %1192
-  %1198 = phi i32 [ %1196, %1192 ], [ 0, %1190 ]
-  %1199 = phi i32 [ 0, %1192 ], [ %1191, %1190 ]
-  switch i32 %1199, label %1203 [
-    i32 -2, label %1201
-    i32 0, label %1201
-  ], !prof !35
-
-1200:                                             ; preds = %1168
-  br label %1315
-
-1201:                                             ; preds = %1197, %1197
-  %1202 = icmp eq i32 %1198, 0
-  br i1 %1202, label %480, label %484
-
-1203:                                             ; preds = %1197
-  br label %1315
-
-1204:                                             ; preds = %486
-  br label %1315
-
-1205:                                             ; preds = %510
-  br label %1315
-
-1206:                                             ; preds = %625
-  %1207 = add nsw i64 %627, -1
-  %1208 = add i64 %626, 1
-  %1209 = icmp slt i64 %626, 0
-  %1210 = select i1 %1209, i64 %91, i64 0
-  %1211 = getelementptr double, ptr %92, i64 %626
-  %1212 = getelementptr double, ptr %1211, i64 %1210
-  %1213 = load double, ptr %1212, align 8, !noalias !15
-  %1214 = fmul double %1213, 0.000000e+00
-  %1215 = fadd double %628, %1214
-  br label %625
-
-1216:                                             ; preds = %660, %660
-  %1217 = sext i32 %661 to i64
-  %1218 = icmp slt i32 %661, 0
-  br i1 %1218, label %663, label %664
-
-1219:                                             ; preds = %660
-  br label %1315
-
-1220:                                             ; preds = %686
-  br label %1315
-
-1221:                                             ; preds = %693
-  %1222 = load i64, ptr %231, align 8, !noalias !15
-  %1223 = add nsw i64 %696, %1222
-  %1224 = icmp slt i64 %1223, 0
-  %1225 = select i1 %1224, i64 %30, i64 0
-  %1226 = getelementptr i64, ptr %31, i64 %1223
-  %1227 = getelementptr i64, ptr %1226, i64 %1225
-  %1228 = load i64, ptr %1227, align 8, !noalias !116
-  %1229 = shl i64 %1228, 3
-  %1230 = add i64 %1229, %33
-  %1231 = add i64 %1229, %38
-  %1232 = icmp slt i64 %1223, -1
-  %1233 = select i1 %1232, i64 %30, i64 0
-  %1234 = getelementptr i8, ptr %1226, i64 8
-  %1235 = getelementptr i64, ptr %1234, i64 %1233
-  %1236 = load i64, ptr %1235, align 8, !noalias !116
-  %1237 = xor i64 %1228, -1
-  %1238 = add i64 %1236, %1237
-  %1239 = getelementptr i8, ptr %52, i64 16
-  %1240 = load i64, ptr %1239, align 8, !noalias !116
-  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1230, i64 %1231, i64 %1238, i64 1, i64 %1240) #2, !noalias !116
-  %1241 = mul nsw i64 %696, %86
-  %1242 = shl i64 %1241, 3
-  %1243 = add i64 %1242, %116
-  %1244 = getelementptr i8, ptr %144, i64 24
-  %1245 = load i64, ptr %1244, align 8, !noalias !15
-  %1246 = add nsw i64 %1245, 1
-  store i64 %1246, ptr %1244, align 8, !noalias !15
-  %1247 = icmp slt i64 %696, 0
-  %1248 = select i1 %1247, i64 %45, i64 0
-  %1249 = getelementptr double, ptr %46, i64 %696
-  %1250 = getelementptr double, ptr %1249, i64 %1248
-  %1251 = load double, ptr %1250, align 8, !noalias !15
-  %1252 = fmul double %1251, %463
-  %1253 = fadd double %421, %1252
-  store ptr null, ptr %4, align 8, !noalias !122
-  store ptr null, ptr %5, align 8, !noalias !122
-  store double %1253, ptr %55, align 8, !noalias !122
-  %1254 = icmp sgt i64 %67, 0
-  br i1 %1254, label %1255, label %1258
-
-1255:                                             ; preds = %1221
-  store ptr null, ptr %4, align 8, !noalias !122
-  %1256 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1253) #2
-  switch i32 %1256, label %1257 [
-    i32 -2, label %1258
-    i32 0, label %1258
-  ], !prof !35
-
-1257:                                             ; preds = %1255
-  br label %1258
-
-1258:                                             ; preds = %1255, %1255, %1221, %1257
-  %1259 = phi i32 [ %1256, %1257 ], [ 0, %1221 ], [ 0, %1255 ], [ 0, %1255 ]
-  switch i32 %1259, label %1265 [
+1256:                                             ; preds = %1249, %1251
+  %1257 = phi i32 [ %1255, %1251 ], [ 0, %1249 ]
+  %1258 = phi i32 [ 0, %1251 ], [ %1250, %1249 ]
+  switch i32 %1258, label %1262 [
     i32 -2, label %1260
     i32 0, label %1260
   ], !prof !35
 
-1260:                                             ; preds = %1258, %1258
-  %1261 = load i64, ptr %52, align 8, !noalias !129
-  %1262 = inttoptr i64 %1261 to ptr
-  %1263 = inttoptr i64 %1243 to ptr
-  %1264 = call i32 %1262(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1263) #2, !noalias !129
-  br label %1265
+1259:                                             ; preds = %1227
+  br label %1374
 
-1265:                                             ; preds = %1258, %1260
-  %1266 = phi i32 [ %1264, %1260 ], [ 0, %1258 ]
-  %1267 = phi i32 [ 0, %1260 ], [ %1259, %1258 ]
-  switch i32 %1267, label %1271 [
-    i32 -2, label %1268
-    i32 0, label %1268
+1260:                                             ; preds = %1256, %1256
+  %1261 = icmp eq i32 %1257, 0
+  br i1 %1261, label %483, label %487
+
+1262:                                             ; preds = %1256
+  br label %1374
+
+1263:                                             ; preds = %489
+  br label %1374
+
+1264:                                             ; preds = %513
+  br label %1374
+
+1265:                                             ; preds = %684
+  %1266 = add nsw i64 %686, -1
+  %1267 = add i64 %685, 1
+  %1268 = icmp slt i64 %685, 0
+  %1269 = select i1 %1268, i64 %91, i64 0
+  %1270 = getelementptr double, ptr %92, i64 %685
+  %1271 = getelementptr double, ptr %1270, i64 %1269
+  %1272 = load double, ptr %1271, align 8, !noalias !15
+  %1273 = fmul double %1272, 0.000000e+00
+  %1274 = fadd double %687, %1273
+  br label %684
+
+1275:                                             ; preds = %719, %719
+  %1276 = sext i32 %720 to i64
+  %1277 = icmp slt i32 %720, 0
+  br i1 %1277, label %722, label %723
+
+1278:                                             ; preds = %719
+  br label %1374
+
+1279:                                             ; preds = %745
+  br label %1374
+
+1280:                                             ; preds = %752
+  %1281 = load i64, ptr %231, align 8, !noalias !15
+  %1282 = add nsw i64 %755, %1281
+  %1283 = getelementptr i8, ptr %52, i64 16
+  %1284 = load i64, ptr %1283, align 8, !noalias !118
+  %1285 = icmp slt i64 %1282, 0
+  %1286 = select i1 %1285, i64 %30, i64 0
+  %1287 = getelementptr i64, ptr %31, i64 %1282
+  %1288 = getelementptr i64, ptr %1287, i64 %1286
+  %1289 = load i64, ptr %1288, align 8, !noalias !122
+  %1290 = shl i64 %1289, 3
+  %1291 = add i64 %1290, %33
+  %1292 = add i64 %1290, %38
+  %1293 = icmp slt i64 %1282, -1
+  %1294 = select i1 %1293, i64 %30, i64 0
+  %1295 = getelementptr i8, ptr %1287, i64 8
+  %1296 = getelementptr i64, ptr %1295, i64 %1294
+  %1297 = load i64, ptr %1296, align 8, !noalias !122
+  %1298 = xor i64 %1289, -1
+  %1299 = add i64 %1297, %1298
+  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1291, i64 %1292, i64 %1299, i64 1, i64 %1284) #2, !noalias !122
+  %1300 = mul nsw i64 %755, %86
+  %1301 = shl i64 %1300, 3
+  %1302 = add i64 %1301, %116
+  %1303 = getelementptr i8, ptr %144, i64 24
+  %1304 = load i64, ptr %1303, align 8, !noalias !15
+  %1305 = add nsw i64 %1304, 1
+  store i64 %1305, ptr %1303, align 8, !noalias !15
+  %1306 = icmp slt i64 %755, 0
+  %1307 = select i1 %1306, i64 %45, i64 0
+  %1308 = getelementptr double, ptr %46, i64 %755
+  %1309 = getelementptr double, ptr %1308, i64 %1307
+  %1310 = load double, ptr %1309, align 8, !noalias !15
+  %1311 = fmul double %1310, %466
+  %1312 = fadd double %424, %1311
+  store ptr null, ptr %4, align 8, !noalias !125
+  store ptr null, ptr %5, align 8, !noalias !125
+  store double %1312, ptr %55, align 8, !noalias !125
+  %1313 = icmp sgt i64 %67, 0
+  br i1 %1313, label %1314, label %1317
+
+1314:                                             ; preds = %1280
+  store ptr null, ptr %4, align 8, !noalias !125
+  %1315 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1312) #2
+  switch i32 %1315, label %1316 [
+    i32 -2, label %1317
+    i32 0, label %1317
   ], !prof !35
 
-1268:                                             ; preds = %1265, %1265
-  %1269 = add nsw i64 %695, -1
-  %1270 = icmp eq i32 %1266, 0
-  br i1 %1270, label %693, label %698
+1316:                                             ; preds = %1314
+  br label %1317
 
-1271:                                             ; preds = %1265
-  br label %1315
+1317:                                             ; preds = %1314, %1314, %1280, %1316
+  %1318 = phi i32 [ %1315, %1316 ], [ 0, %1280 ], [ 0, %1314 ], [ 0, %1314 ]
+  switch i32 %1318, label %1324 [
+    i32 -2, label %1319
+    i32 0, label %1319
+  ], !prof !35
 
-1272:                                             ; preds = %724
-  %1273 = load i64, ptr %674, align 8, !noalias !15
-  %1274 = icmp sgt i64 %1273, 0
-  br i1 %1274, label %805, label %812
+1319:                                             ; preds = %1317, %1317
+  %1320 = load i64, ptr %52, align 8, !noalias !132
+  %1321 = inttoptr i64 %1320 to ptr
+  %1322 = inttoptr i64 %1302 to ptr
+  %1323 = call i32 %1321(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1322) #2, !noalias !132
+  br label %1324
 
-1275:                                             ; preds = %840, %1283
-  %1276 = phi i64 [ 0, %840 ], [ %1285, %1283 ]
-  %1277 = phi i64 [ %852, %840 ], [ %1284, %1283 ]
-  %1278 = icmp sgt i64 %1277, 0
-  br i1 %1278, label %1283, label %1279
+1324:                                             ; preds = %1317, %1319
+  %1325 = phi i32 [ %1323, %1319 ], [ 0, %1317 ]
+  %1326 = phi i32 [ 0, %1319 ], [ %1318, %1317 ]
+  switch i32 %1326, label %1330 [
+    i32 -2, label %1327
+    i32 0, label %1327
+  ], !prof !35
 
-1279:                                             ; preds = %1275
-  %1280 = load i64, ptr %720, align 8, !noalias !130
-  %1281 = getelementptr i8, ptr %52, i64 16
-  %1282 = load i64, ptr %1281, align 8, !noalias !130
-  call fastcc void @pydy_nested(i64 %851, i64 %84, i64 %121, i64 %86, i64 %1280, i64 %104, i64 %1282) #2, !noalias !130
-  br i1 %826, label %853, label %860
+1327:                                             ; preds = %1324, %1324
+  %1328 = add nsw i64 %754, -1
+  %1329 = icmp eq i32 %1325, 0
+  br i1 %1329, label %752, label %757
 
-1283:                                             ; preds = %1275
-  %1284 = add nsw i64 %1277, -1
-  %1285 = add i64 %1276, 1
-  %1286 = icmp slt i64 %1276, 0
-  %1287 = select i1 %1286, i64 %106, i64 0
-  %1288 = getelementptr double, ptr %107, i64 %1276
-  %1289 = getelementptr double, ptr %1288, i64 %1287
-  store double %848, ptr %1289, align 8, !noalias !130
-  br label %1275
+1330:                                             ; preds = %1324
+  br label %1374
 
-1290:                                             ; preds = %892
-  %1291 = load i64, ptr %191, align 8, !noalias !15
-  %1292 = icmp eq i64 %1291, 1
-  br i1 %1292, label %914, label %919
+1331:                                             ; preds = %783
+  %1332 = load i64, ptr %733, align 8, !noalias !15
+  %1333 = icmp sgt i64 %1332, 0
+  br i1 %1333, label %864, label %871
 
-1293:                                             ; preds = %924
-  br label %1315
+1334:                                             ; preds = %899, %1342
+  %1335 = phi i64 [ 0, %899 ], [ %1344, %1342 ]
+  %1336 = phi i64 [ %911, %899 ], [ %1343, %1342 ]
+  %1337 = icmp sgt i64 %1336, 0
+  br i1 %1337, label %1342, label %1338
 
-1294:                                             ; preds = %930
-  store double %822, ptr %139, align 8, !noalias !15
+1338:                                             ; preds = %1334
+  %1339 = load i64, ptr %779, align 8, !noalias !133
+  %1340 = getelementptr i8, ptr %52, i64 16
+  %1341 = load i64, ptr %1340, align 8, !noalias !133
+  call fastcc void @pydy_nested(i64 %910, i64 %84, i64 %121, i64 %86, i64 %1339, i64 %104, i64 %1341) #2, !noalias !133
+  br i1 %885, label %912, label %919
+
+1342:                                             ; preds = %1334
+  %1343 = add nsw i64 %1336, -1
+  %1344 = add i64 %1335, 1
+  %1345 = icmp slt i64 %1335, 0
+  %1346 = select i1 %1345, i64 %106, i64 0
+  %1347 = getelementptr double, ptr %107, i64 %1335
+  %1348 = getelementptr double, ptr %1347, i64 %1346
+  store double %907, ptr %1348, align 8, !noalias !133
+  br label %1334
+
+1349:                                             ; preds = %951
+  %1350 = load i64, ptr %191, align 8, !noalias !15
+  %1351 = icmp eq i64 %1350, 1
+  br i1 %1351, label %973, label %978
+
+1352:                                             ; preds = %983
+  br label %1374
+
+1353:                                             ; preds = %989
+  store double %881, ptr %139, align 8, !noalias !15
   store double 0.000000e+00, ptr %243, align 8, !noalias !15
   store i64 0, ptr %144, align 8, !noalias !15
-  br label %945
+  br label %1004
 
-1295:                                             ; preds = %1060
-  %1296 = add nsw i64 %1062, -1
-  %1297 = add i64 %1061, 1
-  %1298 = icmp slt i64 %1061, 0
-  %1299 = select i1 %1298, i64 %91, i64 0
-  %1300 = getelementptr double, ptr %92, i64 %1061
-  %1301 = getelementptr double, ptr %1300, i64 %1299
-  %1302 = load double, ptr %1301, align 8, !noalias !15
-  %1303 = select i1 %1298, i64 %86, i64 0
-  %1304 = getelementptr double, ptr %87, i64 %1061
-  %1305 = getelementptr double, ptr %1304, i64 %1303
-  store double %1302, ptr %1305, align 8, !noalias !15
-  %1306 = add nsw i64 %234, %1061
-  %1307 = icmp slt i64 %1306, 0
-  %1308 = select i1 %1307, i64 %118, i64 0
-  %1309 = getelementptr double, ptr %119, i64 %1306
-  %1310 = getelementptr double, ptr %1309, i64 %1308
-  %1311 = load double, ptr %1310, align 8, !noalias !15
-  %1312 = select i1 %1298, i64 %118, i64 0
-  %1313 = getelementptr double, ptr %119, i64 %1061
-  %1314 = getelementptr double, ptr %1313, i64 %1312
-  store double %1311, ptr %1314, align 8, !noalias !15
-  br label %1060
+1354:                                             ; preds = %1119
+  %1355 = add nsw i64 %1121, -1
+  %1356 = add i64 %1120, 1
+  %1357 = icmp slt i64 %1120, 0
+  %1358 = select i1 %1357, i64 %91, i64 0
+  %1359 = getelementptr double, ptr %92, i64 %1120
+  %1360 = getelementptr double, ptr %1359, i64 %1358
+  %1361 = load double, ptr %1360, align 8, !noalias !15
+  %1362 = select i1 %1357, i64 %86, i64 0
+  %1363 = getelementptr double, ptr %87, i64 %1120
+  %1364 = getelementptr double, ptr %1363, i64 %1362
+  store double %1361, ptr %1364, align 8, !noalias !15
+  %1365 = add nsw i64 %234, %1120
+  %1366 = icmp slt i64 %1365, 0
+  %1367 = select i1 %1366, i64 %118, i64 0
+  %1368 = getelementptr double, ptr %119, i64 %1365
+  %1369 = getelementptr double, ptr %1368, i64 %1367
+  %1370 = load double, ptr %1369, align 8, !noalias !15
+  %1371 = select i1 %1357, i64 %118, i64 0
+  %1372 = getelementptr double, ptr %119, i64 %1120
+  %1373 = getelementptr double, ptr %1372, i64 %1371
+  store double %1370, ptr %1373, align 8, !noalias !15
+  br label %1119
 
-1315:                                             ; preds = %1293, %1271, %1220, %1219, %1205, %1204, %1203, %1200, %1160, %1159, %1140, %1139, %1135, %1132, %1131, %1130, %948, %698, %663, %644, %516, %435, %424, %274, %264, %226
-  %1316 = phi i64 [ 0, %1271 ], [ -1, %226 ], [ 0, %1135 ], [ %267, %264 ], [ 0, %1139 ], [ 0, %274 ], [ 0, %1140 ], [ 0, %1160 ], [ 0, %1159 ], [ -1, %424 ], [ 1, %435 ], [ 2, %1131 ], [ 0, %1204 ], [ 0, %1200 ], [ 0, %1203 ], [ 0, %1205 ], [ -4, %516 ], [ 0, %1293 ], [ 6, %644 ], [ 0, %1219 ], [ -4, %663 ], [ 2, %1130 ], [ 0, %1220 ], [ %947, %948 ], [ 0, %1132 ], [ %701, %698 ]
-  ret i64 %1316
+1374:                                             ; preds = %1352, %1330, %1279, %1278, %1264, %1263, %1262, %1259, %1219, %1218, %1199, %1198, %1194, %1191, %1190, %1189, %1007, %757, %722, %703, %519, %438, %427, %274, %264, %226
+  %1375 = phi i64 [ 0, %1330 ], [ -1, %226 ], [ 0, %1194 ], [ %267, %264 ], [ 0, %1198 ], [ 0, %274 ], [ 0, %1199 ], [ 0, %1219 ], [ 0, %1218 ], [ -1, %427 ], [ 1, %438 ], [ 2, %1190 ], [ 0, %1263 ], [ 0, %1259 ], [ 0, %1262 ], [ 0, %1264 ], [ -4, %519 ], [ 0, %1352 ], [ 6, %703 ], [ 0, %1278 ], [ -4, %722 ], [ 2, %1189 ], [ 0, %1279 ], [ %1006, %1007 ], [ 0, %1191 ], [ %760, %757 ]
+  ret i64 %1375
 }
 
 
@@ -2691,72 +2762,75 @@ attributes #3 = { nounwind willreturn }
 !62 = distinct !{!62, !63}
 !63 = distinct !{!63}
 !64 = distinct !{!64, !63}
-!65 = !{!66, !68, !70, !62, !64, !16, !18}
+!65 = !{!66, !68, !62, !64, !16, !18}
 !66 = distinct !{!66, !67}
 !67 = distinct !{!67}
-!68 = distinct !{!68, !69}
-!69 = distinct !{!69}
-!70 = distinct !{!70, !69}
-!71 = !{!72, !62, !64, !16, !18}
-!72 = distinct !{!72, !73}
-!73 = distinct !{!73}
-!74 = !{!75, !77, !78, !80}
-!75 = distinct !{!75, !76}
-!76 = distinct !{!76}
-!77 = distinct !{!77, !76}
-!78 = distinct !{!78, !79}
-!79 = distinct !{!79}
-!80 = distinct !{!80, !79}
-!81 = !{!78, !80}
-!82 = !{!83, !85, !16, !18}
-!83 = distinct !{!83, !84}
-!84 = distinct !{!84}
-!85 = distinct !{!85, !84}
-!86 = !{!87, !89, !91, !83, !85, !16, !18}
-!87 = distinct !{!87, !88}
-!88 = distinct !{!88}
-!89 = distinct !{!89, !90}
-!90 = distinct !{!90}
-!91 = distinct !{!91, !90}
-!92 = !{!93, !95, !16, !18}
-!93 = distinct !{!93, !94}
-!94 = distinct !{!94}
-!95 = distinct !{!95, !94}
-!96 = !{!97}
-!97 = distinct !{!97, !98}
-!98 = distinct !{!98}
-!99 = !{!100}
-!100 = distinct !{!100, !101}
-!101 = distinct !{!101}
-!102 = !{!103, !16, !18}
-!103 = distinct !{!103, !104}
-!104 = distinct !{!104}
-!105 = !{!106, !16, !18}
-!106 = distinct !{!106, !107}
-!107 = distinct !{!107}
-!108 = !{!109, !111, !112, !114}
-!109 = distinct !{!109, !110}
-!110 = distinct !{!110}
-!111 = distinct !{!111, !110}
-!112 = distinct !{!112, !113}
-!113 = distinct !{!113}
-!114 = distinct !{!114, !113}
-!115 = !{!112, !114}
-!116 = !{!117, !119, !121, !16, !18}
-!117 = distinct !{!117, !118}
-!118 = distinct !{!118}
+!68 = distinct !{!68, !67}
+!69 = !{!70, !62, !64, !16, !18}
+!70 = distinct !{!70, !71}
+!71 = distinct !{!71}
+!72 = !{!73, !62, !64, !16, !18}
+!73 = distinct !{!73, !74}
+!74 = distinct !{!74}
+!75 = !{!76, !78, !79, !81}
+!76 = distinct !{!76, !77}
+!77 = distinct !{!77}
+!78 = distinct !{!78, !77}
+!79 = distinct !{!79, !80}
+!80 = distinct !{!80}
+!81 = distinct !{!81, !80}
+!82 = !{!79, !81}
+!83 = !{!84, !86, !16, !18}
+!84 = distinct !{!84, !85}
+!85 = distinct !{!85}
+!86 = distinct !{!86, !85}
+!87 = !{!88, !90, !84, !86, !16, !18}
+!88 = distinct !{!88, !89}
+!89 = distinct !{!89}
+!90 = distinct !{!90, !89}
+!91 = !{!92, !88, !90, !84, !86, !16, !18}
+!92 = distinct !{!92, !93}
+!93 = distinct !{!93}
+!94 = !{!95, !97, !16, !18}
+!95 = distinct !{!95, !96}
+!96 = distinct !{!96}
+!97 = distinct !{!97, !96}
+!98 = !{!99}
+!99 = distinct !{!99, !100}
+!100 = distinct !{!100}
+!101 = !{!102}
+!102 = distinct !{!102, !103}
+!103 = distinct !{!103}
+!104 = !{!105, !16, !18}
+!105 = distinct !{!105, !106}
+!106 = distinct !{!106}
+!107 = !{!108, !16, !18}
+!108 = distinct !{!108, !109}
+!109 = distinct !{!109}
+!110 = !{!111, !113, !114, !116}
+!111 = distinct !{!111, !112}
+!112 = distinct !{!112}
+!113 = distinct !{!113, !112}
+!114 = distinct !{!114, !115}
+!115 = distinct !{!115}
+!116 = distinct !{!116, !115}
+!117 = !{!114, !116}
+!118 = !{!119, !121, !16, !18}
 !119 = distinct !{!119, !120}
 !120 = distinct !{!120}
 !121 = distinct !{!121, !120}
-!122 = !{!123, !125, !126, !128}
+!122 = !{!123, !119, !121, !16, !18}
 !123 = distinct !{!123, !124}
 !124 = distinct !{!124}
-!125 = distinct !{!125, !124}
+!125 = !{!126, !128, !129, !131}
 !126 = distinct !{!126, !127}
 !127 = distinct !{!127}
 !128 = distinct !{!128, !127}
-!129 = !{!126, !128}
-!130 = !{!131, !133, !16, !18}
-!131 = distinct !{!131, !132}
-!132 = distinct !{!132}
-!133 = distinct !{!133, !132}
+!129 = distinct !{!129, !130}
+!130 = distinct !{!130}
+!131 = distinct !{!131, !130}
+!132 = !{!129, !131}
+!133 = !{!134, !136, !16, !18}
+!134 = distinct !{!134, !135}
+!135 = distinct !{!135}
+!136 = distinct !{!136, !135}

@@ -1,4 +1,4 @@
-; sources 416cbc5170fd6b3423ab4b67ea2364c8376b44e1926c1f5ca2d2003f7e03c8d7
+; sources 8cc789310ec0160ae707e6d4f31c51fcf8ff3f4898f4381785b5bbcc85b0940f
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, i64 %7, ptr %8, i64 %9, i64 %10, ptr %11, i64 %12, ptr %13, i64 %14, i64 %15) unnamed_addr #0 {
@@ -290,7 +290,7 @@ define i64 @evaluate_lanes(i64 %0) local_unnamed_addr #1 {
   br i1 %105, label %163, label %106
 
 106:                                              ; preds = %102
-  %107 = getelementptr i8, ptr %6, i64 24
+  %107 = getelementptr i8, ptr %6, i64 40
   %108 = load i64, ptr %107, align 8, !noalias !9
   %109 = inttoptr i64 %108 to ptr
   call void %109(ptr %19, ptr %22) #1, !noalias !9

@@ -1,4 +1,4 @@
-; sources 3426c7ad3bdcb120ba2e438aca93bcaa32ea9c7a201525355e103f36708be434
+; sources cbeb04bc42e5f927edc1a0501cb68b8d6e71ee9073209cd737f9843d8da06864
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

@@ -1,4 +1,4 @@
-; sources c20c33f48157bea7ae667a0d211c841c6bc9e59b5b399dcfc7833e65bad8b5b0
+; sources 8753b9cc88323e868fda87711d4f2b7ecb2a63c169b4749680c9da07cef812ca
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources 3d58a704a127c4558cfc4cf2bfe3dd599d28e4f3b5ed95458e611a64bb03ada0
+; sources 33d4cdd50a28e3463c97cd6db4872345a0fe9da0a1dffc5e8b7126a8849c1837
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_combine(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr #0 {

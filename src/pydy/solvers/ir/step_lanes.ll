@@ -1,4 +1,4 @@
-; sources ae34f60b13b99f2bf500459390aefbcdc0b1472e80c632083df9e950e73a7c57
+; sources 829ce49b39838ead885a4bd3d57b20e0686307f5c5c8c6d1412b7bcf2faf2bd0
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #0
@@ -857,23 +857,23 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
   %259 = sitofp i64 %258 to double
   br label %260
 
-260:                                              ; preds = %1, %2127
-  %261 = phi i64 [ 0, %1 ], [ %2129, %2127 ]
-  %262 = phi i64 [ 8, %1 ], [ %2128, %2127 ]
-  %263 = phi i64 [ 0, %1 ], [ %2138, %2127 ]
+260:                                              ; preds = %1, %2189
+  %261 = phi i64 [ 0, %1 ], [ %2191, %2189 ]
+  %262 = phi i64 [ 8, %1 ], [ %2190, %2189 ]
+  %263 = phi i64 [ 0, %1 ], [ %2200, %2189 ]
   %264 = icmp sgt i64 %262, 0
-  br i1 %264, label %2127, label %265
+  br i1 %264, label %2189, label %265
 
-265:                                              ; preds = %1063, %260
-  %266 = phi i64 [ %263, %260 ], [ %1007, %1063 ]
+265:                                              ; preds = %1066, %260
+  %266 = phi i64 [ %263, %260 ], [ %1010, %1066 ]
   br label %267
 
-267:                                              ; preds = %2125, %265
-  %268 = phi i64 [ %266, %265 ], [ %1740, %2125 ]
-  %269 = phi i1 [ true, %265 ], [ %2126, %2125 ]
-  br i1 %269, label %270, label %1006
+267:                                              ; preds = %2187, %265
+  %268 = phi i64 [ %266, %265 ], [ %1802, %2187 ]
+  %269 = phi i1 [ true, %265 ], [ %2188, %2187 ]
+  br i1 %269, label %270, label %1009
 
-270:                                              ; preds = %267, %1005
+270:                                              ; preds = %267, %1008
   br label %271
 
 271:                                              ; preds = %270, %306
@@ -936,7 +936,7 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
 
 314:                                              ; preds = %271
   %315 = icmp sgt i64 %276, -1
-  br i1 %315, label %316, label %2139
+  br i1 %315, label %316, label %2201
 
 316:                                              ; preds = %314, %342
   %317 = phi i64 [ %411, %342 ], [ 0, %314 ]
@@ -977,11 +977,11 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
   br label %316
 
 343:                                              ; preds = %316
-  %344 = getelementptr i8, ptr %39, i64 24
+  %344 = getelementptr i8, ptr %39, i64 40
   %345 = load i64, ptr %344, align 8, !noalias !16
   %346 = inttoptr i64 %345 to ptr
   call void %346(ptr %54, ptr %57) #3, !noalias !16
-  br label %2139
+  br label %2201
 
 347:                                              ; preds = %271
   %348 = add nsw i64 %273, -1
@@ -1104,7 +1104,7 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
   br label %422
 
 439:                                              ; preds = %422
-  %440 = getelementptr i8, ptr %39, i64 32
+  %440 = getelementptr i8, ptr %39, i64 48
   %441 = load i64, ptr %440, align 8, !noalias !16
   %442 = add i64 %46, %322
   %443 = call i64 @llvm.smax.i64(i64 %441, i64 0)
@@ -1133,7 +1133,7 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
   br label %444
 
 461:                                              ; preds = %444
-  %462 = getelementptr i8, ptr %39, i64 40
+  %462 = getelementptr i8, ptr %39, i64 56
   %463 = load i64, ptr %462, align 8, !noalias !16
   %464 = add i64 %51, %322
   %465 = call i64 @llvm.smax.i64(i64 %463, i64 0)
@@ -1179,12 +1179,12 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
   store i64 -2, ptr %415, align 8, !noalias !16
   br label %342
 
-495:                                              ; preds = %2139
-  br label %2194
+495:                                              ; preds = %2201
+  br label %2256
 
-496:                                              ; preds = %2139
+496:                                              ; preds = %2201
   %497 = icmp eq i64 %274, 0
-  br i1 %497, label %1006, label %498
+  br i1 %497, label %1009, label %498
 
 498:                                              ; preds = %496
   %499 = load i64, ptr %232, align 8, !noalias !48
@@ -1216,13 +1216,13 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
 512:                                              ; preds = %504, %506
   %513 = phi i64 [ %511, %506 ], [ 0, %504 ]
   %514 = phi i1 [ true, %506 ], [ false, %504 ]
-  br i1 %514, label %968, label %2141, !prof !8
+  br i1 %514, label %971, label %2203, !prof !8
 
-515:                                              ; preds = %968, %970
-  %516 = phi i64 [ 0, %968 ], [ %972, %970 ]
-  %517 = phi i64 [ %969, %968 ], [ %971, %970 ]
+515:                                              ; preds = %971, %973
+  %516 = phi i64 [ 0, %971 ], [ %975, %973 ]
+  %517 = phi i64 [ %972, %971 ], [ %974, %973 ]
   %518 = icmp sgt i64 %517, 0
-  br i1 %518, label %970, label %519
+  br i1 %518, label %973, label %519
 
 519:                                              ; preds = %515
   %520 = getelementptr i8, ptr %193, i64 8
@@ -1230,2169 +1230,2243 @@ define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
   %522 = insertelement <8 x double> poison, double %521, i64 0
   %523 = shufflevector <8 x double> %522, <8 x double> poison, <8 x i32> zeroinitializer
   %524 = fcmp oeq double %521, 0.000000e+00
-  br i1 %524, label %525, label %667
+  br i1 %524, label %525, label %670
 
 525:                                              ; preds = %519
   %526 = load double, ptr %193, align 8, !noalias !48
   %527 = load i64, ptr %232, align 8, !noalias !57
+  %528 = getelementptr i8, ptr %39, i64 24
+  %529 = load i64, ptr %528, align 8, !noalias !57
   store <8 x double> zeroinitializer, ptr %13, align 64, !noalias !61
   store <8 x double> zeroinitializer, ptr %14, align 64, !noalias !61
   store <8 x double> zeroinitializer, ptr %13, align 64, !noalias !61
-  %528 = call fastcc i32 @norm(ptr nonnull %13, ptr %88, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %527) #3
-  %529 = load <8 x double>, ptr %13, align 64, !noalias !61
-  switch i32 %528, label %664 [
-    i32 -2, label %530
-    i32 0, label %530
+  %530 = call fastcc i32 @norm(ptr nonnull %13, ptr %88, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %529) #3
+  %531 = load <8 x double>, ptr %13, align 64, !noalias !61
+  switch i32 %530, label %667 [
+    i32 -2, label %532
+    i32 0, label %532
   ], !prof !56
 
-530:                                              ; preds = %525, %525
+532:                                              ; preds = %525, %525
   store <8 x double> zeroinitializer, ptr %14, align 64, !noalias !61
-  %531 = call fastcc i32 @norm(ptr nonnull %14, ptr %116, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %527) #3
-  %532 = load <8 x double>, ptr %14, align 64, !noalias !61
-  switch i32 %531, label %664 [
-    i32 -2, label %533
-    i32 0, label %533
+  %533 = call fastcc i32 @norm(ptr nonnull %14, ptr %116, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %529) #3
+  %534 = load <8 x double>, ptr %14, align 64, !noalias !61
+  switch i32 %533, label %667 [
+    i32 -2, label %535
+    i32 0, label %535
   ], !prof !56
 
-533:                                              ; preds = %530, %530
-  %534 = fcmp olt <8 x double> %529, splat (double 1.000000e-05)
-  %535 = fcmp olt <8 x double> %532, splat (double 1.000000e-05)
-  %536 = or <8 x i1> %534, %535
-  %537 = fmul <8 x double> %529, splat (double 1.000000e-02)
-  %538 = fdiv <8 x double> %537, %532
-  %539 = select <8 x i1> %536, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %538
-  %540 = insertelement <8 x double> poison, double %526, i64 0
-  %541 = shufflevector <8 x double> %540, <8 x double> poison, <8 x i32> zeroinitializer
-  %542 = fcmp olt <8 x double> %541, %539
-  %543 = select <8 x i1> %542, <8 x double> %541, <8 x double> %539
-  %544 = call i64 @llvm.smax.i64(i64 %527, i64 0)
-  br label %545
+535:                                              ; preds = %532, %532
+  %536 = fcmp olt <8 x double> %531, splat (double 1.000000e-05)
+  %537 = fcmp olt <8 x double> %534, splat (double 1.000000e-05)
+  %538 = or <8 x i1> %536, %537
+  %539 = fmul <8 x double> %531, splat (double 1.000000e-02)
+  %540 = fdiv <8 x double> %539, %534
+  %541 = select <8 x i1> %538, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %540
+  %542 = insertelement <8 x double> poison, double %526, i64 0
+  %543 = shufflevector <8 x double> %542, <8 x double> poison, <8 x i32> zeroinitializer
+  %544 = fcmp olt <8 x double> %543, %541
+  %545 = select <8 x i1> %544, <8 x double> %543, <8 x double> %541
+  %546 = call i64 @llvm.smax.i64(i64 %527, i64 0)
+  br label %547
 
-545:                                              ; preds = %533, %566
-  %546 = phi i64 [ 0, %533 ], [ %568, %566 ]
-  %547 = phi i64 [ %544, %533 ], [ %567, %566 ]
-  %548 = icmp sgt i64 %547, 0
-  br i1 %548, label %566, label %549
+547:                                              ; preds = %535, %568
+  %548 = phi i64 [ 0, %535 ], [ %570, %568 ]
+  %549 = phi i64 [ %546, %535 ], [ %569, %568 ]
+  %550 = icmp sgt i64 %549, 0
+  br i1 %550, label %568, label %551
 
-549:                                              ; preds = %545
-  %550 = shl i64 %87, 3
-  %551 = add i64 %113, %550
-  %552 = fadd <8 x double> %502, %543
+551:                                              ; preds = %547
+  %552 = shl i64 %87, 3
+  %553 = add i64 %113, %552
+  %554 = fadd <8 x double> %502, %545
   store ptr null, ptr %11, align 8, !noalias !65
   store ptr null, ptr %12, align 8, !noalias !65
-  store <8 x double> %552, ptr %44, align 8, !noalias !65
-  br i1 %503, label %553, label %555
+  store <8 x double> %554, ptr %44, align 8, !noalias !65
+  br i1 %503, label %555, label %557
 
-553:                                              ; preds = %549
+555:                                              ; preds = %551
   store ptr null, ptr %11, align 8, !noalias !65
-  %554 = call fastcc i32 @_set_inputs(ptr nonnull %11, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %554, label %664 [
-    i32 -2, label %555
-    i32 0, label %555
+  %556 = call fastcc i32 @_set_inputs(ptr nonnull %11, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %556, label %667 [
+    i32 -2, label %557
+    i32 0, label %557
   ], !prof !56
 
-555:                                              ; preds = %553, %553, %549
-  %556 = load i64, ptr %39, align 8, !noalias !65
-  %557 = inttoptr i64 %556 to ptr
-  %558 = inttoptr i64 %551 to ptr
-  %559 = call i32 %557(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %558) #3, !noalias !65
-  %560 = trunc i32 %559 to i8
-  %561 = bitcast i8 %560 to <8 x i1>
+557:                                              ; preds = %555, %555, %551
+  %558 = load i64, ptr %39, align 8, !noalias !65
+  %559 = inttoptr i64 %558 to ptr
+  %560 = inttoptr i64 %553 to ptr
+  %561 = call i32 %559(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %560) #3, !noalias !65
+  %562 = trunc i32 %561 to i8
+  %563 = bitcast i8 %562 to <8 x i1>
   store <8 x double> zeroinitializer, ptr %10, align 64, !noalias !69
-  %562 = icmp slt i64 %87, 0
-  %563 = select i1 %562, i64 %115, i64 0
-  %564 = add i64 %87, %563
-  %565 = icmp slt i64 %564, 0
-  br i1 %565, label %583, label %584, !prof !4
+  %564 = icmp slt i64 %87, 0
+  %565 = select i1 %564, i64 %115, i64 0
+  %566 = add i64 %87, %565
+  %567 = icmp slt i64 %566, 0
+  br i1 %567, label %585, label %586, !prof !4
 
-566:                                              ; preds = %545
-  %567 = add nsw i64 %547, -1
-  %568 = add i64 %546, 1
-  %569 = shl i64 %546, 6
-  %570 = getelementptr i8, ptr %88, i64 %569
-  %571 = load <8 x double>, ptr %570, align 8, !noalias !57
-  %572 = getelementptr i8, ptr %116, i64 %569
+568:                                              ; preds = %547
+  %569 = add nsw i64 %549, -1
+  %570 = add i64 %548, 1
+  %571 = shl i64 %548, 6
+  %572 = getelementptr i8, ptr %88, i64 %571
   %573 = load <8 x double>, ptr %572, align 8, !noalias !57
-  %574 = fmul <8 x double> %543, %573
-  %575 = fadd <8 x double> %571, %574
-  %576 = getelementptr i8, ptr %98, i64 %569
-  store <8 x double> %575, ptr %576, align 8, !noalias !57
-  br label %545
+  %574 = getelementptr i8, ptr %116, i64 %571
+  %575 = load <8 x double>, ptr %574, align 8, !noalias !57
+  %576 = fmul <8 x double> %545, %575
+  %577 = fadd <8 x double> %573, %576
+  %578 = getelementptr i8, ptr %98, i64 %571
+  store <8 x double> %577, ptr %578, align 8, !noalias !57
+  br label %547
 
-577:                                              ; preds = %588, %591
-  %578 = phi i64 [ 0, %588 ], [ %593, %591 ]
-  %579 = phi i64 [ %544, %588 ], [ %592, %591 ]
-  %580 = icmp sgt i64 %579, 0
-  br i1 %580, label %591, label %581
+579:                                              ; preds = %590, %594
+  %580 = phi i64 [ 0, %590 ], [ %596, %594 ]
+  %581 = phi i64 [ %593, %590 ], [ %595, %594 ]
+  %582 = icmp sgt i64 %581, 0
+  br i1 %582, label %594, label %583
 
-581:                                              ; preds = %577
+583:                                              ; preds = %579
   store <8 x double> zeroinitializer, ptr %10, align 64, !noalias !69
-  %582 = call fastcc i32 @norm(ptr nonnull %10, ptr %590, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %527) #3
-  switch i32 %582, label %664 [
-    i32 -2, label %600
-    i32 0, label %600
+  %584 = call fastcc i32 @norm(ptr nonnull %10, ptr %592, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %529) #3
+  switch i32 %584, label %667 [
+    i32 -2, label %603
+    i32 0, label %603
   ], !prof !56
 
-583:                                              ; preds = %555
-  br label %584
+585:                                              ; preds = %557
+  br label %586
 
-584:                                              ; preds = %583, %555
-  %585 = phi i64 [ 0, %583 ], [ %564, %555 ]
-  %586 = icmp slt i64 %564, %115
-  br i1 %586, label %588, label %587, !prof !8
+586:                                              ; preds = %585, %557
+  %587 = phi i64 [ 0, %585 ], [ %566, %557 ]
+  %588 = icmp slt i64 %566, %115
+  br i1 %588, label %590, label %589, !prof !8
 
-587:                                              ; preds = %584
-  br label %588
+589:                                              ; preds = %586
+  br label %590
 
-588:                                              ; preds = %587, %584
-  %589 = phi i64 [ %115, %587 ], [ %585, %584 ]
-  %590 = getelementptr double, ptr %116, i64 %589
-  br label %577
+590:                                              ; preds = %589, %586
+  %591 = phi i64 [ %115, %589 ], [ %587, %586 ]
+  %592 = getelementptr double, ptr %116, i64 %591
+  %593 = call i64 @llvm.smax.i64(i64 %529, i64 0)
+  br label %579
 
-591:                                              ; preds = %577
-  %592 = add nsw i64 %579, -1
-  %593 = add i64 %578, 1
-  %594 = shl i64 %578, 6
-  %595 = getelementptr i8, ptr %590, i64 %594
-  %596 = load <8 x double>, ptr %595, align 8, !noalias !69
-  %597 = getelementptr i8, ptr %116, i64 %594
-  %598 = load <8 x double>, ptr %597, align 8, !noalias !69
-  %599 = fsub <8 x double> %596, %598
-  store <8 x double> %599, ptr %595, align 8, !noalias !69
-  br label %577
+594:                                              ; preds = %579
+  %595 = add nsw i64 %581, -1
+  %596 = add i64 %580, 1
+  %597 = shl i64 %580, 6
+  %598 = getelementptr i8, ptr %592, i64 %597
+  %599 = load <8 x double>, ptr %598, align 8, !noalias !69
+  %600 = getelementptr i8, ptr %116, i64 %597
+  %601 = load <8 x double>, ptr %600, align 8, !noalias !69
+  %602 = fsub <8 x double> %599, %601
+  store <8 x double> %602, ptr %598, align 8, !noalias !69
+  br label %579
 
-600:                                              ; preds = %581, %581
-  %601 = load <8 x double>, ptr %10, align 64, !noalias !69
-  %602 = fdiv <8 x double> %601, %543
-  %603 = fcmp ogt <8 x double> %532, %602
-  %604 = select <8 x i1> %603, <8 x double> %532, <8 x double> %602
-  %605 = fcmp ogt <8 x double> %604, splat (double 1.000000e-15)
-  %606 = fdiv <8 x double> splat (double 1.000000e-02), %604
-  %607 = select <8 x i1> %605, <8 x double> %606, <8 x double> splat (double 1.000000e+13)
-  %608 = load double, ptr %36, align 8, !noalias !69
-  %609 = insertelement <8 x double> poison, double %608, i64 0
-  %610 = shufflevector <8 x double> %609, <8 x double> poison, <8 x i32> zeroinitializer
-  %611 = bitcast <8 x double> %607 to <8 x i64>
-  %612 = add nsw <8 x i64> %611, splat (i64 -4604544271217802189)
-  %613 = ashr <8 x i64> %612, splat (i64 52)
-  %614 = and <8 x i64> %612, splat (i64 -4503599627370496)
-  %615 = sub <8 x i64> %611, %614
-  %616 = bitcast <8 x i64> %615 to <8 x double>
-  %617 = fadd <8 x double> %616, splat (double -1.000000e+00)
-  %618 = fadd <8 x double> %616, splat (double 1.000000e+00)
-  %619 = fdiv <8 x double> %617, %618
-  %620 = fmul <8 x double> %619, %619
-  %621 = call <8 x double> @llvm.fma.v8f64(<8 x double> %620, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %622 = call <8 x double> @llvm.fma.v8f64(<8 x double> %621, <8 x double> %620, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %623 = call <8 x double> @llvm.fma.v8f64(<8 x double> %622, <8 x double> %620, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %624 = call <8 x double> @llvm.fma.v8f64(<8 x double> %623, <8 x double> %620, <8 x double> splat (double 0x40071547652B82FE))
-  %625 = fmul <8 x double> %624, %619
-  %626 = trunc nsw <8 x i64> %613 to <8 x i32>
-  %627 = sitofp <8 x i32> %626 to <8 x double>
-  %628 = fadd <8 x double> %625, %627
-  %629 = fmul <8 x double> %628, %610
-  %630 = fcmp ogt <8 x double> %629, splat (double -1.000000e+03)
-  %631 = select <8 x i1> %630, <8 x double> %629, <8 x double> splat (double -1.000000e+03)
-  %632 = fcmp olt <8 x double> %631, splat (double 1.000000e+03)
-  %633 = select <8 x i1> %632, <8 x double> %631, <8 x double> splat (double 1.000000e+03)
-  %634 = call <8 x double> @llvm.rint.v8f64(<8 x double> %633)
-  %635 = fsub <8 x double> %633, %634
-  %636 = call <8 x double> @llvm.fma.v8f64(<8 x double> %635, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %637 = call <8 x double> @llvm.fma.v8f64(<8 x double> %636, <8 x double> %635, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %638 = call <8 x double> @llvm.fma.v8f64(<8 x double> %637, <8 x double> %635, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %639 = call <8 x double> @llvm.fma.v8f64(<8 x double> %638, <8 x double> %635, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %640 = call <8 x double> @llvm.fma.v8f64(<8 x double> %639, <8 x double> %635, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %641 = call <8 x double> @llvm.fma.v8f64(<8 x double> %640, <8 x double> %635, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %642 = call <8 x double> @llvm.fma.v8f64(<8 x double> %641, <8 x double> %635, <8 x double> splat (double 1.000000e+00))
-  %643 = fptosi <8 x double> %634 to <8 x i32>
-  %644 = zext <8 x i32> %643 to <8 x i64>
-  %645 = shl <8 x i64> %644, splat (i64 52)
-  %646 = bitcast <8 x double> %642 to <8 x i64>
-  %647 = add <8 x i64> %645, %646
-  %648 = bitcast <8 x i64> %647 to <8 x double>
-  %649 = fmul <8 x double> %543, splat (double 1.000000e-03)
-  %650 = fcmp olt <8 x double> %649, splat (double 0x3EB0C6F7A0B5ED8D)
-  %651 = select <8 x i1> %650, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %649
-  %652 = fmul <8 x double> %543, splat (double 1.000000e+02)
-  %653 = select <8 x i1> %605, <8 x double> %648, <8 x double> %651
-  %654 = fcmp olt <8 x double> %652, %653
-  %655 = select <8 x i1> %654, <8 x double> %652, <8 x double> %653
-  %656 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %502)
-  %657 = fmul <8 x double> %656, splat (double 0x3D30000000000000)
-  %658 = fcmp ogt <8 x double> %657, %655
-  %659 = select <8 x i1> %658, <8 x double> %657, <8 x double> %655
-  %660 = shufflevector <8 x double> %540, <8 x double> poison, <8 x i32> zeroinitializer
-  %661 = fcmp olt <8 x double> %660, %659
-  %662 = select <8 x i1> %661, <8 x double> %660, <8 x double> %659
-  %663 = select <8 x i1> %561, <8 x double> %649, <8 x double> %662
-  br label %664
+603:                                              ; preds = %583, %583
+  %604 = load <8 x double>, ptr %10, align 64, !noalias !69
+  %605 = fdiv <8 x double> %604, %545
+  %606 = fcmp ogt <8 x double> %534, %605
+  %607 = select <8 x i1> %606, <8 x double> %534, <8 x double> %605
+  %608 = fcmp ogt <8 x double> %607, splat (double 1.000000e-15)
+  %609 = fdiv <8 x double> splat (double 1.000000e-02), %607
+  %610 = select <8 x i1> %608, <8 x double> %609, <8 x double> splat (double 1.000000e+13)
+  %611 = load double, ptr %36, align 8, !noalias !69
+  %612 = insertelement <8 x double> poison, double %611, i64 0
+  %613 = shufflevector <8 x double> %612, <8 x double> poison, <8 x i32> zeroinitializer
+  %614 = bitcast <8 x double> %610 to <8 x i64>
+  %615 = add nsw <8 x i64> %614, splat (i64 -4604544271217802189)
+  %616 = ashr <8 x i64> %615, splat (i64 52)
+  %617 = and <8 x i64> %615, splat (i64 -4503599627370496)
+  %618 = sub <8 x i64> %614, %617
+  %619 = bitcast <8 x i64> %618 to <8 x double>
+  %620 = fadd <8 x double> %619, splat (double -1.000000e+00)
+  %621 = fadd <8 x double> %619, splat (double 1.000000e+00)
+  %622 = fdiv <8 x double> %620, %621
+  %623 = fmul <8 x double> %622, %622
+  %624 = call <8 x double> @llvm.fma.v8f64(<8 x double> %623, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
+  %625 = call <8 x double> @llvm.fma.v8f64(<8 x double> %624, <8 x double> %623, <8 x double> splat (double 0x3FE2776C50EF9BFE))
+  %626 = call <8 x double> @llvm.fma.v8f64(<8 x double> %625, <8 x double> %623, <8 x double> splat (double 0x3FEEC709DC3A03FD))
+  %627 = call <8 x double> @llvm.fma.v8f64(<8 x double> %626, <8 x double> %623, <8 x double> splat (double 0x40071547652B82FE))
+  %628 = fmul <8 x double> %627, %622
+  %629 = trunc nsw <8 x i64> %616 to <8 x i32>
+  %630 = sitofp <8 x i32> %629 to <8 x double>
+  %631 = fadd <8 x double> %628, %630
+  %632 = fmul <8 x double> %631, %613
+  %633 = fcmp ogt <8 x double> %632, splat (double -1.000000e+03)
+  %634 = select <8 x i1> %633, <8 x double> %632, <8 x double> splat (double -1.000000e+03)
+  %635 = fcmp olt <8 x double> %634, splat (double 1.000000e+03)
+  %636 = select <8 x i1> %635, <8 x double> %634, <8 x double> splat (double 1.000000e+03)
+  %637 = call <8 x double> @llvm.rint.v8f64(<8 x double> %636)
+  %638 = fsub <8 x double> %636, %637
+  %639 = call <8 x double> @llvm.fma.v8f64(<8 x double> %638, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
+  %640 = call <8 x double> @llvm.fma.v8f64(<8 x double> %639, <8 x double> %638, <8 x double> splat (double 0x3F55D87FE78A6730))
+  %641 = call <8 x double> @llvm.fma.v8f64(<8 x double> %640, <8 x double> %638, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
+  %642 = call <8 x double> @llvm.fma.v8f64(<8 x double> %641, <8 x double> %638, <8 x double> splat (double 0x3FAC6B08D704A0BF))
+  %643 = call <8 x double> @llvm.fma.v8f64(<8 x double> %642, <8 x double> %638, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
+  %644 = call <8 x double> @llvm.fma.v8f64(<8 x double> %643, <8 x double> %638, <8 x double> splat (double 0x3FE62E42FEFA39EF))
+  %645 = call <8 x double> @llvm.fma.v8f64(<8 x double> %644, <8 x double> %638, <8 x double> splat (double 1.000000e+00))
+  %646 = fptosi <8 x double> %637 to <8 x i32>
+  %647 = zext <8 x i32> %646 to <8 x i64>
+  %648 = shl <8 x i64> %647, splat (i64 52)
+  %649 = bitcast <8 x double> %645 to <8 x i64>
+  %650 = add <8 x i64> %648, %649
+  %651 = bitcast <8 x i64> %650 to <8 x double>
+  %652 = fmul <8 x double> %545, splat (double 1.000000e-03)
+  %653 = fcmp olt <8 x double> %652, splat (double 0x3EB0C6F7A0B5ED8D)
+  %654 = select <8 x i1> %653, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %652
+  %655 = fmul <8 x double> %545, splat (double 1.000000e+02)
+  %656 = select <8 x i1> %608, <8 x double> %651, <8 x double> %654
+  %657 = fcmp olt <8 x double> %655, %656
+  %658 = select <8 x i1> %657, <8 x double> %655, <8 x double> %656
+  %659 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %502)
+  %660 = fmul <8 x double> %659, splat (double 0x3D30000000000000)
+  %661 = fcmp ogt <8 x double> %660, %658
+  %662 = select <8 x i1> %661, <8 x double> %660, <8 x double> %658
+  %663 = shufflevector <8 x double> %542, <8 x double> poison, <8 x i32> zeroinitializer
+  %664 = fcmp olt <8 x double> %663, %662
+  %665 = select <8 x i1> %664, <8 x double> %663, <8 x double> %662
+  %666 = select <8 x i1> %563, <8 x double> %652, <8 x double> %665
+  br label %667
 
-664:                                              ; preds = %553, %525, %530, %581, %600
-  %665 = phi <8 x double> [ zeroinitializer, %525 ], [ %663, %600 ], [ zeroinitializer, %581 ], [ zeroinitializer, %530 ], [ zeroinitializer, %553 ]
-  %666 = phi i1 [ false, %525 ], [ true, %600 ], [ false, %581 ], [ false, %530 ], [ false, %553 ]
-  br i1 %666, label %667, label %2141, !prof !8
+667:                                              ; preds = %555, %525, %532, %583, %603
+  %668 = phi <8 x double> [ zeroinitializer, %525 ], [ %666, %603 ], [ zeroinitializer, %583 ], [ zeroinitializer, %532 ], [ zeroinitializer, %555 ]
+  %669 = phi i1 [ false, %525 ], [ true, %603 ], [ false, %583 ], [ false, %532 ], [ false, %555 ]
+  br i1 %669, label %670, label %2203, !prof !8
 
-667:                                              ; preds = %664, %519
-  %668 = phi double [ 1.000000e+00, %519 ], [ 2.000000e+00, %664 ]
-  %669 = phi <8 x double> [ %523, %519 ], [ %665, %664 ]
-  %670 = load <8 x double>, ptr %141, align 8, !noalias !48
-  %671 = select <8 x i1> %501, <8 x double> %669, <8 x double> %670
-  store <8 x double> %671, ptr %141, align 8, !noalias !48
-  %672 = load <8 x double>, ptr %144, align 8, !noalias !48
-  %673 = select <8 x i1> %501, <8 x double> splat (double 1.000000e-04), <8 x double> %672
-  store <8 x double> %673, ptr %144, align 8, !noalias !48
-  %674 = getelementptr i8, ptr %36, i64 40
-  %675 = load double, ptr %674, align 8, !noalias !48
-  %676 = load <8 x double>, ptr %147, align 8, !noalias !48
-  %677 = insertelement <8 x double> poison, double %675, i64 0
-  %678 = shufflevector <8 x double> %677, <8 x double> poison, <8 x i32> zeroinitializer
-  %679 = select <8 x i1> %501, <8 x double> %678, <8 x double> %676
-  store <8 x double> %679, ptr %147, align 8, !noalias !48
-  %680 = load <8 x double>, ptr %162, align 8, !noalias !48
-  %681 = select <8 x i1> %501, <8 x double> zeroinitializer, <8 x double> %680
-  store <8 x double> %681, ptr %162, align 8, !noalias !48
-  %682 = load <8 x double>, ptr %167, align 8, !noalias !48
-  %683 = select <8 x i1> %501, <8 x double> zeroinitializer, <8 x double> %682
-  store <8 x double> %683, ptr %167, align 8, !noalias !48
-  %684 = load <8 x double>, ptr %172, align 8, !noalias !48
-  %685 = insertelement <8 x double> poison, double %668, i64 0
-  %686 = shufflevector <8 x double> %685, <8 x double> poison, <8 x i32> zeroinitializer
-  %687 = select <8 x i1> %501, <8 x double> %686, <8 x double> %684
-  store <8 x double> %687, ptr %172, align 8, !noalias !48
-  %688 = call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %669, i32 384)
-  %689 = select <8 x i1> %688, <8 x double> splat (double 2.000000e+00), <8 x double> splat (double 4.000000e+00)
-  %690 = load <8 x double>, ptr %177, align 8, !noalias !48
-  %691 = select <8 x i1> %501, <8 x double> %689, <8 x double> %690
-  store <8 x double> %691, ptr %177, align 8, !noalias !48
-  br label %692
+670:                                              ; preds = %667, %519
+  %671 = phi double [ 1.000000e+00, %519 ], [ 2.000000e+00, %667 ]
+  %672 = phi <8 x double> [ %523, %519 ], [ %668, %667 ]
+  %673 = load <8 x double>, ptr %141, align 8, !noalias !48
+  %674 = select <8 x i1> %501, <8 x double> %672, <8 x double> %673
+  store <8 x double> %674, ptr %141, align 8, !noalias !48
+  %675 = load <8 x double>, ptr %144, align 8, !noalias !48
+  %676 = select <8 x i1> %501, <8 x double> splat (double 1.000000e-04), <8 x double> %675
+  store <8 x double> %676, ptr %144, align 8, !noalias !48
+  %677 = getelementptr i8, ptr %36, i64 40
+  %678 = load double, ptr %677, align 8, !noalias !48
+  %679 = load <8 x double>, ptr %147, align 8, !noalias !48
+  %680 = insertelement <8 x double> poison, double %678, i64 0
+  %681 = shufflevector <8 x double> %680, <8 x double> poison, <8 x i32> zeroinitializer
+  %682 = select <8 x i1> %501, <8 x double> %681, <8 x double> %679
+  store <8 x double> %682, ptr %147, align 8, !noalias !48
+  %683 = load <8 x double>, ptr %162, align 8, !noalias !48
+  %684 = select <8 x i1> %501, <8 x double> zeroinitializer, <8 x double> %683
+  store <8 x double> %684, ptr %162, align 8, !noalias !48
+  %685 = load <8 x double>, ptr %167, align 8, !noalias !48
+  %686 = select <8 x i1> %501, <8 x double> zeroinitializer, <8 x double> %685
+  store <8 x double> %686, ptr %167, align 8, !noalias !48
+  %687 = load <8 x double>, ptr %172, align 8, !noalias !48
+  %688 = insertelement <8 x double> poison, double %671, i64 0
+  %689 = shufflevector <8 x double> %688, <8 x double> poison, <8 x i32> zeroinitializer
+  %690 = select <8 x i1> %501, <8 x double> %689, <8 x double> %687
+  store <8 x double> %690, ptr %172, align 8, !noalias !48
+  %691 = call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %672, i32 384)
+  %692 = select <8 x i1> %691, <8 x double> splat (double 2.000000e+00), <8 x double> splat (double 4.000000e+00)
+  %693 = load <8 x double>, ptr %177, align 8, !noalias !48
+  %694 = select <8 x i1> %501, <8 x double> %692, <8 x double> %693
+  store <8 x double> %694, ptr %177, align 8, !noalias !48
+  br label %695
 
-692:                                              ; preds = %667, %718
-  %693 = phi i64 [ 0, %667 ], [ %981, %718 ]
-  %694 = phi i64 [ 8, %667 ], [ %980, %718 ]
-  %695 = icmp sgt i64 %694, 0
-  br i1 %695, label %979, label %719
+695:                                              ; preds = %670, %721
+  %696 = phi i64 [ 0, %670 ], [ %984, %721 ]
+  %697 = phi i64 [ 8, %670 ], [ %983, %721 ]
+  %698 = icmp sgt i64 %697, 0
+  br i1 %698, label %982, label %722
 
-696:                                              ; preds = %979
-  %697 = load double, ptr %198, align 8, !noalias !48
-  %698 = icmp slt i64 %693, 0
-  %699 = select i1 %698, i64 %151, i64 0
-  %700 = getelementptr double, ptr %152, i64 %693
-  %701 = getelementptr double, ptr %700, i64 %699
-  store double 0.000000e+00, ptr %701, align 8, !noalias !48
-  %702 = select i1 %698, i64 %156, i64 0
-  %703 = getelementptr double, ptr %157, i64 %693
+699:                                              ; preds = %982
+  %700 = load double, ptr %198, align 8, !noalias !48
+  %701 = icmp slt i64 %696, 0
+  %702 = select i1 %701, i64 %151, i64 0
+  %703 = getelementptr double, ptr %152, i64 %696
   %704 = getelementptr double, ptr %703, i64 %702
-  store double %697, ptr %704, align 8, !noalias !48
-  %705 = select i1 %698, i64 %181, i64 0
-  %706 = getelementptr i64, ptr %182, i64 %693
-  %707 = getelementptr i64, ptr %706, i64 %705
-  %708 = load i64, ptr %707, align 8, !noalias !48
-  %709 = add nsw i64 %197, -1
-  %710 = mul nsw i64 %708, %709
-  %711 = getelementptr i8, ptr %190, i64 24
-  %712 = load i64, ptr %711, align 8, !noalias !48
-  %713 = shl nsw i64 %710, 3
-  %714 = add nsw i64 %712, %713
-  %715 = select i1 %698, i64 %186, i64 0
-  %716 = getelementptr i64, ptr %187, i64 %693
-  %717 = getelementptr i64, ptr %716, i64 %715
-  store i64 %714, ptr %717, align 8, !noalias !48
-  br label %718
+  store double 0.000000e+00, ptr %704, align 8, !noalias !48
+  %705 = select i1 %701, i64 %156, i64 0
+  %706 = getelementptr double, ptr %157, i64 %696
+  %707 = getelementptr double, ptr %706, i64 %705
+  store double %700, ptr %707, align 8, !noalias !48
+  %708 = select i1 %701, i64 %181, i64 0
+  %709 = getelementptr i64, ptr %182, i64 %696
+  %710 = getelementptr i64, ptr %709, i64 %708
+  %711 = load i64, ptr %710, align 8, !noalias !48
+  %712 = add nsw i64 %197, -1
+  %713 = mul nsw i64 %711, %712
+  %714 = getelementptr i8, ptr %190, i64 24
+  %715 = load i64, ptr %714, align 8, !noalias !48
+  %716 = shl nsw i64 %713, 3
+  %717 = add nsw i64 %715, %716
+  %718 = select i1 %701, i64 %186, i64 0
+  %719 = getelementptr i64, ptr %187, i64 %696
+  %720 = getelementptr i64, ptr %719, i64 %718
+  store i64 %717, ptr %720, align 8, !noalias !48
+  br label %721
 
-718:                                              ; preds = %696, %979
-  br label %692
+721:                                              ; preds = %699, %982
+  br label %695
 
-719:                                              ; preds = %692
-  %720 = xor i64 %513, -1
-  %721 = and i64 %274, %720
-  %722 = icmp eq i64 %721, 0
-  br i1 %722, label %811, label %723
+722:                                              ; preds = %695
+  %723 = xor i64 %513, -1
+  %724 = and i64 %274, %723
+  %725 = icmp eq i64 %724, 0
+  br i1 %725, label %814, label %726
 
-723:                                              ; preds = %719, %745
-  %724 = phi i64 [ %797, %745 ], [ %721, %719 ]
-  %725 = getelementptr i8, ptr %190, i64 32
-  %726 = load i64, ptr %725, align 8, !noalias !73
-  %727 = shl nsw i64 %726, 3
-  %728 = load i64, ptr %232, align 8, !noalias !73
-  br label %729
+726:                                              ; preds = %722, %748
+  %727 = phi i64 [ %800, %748 ], [ %724, %722 ]
+  %728 = getelementptr i8, ptr %190, i64 32
+  %729 = load i64, ptr %728, align 8, !noalias !73
+  %730 = shl nsw i64 %729, 3
+  %731 = load i64, ptr %232, align 8, !noalias !73
+  br label %732
 
-729:                                              ; preds = %723, %743
-  %730 = phi i64 [ %733, %743 ], [ %724, %723 ]
-  %731 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %730, i1 true)
-  %732 = add nsw i64 %730, -1
-  %733 = and i64 %730, %732
-  %734 = getelementptr i64, ptr %187, i64 %731
-  %735 = load i64, ptr %734, align 8, !noalias !73
-  %736 = add nsw i64 %735, 8
-  store i64 %736, ptr %734, align 8, !noalias !73
-  %737 = call i64 @llvm.smax.i64(i64 %728, i64 0)
-  br label %738
+732:                                              ; preds = %726, %746
+  %733 = phi i64 [ %736, %746 ], [ %727, %726 ]
+  %734 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %733, i1 true)
+  %735 = add nsw i64 %733, -1
+  %736 = and i64 %733, %735
+  %737 = getelementptr i64, ptr %187, i64 %734
+  %738 = load i64, ptr %737, align 8, !noalias !73
+  %739 = add nsw i64 %738, 8
+  store i64 %739, ptr %737, align 8, !noalias !73
+  %740 = call i64 @llvm.smax.i64(i64 %731, i64 0)
+  br label %741
 
-738:                                              ; preds = %729, %799
-  %739 = phi i64 [ 0, %729 ], [ %801, %799 ]
-  %740 = phi i64 [ %737, %729 ], [ %800, %799 ]
-  %741 = phi i64 [ %735, %729 ], [ %810, %799 ]
-  %742 = icmp sgt i64 %740, 0
-  br i1 %742, label %799, label %743
+741:                                              ; preds = %732, %802
+  %742 = phi i64 [ 0, %732 ], [ %804, %802 ]
+  %743 = phi i64 [ %740, %732 ], [ %803, %802 ]
+  %744 = phi i64 [ %738, %732 ], [ %813, %802 ]
+  %745 = icmp sgt i64 %743, 0
+  br i1 %745, label %802, label %746
 
-743:                                              ; preds = %738
-  %744 = icmp eq i64 %733, 0
-  br i1 %744, label %745, label %729
+746:                                              ; preds = %741
+  %747 = icmp eq i64 %736, 0
+  br i1 %747, label %748, label %732
 
-745:                                              ; preds = %743
-  %746 = load <8 x double>, ptr %152, align 8, !noalias !73
-  %747 = trunc i64 %724 to i8
-  %748 = bitcast i8 %747 to <8 x i1>
-  %749 = select <8 x i1> %748, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %750 = fadd <8 x double> %746, %749
-  store <8 x double> %750, ptr %152, align 8, !noalias !73
-  %751 = extractelement <8 x double> %750, i64 0
-  %752 = fptosi double %751 to i64
-  %753 = getelementptr double, ptr %198, i64 %752
-  %754 = load double, ptr %753, align 8, !noalias !73
-  %755 = insertelement <8 x double> poison, double %754, i64 0
-  %756 = extractelement <8 x double> %750, i64 1
-  %757 = fptosi double %756 to i64
-  %758 = getelementptr double, ptr %198, i64 %757
-  %759 = load double, ptr %758, align 8, !noalias !73
-  %760 = insertelement <8 x double> %755, double %759, i64 1
-  %761 = extractelement <8 x double> %750, i64 2
-  %762 = fptosi double %761 to i64
-  %763 = getelementptr double, ptr %198, i64 %762
-  %764 = load double, ptr %763, align 8, !noalias !73
-  %765 = insertelement <8 x double> %760, double %764, i64 2
-  %766 = extractelement <8 x double> %750, i64 3
-  %767 = fptosi double %766 to i64
-  %768 = getelementptr double, ptr %198, i64 %767
-  %769 = load double, ptr %768, align 8, !noalias !73
-  %770 = insertelement <8 x double> %765, double %769, i64 3
-  %771 = extractelement <8 x double> %750, i64 4
-  %772 = fptosi double %771 to i64
-  %773 = getelementptr double, ptr %198, i64 %772
-  %774 = load double, ptr %773, align 8, !noalias !73
-  %775 = insertelement <8 x double> %770, double %774, i64 4
-  %776 = extractelement <8 x double> %750, i64 5
-  %777 = fptosi double %776 to i64
-  %778 = getelementptr double, ptr %198, i64 %777
-  %779 = load double, ptr %778, align 8, !noalias !73
-  %780 = insertelement <8 x double> %775, double %779, i64 5
-  %781 = extractelement <8 x double> %750, i64 6
-  %782 = fptosi double %781 to i64
-  %783 = getelementptr double, ptr %198, i64 %782
-  %784 = load double, ptr %783, align 8, !noalias !73
-  %785 = insertelement <8 x double> %780, double %784, i64 6
-  %786 = extractelement <8 x double> %750, i64 7
-  %787 = fptosi double %786 to i64
-  %788 = getelementptr double, ptr %198, i64 %787
-  %789 = load double, ptr %788, align 8, !noalias !73
-  %790 = insertelement <8 x double> %785, double %789, i64 7
-  store <8 x double> %790, ptr %157, align 8, !noalias !73
-  %791 = load double, ptr %198, align 8, !noalias !48
-  %792 = insertelement <8 x double> poison, double %791, i64 0
-  %793 = shufflevector <8 x double> %792, <8 x double> poison, <8 x i32> zeroinitializer
-  %794 = fcmp oeq <8 x double> %790, %793
-  %795 = bitcast <8 x i1> %794 to i8
-  %796 = zext i8 %795 to i64
-  %797 = and i64 %724, %796
-  %798 = icmp eq i64 %797, 0
-  br i1 %798, label %811, label %723
+748:                                              ; preds = %746
+  %749 = load <8 x double>, ptr %152, align 8, !noalias !73
+  %750 = trunc i64 %727 to i8
+  %751 = bitcast i8 %750 to <8 x i1>
+  %752 = select <8 x i1> %751, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %753 = fadd <8 x double> %749, %752
+  store <8 x double> %753, ptr %152, align 8, !noalias !73
+  %754 = extractelement <8 x double> %753, i64 0
+  %755 = fptosi double %754 to i64
+  %756 = getelementptr double, ptr %198, i64 %755
+  %757 = load double, ptr %756, align 8, !noalias !73
+  %758 = insertelement <8 x double> poison, double %757, i64 0
+  %759 = extractelement <8 x double> %753, i64 1
+  %760 = fptosi double %759 to i64
+  %761 = getelementptr double, ptr %198, i64 %760
+  %762 = load double, ptr %761, align 8, !noalias !73
+  %763 = insertelement <8 x double> %758, double %762, i64 1
+  %764 = extractelement <8 x double> %753, i64 2
+  %765 = fptosi double %764 to i64
+  %766 = getelementptr double, ptr %198, i64 %765
+  %767 = load double, ptr %766, align 8, !noalias !73
+  %768 = insertelement <8 x double> %763, double %767, i64 2
+  %769 = extractelement <8 x double> %753, i64 3
+  %770 = fptosi double %769 to i64
+  %771 = getelementptr double, ptr %198, i64 %770
+  %772 = load double, ptr %771, align 8, !noalias !73
+  %773 = insertelement <8 x double> %768, double %772, i64 3
+  %774 = extractelement <8 x double> %753, i64 4
+  %775 = fptosi double %774 to i64
+  %776 = getelementptr double, ptr %198, i64 %775
+  %777 = load double, ptr %776, align 8, !noalias !73
+  %778 = insertelement <8 x double> %773, double %777, i64 4
+  %779 = extractelement <8 x double> %753, i64 5
+  %780 = fptosi double %779 to i64
+  %781 = getelementptr double, ptr %198, i64 %780
+  %782 = load double, ptr %781, align 8, !noalias !73
+  %783 = insertelement <8 x double> %778, double %782, i64 5
+  %784 = extractelement <8 x double> %753, i64 6
+  %785 = fptosi double %784 to i64
+  %786 = getelementptr double, ptr %198, i64 %785
+  %787 = load double, ptr %786, align 8, !noalias !73
+  %788 = insertelement <8 x double> %783, double %787, i64 6
+  %789 = extractelement <8 x double> %753, i64 7
+  %790 = fptosi double %789 to i64
+  %791 = getelementptr double, ptr %198, i64 %790
+  %792 = load double, ptr %791, align 8, !noalias !73
+  %793 = insertelement <8 x double> %788, double %792, i64 7
+  store <8 x double> %793, ptr %157, align 8, !noalias !73
+  %794 = load double, ptr %198, align 8, !noalias !48
+  %795 = insertelement <8 x double> poison, double %794, i64 0
+  %796 = shufflevector <8 x double> %795, <8 x double> poison, <8 x i32> zeroinitializer
+  %797 = fcmp oeq <8 x double> %793, %796
+  %798 = bitcast <8 x i1> %797 to i8
+  %799 = zext i8 %798 to i64
+  %800 = and i64 %727, %799
+  %801 = icmp eq i64 %800, 0
+  br i1 %801, label %814, label %726
 
-799:                                              ; preds = %738
-  %800 = add nsw i64 %740, -1
-  %801 = add i64 %739, 1
-  %802 = shl nsw i64 %739, 3
-  %803 = add nsw i64 %802, %731
-  %804 = icmp slt i64 %803, 0
-  %805 = select i1 %804, i64 %87, i64 0
-  %806 = getelementptr double, ptr %88, i64 %803
-  %807 = getelementptr double, ptr %806, i64 %805
-  %808 = load i64, ptr %807, align 8, !noalias !73
-  %809 = inttoptr i64 %741 to ptr
-  store atomic i64 %808, ptr %809 unordered, align 8, !noalias !73
-  %810 = add nsw i64 %741, %727
-  br label %738
+802:                                              ; preds = %741
+  %803 = add nsw i64 %743, -1
+  %804 = add i64 %742, 1
+  %805 = shl nsw i64 %742, 3
+  %806 = add nsw i64 %805, %734
+  %807 = icmp slt i64 %806, 0
+  %808 = select i1 %807, i64 %87, i64 0
+  %809 = getelementptr double, ptr %88, i64 %806
+  %810 = getelementptr double, ptr %809, i64 %808
+  %811 = load i64, ptr %810, align 8, !noalias !73
+  %812 = inttoptr i64 %744 to ptr
+  store atomic i64 %811, ptr %812 unordered, align 8, !noalias !73
+  %813 = add nsw i64 %744, %730
+  br label %741
 
-811:                                              ; preds = %745, %719
-  br label %812
+814:                                              ; preds = %748, %722
+  br label %815
 
-812:                                              ; preds = %841, %811, %967
-  %813 = phi i64 [ 0, %811 ], [ %987, %967 ], [ %987, %841 ]
-  %814 = phi i64 [ 8, %811 ], [ %986, %967 ], [ %986, %841 ]
-  %815 = icmp sgt i64 %814, 0
-  br i1 %815, label %985, label %991
+815:                                              ; preds = %844, %814, %970
+  %816 = phi i64 [ 0, %814 ], [ %990, %970 ], [ %990, %844 ]
+  %817 = phi i64 [ 8, %814 ], [ %989, %970 ], [ %989, %844 ]
+  %818 = icmp sgt i64 %817, 0
+  br i1 %818, label %988, label %994
 
-816:                                              ; preds = %985
-  %817 = icmp slt i64 %813, 0
-  %818 = select i1 %817, i64 %181, i64 0
-  %819 = getelementptr i64, ptr %182, i64 %813
-  %820 = getelementptr i64, ptr %819, i64 %818
-  %821 = load i64, ptr %820, align 8, !noalias !77
-  %822 = getelementptr i8, ptr %190, i64 32
-  %823 = load i64, ptr %822, align 8, !noalias !77
-  %824 = shl nsw i64 %823, 3
-  %825 = select i1 %817, i64 %151, i64 0
-  %826 = getelementptr double, ptr %152, i64 %813
-  %827 = getelementptr double, ptr %826, i64 %825
-  %828 = load double, ptr %827, align 8, !noalias !77
-  %829 = fptosi double %828 to i64
-  %830 = xor i64 %829, -1
-  %831 = add i64 %197, %830
-  %832 = call i64 @llvm.smax.i64(i64 %831, i64 0)
-  br label %833
+819:                                              ; preds = %988
+  %820 = icmp slt i64 %816, 0
+  %821 = select i1 %820, i64 %181, i64 0
+  %822 = getelementptr i64, ptr %182, i64 %816
+  %823 = getelementptr i64, ptr %822, i64 %821
+  %824 = load i64, ptr %823, align 8, !noalias !77
+  %825 = getelementptr i8, ptr %190, i64 32
+  %826 = load i64, ptr %825, align 8, !noalias !77
+  %827 = shl nsw i64 %826, 3
+  %828 = select i1 %820, i64 %151, i64 0
+  %829 = getelementptr double, ptr %152, i64 %816
+  %830 = getelementptr double, ptr %829, i64 %828
+  %831 = load double, ptr %830, align 8, !noalias !77
+  %832 = fptosi double %831 to i64
+  %833 = xor i64 %832, -1
+  %834 = add i64 %197, %833
+  %835 = call i64 @llvm.smax.i64(i64 %834, i64 0)
+  br label %836
 
-833:                                              ; preds = %837, %816
-  %834 = phi i64 [ 0, %816 ], [ %874, %837 ]
-  %835 = phi i64 [ %832, %816 ], [ %873, %837 ]
-  %836 = icmp sgt i64 %835, 0
-  br i1 %836, label %872, label %841
+836:                                              ; preds = %840, %819
+  %837 = phi i64 [ 0, %819 ], [ %877, %840 ]
+  %838 = phi i64 [ %835, %819 ], [ %876, %840 ]
+  %839 = icmp sgt i64 %838, 0
+  br i1 %839, label %875, label %844
 
-837:                                              ; preds = %872, %883
-  %838 = phi i64 [ %882, %872 ], [ %884, %883 ]
-  %839 = phi i64 [ %880, %872 ], [ %886, %883 ]
-  %840 = icmp sgt i64 %838, 0
-  br i1 %840, label %883, label %833
+840:                                              ; preds = %875, %886
+  %841 = phi i64 [ %885, %875 ], [ %887, %886 ]
+  %842 = phi i64 [ %883, %875 ], [ %889, %886 ]
+  %843 = icmp sgt i64 %841, 0
+  br i1 %843, label %886, label %836
 
-841:                                              ; preds = %833
-  %842 = icmp slt i64 %821, 0
-  %843 = select i1 %842, i64 %223, i64 0
-  %844 = add i64 %821, %843
-  %845 = mul i64 %844, %225
-  %846 = getelementptr i64, ptr %226, i64 %845
-  %847 = select i1 %817, i64 %161, i64 0
-  %848 = getelementptr double, ptr %162, i64 %813
-  %849 = getelementptr double, ptr %848, i64 %847
-  %850 = load double, ptr %849, align 8, !noalias !77
-  %851 = select i1 %817, i64 %166, i64 0
-  %852 = getelementptr double, ptr %167, i64 %813
-  %853 = getelementptr double, ptr %852, i64 %851
-  %854 = load double, ptr %853, align 8, !noalias !77
-  %855 = fptosi double %850 to i64
-  store i64 %855, ptr %846, align 8, !noalias !77
-  %856 = getelementptr i8, ptr %846, i64 8
-  %857 = fptosi double %854 to i64
-  store i64 %857, ptr %856, align 8, !noalias !77
-  %858 = select i1 %817, i64 %171, i64 0
-  %859 = getelementptr double, ptr %172, i64 %813
-  %860 = getelementptr double, ptr %859, i64 %858
-  %861 = load double, ptr %860, align 8, !noalias !77
-  %862 = getelementptr i8, ptr %846, i64 16
-  %863 = fptosi double %861 to i64
-  store i64 %863, ptr %862, align 8, !noalias !77
-  %864 = getelementptr i8, ptr %846, i64 24
-  store i64 3, ptr %864, align 8, !noalias !77
-  %865 = select i1 %817, i64 %135, i64 0
-  %866 = getelementptr double, ptr %136, i64 %813
-  %867 = getelementptr double, ptr %866, i64 %865
-  %868 = load double, ptr %867, align 8, !noalias !77
-  %869 = select i1 %842, i64 %230, i64 0
-  %870 = getelementptr double, ptr %231, i64 %821
-  %871 = getelementptr double, ptr %870, i64 %869
-  store double %868, ptr %871, align 8, !noalias !77
-  store i64 -1, ptr %820, align 8, !noalias !77
-  br label %812
+844:                                              ; preds = %836
+  %845 = icmp slt i64 %824, 0
+  %846 = select i1 %845, i64 %223, i64 0
+  %847 = add i64 %824, %846
+  %848 = mul i64 %847, %225
+  %849 = getelementptr i64, ptr %226, i64 %848
+  %850 = select i1 %820, i64 %161, i64 0
+  %851 = getelementptr double, ptr %162, i64 %816
+  %852 = getelementptr double, ptr %851, i64 %850
+  %853 = load double, ptr %852, align 8, !noalias !77
+  %854 = select i1 %820, i64 %166, i64 0
+  %855 = getelementptr double, ptr %167, i64 %816
+  %856 = getelementptr double, ptr %855, i64 %854
+  %857 = load double, ptr %856, align 8, !noalias !77
+  %858 = fptosi double %853 to i64
+  store i64 %858, ptr %849, align 8, !noalias !77
+  %859 = getelementptr i8, ptr %849, i64 8
+  %860 = fptosi double %857 to i64
+  store i64 %860, ptr %859, align 8, !noalias !77
+  %861 = select i1 %820, i64 %171, i64 0
+  %862 = getelementptr double, ptr %172, i64 %816
+  %863 = getelementptr double, ptr %862, i64 %861
+  %864 = load double, ptr %863, align 8, !noalias !77
+  %865 = getelementptr i8, ptr %849, i64 16
+  %866 = fptosi double %864 to i64
+  store i64 %866, ptr %865, align 8, !noalias !77
+  %867 = getelementptr i8, ptr %849, i64 24
+  store i64 3, ptr %867, align 8, !noalias !77
+  %868 = select i1 %820, i64 %135, i64 0
+  %869 = getelementptr double, ptr %136, i64 %816
+  %870 = getelementptr double, ptr %869, i64 %868
+  %871 = load double, ptr %870, align 8, !noalias !77
+  %872 = select i1 %845, i64 %230, i64 0
+  %873 = getelementptr double, ptr %231, i64 %824
+  %874 = getelementptr double, ptr %873, i64 %872
+  store double %871, ptr %874, align 8, !noalias !77
+  store i64 -1, ptr %823, align 8, !noalias !77
+  br label %815
 
-872:                                              ; preds = %833
-  %873 = add nsw i64 %835, -1
-  %874 = add i64 %834, 1
-  %875 = shl nsw i64 %834, 3
-  %876 = select i1 %817, i64 %186, i64 0
-  %877 = getelementptr i64, ptr %187, i64 %813
-  %878 = getelementptr i64, ptr %877, i64 %876
-  %879 = load i64, ptr %878, align 8, !noalias !77
-  %880 = add nsw i64 %879, %875
-  %881 = load i64, ptr %232, align 8, !noalias !77
-  %882 = call i64 @llvm.smax.i64(i64 %881, i64 0)
-  br label %837
+875:                                              ; preds = %836
+  %876 = add nsw i64 %838, -1
+  %877 = add i64 %837, 1
+  %878 = shl nsw i64 %837, 3
+  %879 = select i1 %820, i64 %186, i64 0
+  %880 = getelementptr i64, ptr %187, i64 %816
+  %881 = getelementptr i64, ptr %880, i64 %879
+  %882 = load i64, ptr %881, align 8, !noalias !77
+  %883 = add nsw i64 %882, %878
+  %884 = load i64, ptr %232, align 8, !noalias !77
+  %885 = call i64 @llvm.smax.i64(i64 %884, i64 0)
+  br label %840
 
-883:                                              ; preds = %837
-  %884 = add nsw i64 %838, -1
-  %885 = inttoptr i64 %839 to ptr
-  store atomic i64 9221120237041090560, ptr %885 unordered, align 8, !noalias !77
-  %886 = add nsw i64 %839, %824
-  br label %837
+886:                                              ; preds = %840
+  %887 = add nsw i64 %841, -1
+  %888 = inttoptr i64 %842 to ptr
+  store atomic i64 9221120237041090560, ptr %888 unordered, align 8, !noalias !77
+  %889 = add nsw i64 %842, %827
+  br label %840
 
-887:                                              ; preds = %985
-  %888 = and i64 %274, %988
-  %889 = icmp eq i64 %888, 0
-  br i1 %889, label %967, label %890
+890:                                              ; preds = %988
+  %891 = and i64 %274, %991
+  %892 = icmp eq i64 %891, 0
+  br i1 %892, label %970, label %893
 
-890:                                              ; preds = %887
-  %891 = icmp slt i64 %813, 0
-  %892 = select i1 %891, i64 %156, i64 0
-  %893 = getelementptr double, ptr %157, i64 %813
-  %894 = getelementptr double, ptr %893, i64 %892
-  %895 = load double, ptr %894, align 8, !noalias !48
-  %896 = fcmp oeq double %895, 0x7FF0000000000000
-  br i1 %896, label %897, label %967
+893:                                              ; preds = %890
+  %894 = icmp slt i64 %816, 0
+  %895 = select i1 %894, i64 %156, i64 0
+  %896 = getelementptr double, ptr %157, i64 %816
+  %897 = getelementptr double, ptr %896, i64 %895
+  %898 = load double, ptr %897, align 8, !noalias !48
+  %899 = fcmp oeq double %898, 0x7FF0000000000000
+  br i1 %899, label %900, label %970
 
-897:                                              ; preds = %890
-  %898 = select i1 %891, i64 %181, i64 0
-  %899 = getelementptr i64, ptr %182, i64 %813
-  %900 = getelementptr i64, ptr %899, i64 %898
-  %901 = load i64, ptr %900, align 8, !noalias !81
-  %902 = getelementptr i8, ptr %190, i64 32
-  %903 = load i64, ptr %902, align 8, !noalias !81
-  %904 = shl nsw i64 %903, 3
-  %905 = select i1 %891, i64 %151, i64 0
-  %906 = getelementptr double, ptr %152, i64 %813
-  %907 = getelementptr double, ptr %906, i64 %905
-  %908 = load double, ptr %907, align 8, !noalias !81
-  %909 = fptosi double %908 to i64
-  %910 = xor i64 %909, -1
-  %911 = add i64 %197, %910
-  %912 = call i64 @llvm.smax.i64(i64 %911, i64 0)
-  br label %913
+900:                                              ; preds = %893
+  %901 = select i1 %894, i64 %181, i64 0
+  %902 = getelementptr i64, ptr %182, i64 %816
+  %903 = getelementptr i64, ptr %902, i64 %901
+  %904 = load i64, ptr %903, align 8, !noalias !81
+  %905 = getelementptr i8, ptr %190, i64 32
+  %906 = load i64, ptr %905, align 8, !noalias !81
+  %907 = shl nsw i64 %906, 3
+  %908 = select i1 %894, i64 %151, i64 0
+  %909 = getelementptr double, ptr %152, i64 %816
+  %910 = getelementptr double, ptr %909, i64 %908
+  %911 = load double, ptr %910, align 8, !noalias !81
+  %912 = fptosi double %911 to i64
+  %913 = xor i64 %912, -1
+  %914 = add i64 %197, %913
+  %915 = call i64 @llvm.smax.i64(i64 %914, i64 0)
+  br label %916
 
-913:                                              ; preds = %917, %897
-  %914 = phi i64 [ 0, %897 ], [ %954, %917 ]
-  %915 = phi i64 [ %912, %897 ], [ %953, %917 ]
-  %916 = icmp sgt i64 %915, 0
-  br i1 %916, label %952, label %921
+916:                                              ; preds = %920, %900
+  %917 = phi i64 [ 0, %900 ], [ %957, %920 ]
+  %918 = phi i64 [ %915, %900 ], [ %956, %920 ]
+  %919 = icmp sgt i64 %918, 0
+  br i1 %919, label %955, label %924
 
-917:                                              ; preds = %952, %963
-  %918 = phi i64 [ %962, %952 ], [ %964, %963 ]
-  %919 = phi i64 [ %960, %952 ], [ %966, %963 ]
-  %920 = icmp sgt i64 %918, 0
-  br i1 %920, label %963, label %913
+920:                                              ; preds = %955, %966
+  %921 = phi i64 [ %965, %955 ], [ %967, %966 ]
+  %922 = phi i64 [ %963, %955 ], [ %969, %966 ]
+  %923 = icmp sgt i64 %921, 0
+  br i1 %923, label %966, label %916
 
-921:                                              ; preds = %913
-  %922 = icmp slt i64 %901, 0
-  %923 = select i1 %922, i64 %223, i64 0
-  %924 = add i64 %901, %923
-  %925 = mul i64 %924, %225
-  %926 = getelementptr i64, ptr %226, i64 %925
-  %927 = select i1 %891, i64 %161, i64 0
-  %928 = getelementptr double, ptr %162, i64 %813
-  %929 = getelementptr double, ptr %928, i64 %927
-  %930 = load double, ptr %929, align 8, !noalias !81
-  %931 = select i1 %891, i64 %166, i64 0
-  %932 = getelementptr double, ptr %167, i64 %813
-  %933 = getelementptr double, ptr %932, i64 %931
-  %934 = load double, ptr %933, align 8, !noalias !81
-  %935 = fptosi double %930 to i64
-  store i64 %935, ptr %926, align 8, !noalias !81
-  %936 = getelementptr i8, ptr %926, i64 8
-  %937 = fptosi double %934 to i64
-  store i64 %937, ptr %936, align 8, !noalias !81
-  %938 = select i1 %891, i64 %171, i64 0
-  %939 = getelementptr double, ptr %172, i64 %813
-  %940 = getelementptr double, ptr %939, i64 %938
-  %941 = load double, ptr %940, align 8, !noalias !81
-  %942 = getelementptr i8, ptr %926, i64 16
-  %943 = fptosi double %941 to i64
-  store i64 %943, ptr %942, align 8, !noalias !81
-  %944 = getelementptr i8, ptr %926, i64 24
-  store i64 0, ptr %944, align 8, !noalias !81
-  %945 = select i1 %891, i64 %135, i64 0
-  %946 = getelementptr double, ptr %136, i64 %813
-  %947 = getelementptr double, ptr %946, i64 %945
-  %948 = load double, ptr %947, align 8, !noalias !81
-  %949 = select i1 %922, i64 %230, i64 0
-  %950 = getelementptr double, ptr %231, i64 %901
-  %951 = getelementptr double, ptr %950, i64 %949
-  store double %948, ptr %951, align 8, !noalias !81
-  store i64 -1, ptr %900, align 8, !noalias !81
-  br label %967
+924:                                              ; preds = %916
+  %925 = icmp slt i64 %904, 0
+  %926 = select i1 %925, i64 %223, i64 0
+  %927 = add i64 %904, %926
+  %928 = mul i64 %927, %225
+  %929 = getelementptr i64, ptr %226, i64 %928
+  %930 = select i1 %894, i64 %161, i64 0
+  %931 = getelementptr double, ptr %162, i64 %816
+  %932 = getelementptr double, ptr %931, i64 %930
+  %933 = load double, ptr %932, align 8, !noalias !81
+  %934 = select i1 %894, i64 %166, i64 0
+  %935 = getelementptr double, ptr %167, i64 %816
+  %936 = getelementptr double, ptr %935, i64 %934
+  %937 = load double, ptr %936, align 8, !noalias !81
+  %938 = fptosi double %933 to i64
+  store i64 %938, ptr %929, align 8, !noalias !81
+  %939 = getelementptr i8, ptr %929, i64 8
+  %940 = fptosi double %937 to i64
+  store i64 %940, ptr %939, align 8, !noalias !81
+  %941 = select i1 %894, i64 %171, i64 0
+  %942 = getelementptr double, ptr %172, i64 %816
+  %943 = getelementptr double, ptr %942, i64 %941
+  %944 = load double, ptr %943, align 8, !noalias !81
+  %945 = getelementptr i8, ptr %929, i64 16
+  %946 = fptosi double %944 to i64
+  store i64 %946, ptr %945, align 8, !noalias !81
+  %947 = getelementptr i8, ptr %929, i64 24
+  store i64 0, ptr %947, align 8, !noalias !81
+  %948 = select i1 %894, i64 %135, i64 0
+  %949 = getelementptr double, ptr %136, i64 %816
+  %950 = getelementptr double, ptr %949, i64 %948
+  %951 = load double, ptr %950, align 8, !noalias !81
+  %952 = select i1 %925, i64 %230, i64 0
+  %953 = getelementptr double, ptr %231, i64 %904
+  %954 = getelementptr double, ptr %953, i64 %952
+  store double %951, ptr %954, align 8, !noalias !81
+  store i64 -1, ptr %903, align 8, !noalias !81
+  br label %970
 
-952:                                              ; preds = %913
-  %953 = add nsw i64 %915, -1
-  %954 = add i64 %914, 1
-  %955 = shl nsw i64 %914, 3
-  %956 = select i1 %891, i64 %186, i64 0
-  %957 = getelementptr i64, ptr %187, i64 %813
-  %958 = getelementptr i64, ptr %957, i64 %956
-  %959 = load i64, ptr %958, align 8, !noalias !81
-  %960 = add nsw i64 %959, %955
-  %961 = load i64, ptr %232, align 8, !noalias !81
-  %962 = call i64 @llvm.smax.i64(i64 %961, i64 0)
-  br label %917
+955:                                              ; preds = %916
+  %956 = add nsw i64 %918, -1
+  %957 = add i64 %917, 1
+  %958 = shl nsw i64 %917, 3
+  %959 = select i1 %894, i64 %186, i64 0
+  %960 = getelementptr i64, ptr %187, i64 %816
+  %961 = getelementptr i64, ptr %960, i64 %959
+  %962 = load i64, ptr %961, align 8, !noalias !81
+  %963 = add nsw i64 %962, %958
+  %964 = load i64, ptr %232, align 8, !noalias !81
+  %965 = call i64 @llvm.smax.i64(i64 %964, i64 0)
+  br label %920
 
-963:                                              ; preds = %917
-  %964 = add nsw i64 %918, -1
-  %965 = inttoptr i64 %919 to ptr
-  store atomic i64 9221120237041090560, ptr %965 unordered, align 8, !noalias !81
-  %966 = add nsw i64 %919, %904
-  br label %917
+966:                                              ; preds = %920
+  %967 = add nsw i64 %921, -1
+  %968 = inttoptr i64 %922 to ptr
+  store atomic i64 9221120237041090560, ptr %968 unordered, align 8, !noalias !81
+  %969 = add nsw i64 %922, %907
+  br label %920
 
-967:                                              ; preds = %921, %890, %887
-  br label %812
+970:                                              ; preds = %924, %893, %890
+  br label %815
 
-968:                                              ; preds = %512
-  %969 = call i64 @llvm.smax.i64(i64 %499, i64 0)
+971:                                              ; preds = %512
+  %972 = call i64 @llvm.smax.i64(i64 %499, i64 0)
   br label %515
 
-970:                                              ; preds = %515
-  %971 = add nsw i64 %517, -1
-  %972 = add i64 %516, 1
-  %973 = shl i64 %516, 6
-  %974 = getelementptr i8, ptr %98, i64 %973
-  %975 = load <8 x double>, ptr %974, align 8, !noalias !48
-  %976 = getelementptr i8, ptr %116, i64 %973
-  %977 = load <8 x double>, ptr %976, align 8, !noalias !48
-  %978 = select <8 x i1> %501, <8 x double> %975, <8 x double> %977
-  store <8 x double> %978, ptr %976, align 8, !noalias !48
+973:                                              ; preds = %515
+  %974 = add nsw i64 %517, -1
+  %975 = add i64 %516, 1
+  %976 = shl i64 %516, 6
+  %977 = getelementptr i8, ptr %98, i64 %976
+  %978 = load <8 x double>, ptr %977, align 8, !noalias !48
+  %979 = getelementptr i8, ptr %116, i64 %976
+  %980 = load <8 x double>, ptr %979, align 8, !noalias !48
+  %981 = select <8 x i1> %501, <8 x double> %978, <8 x double> %980
+  store <8 x double> %981, ptr %979, align 8, !noalias !48
   br label %515
 
-979:                                              ; preds = %692
-  %980 = add nsw i64 %694, -1
-  %981 = add i64 %693, 1
-  %982 = shl nuw i64 1, %693
-  %983 = and i64 %274, %982
-  %984 = icmp eq i64 %983, 0
-  br i1 %984, label %718, label %696
+982:                                              ; preds = %695
+  %983 = add nsw i64 %697, -1
+  %984 = add i64 %696, 1
+  %985 = shl nuw i64 1, %696
+  %986 = and i64 %274, %985
+  %987 = icmp eq i64 %986, 0
+  br i1 %987, label %721, label %699
 
-985:                                              ; preds = %812
-  %986 = add nsw i64 %814, -1
-  %987 = add i64 %813, 1
-  %988 = shl nuw i64 1, %813
-  %989 = and i64 %513, %988
-  %990 = icmp eq i64 %989, 0
-  br i1 %990, label %887, label %816
+988:                                              ; preds = %815
+  %989 = add nsw i64 %817, -1
+  %990 = add i64 %816, 1
+  %991 = shl nuw i64 1, %816
+  %992 = and i64 %513, %991
+  %993 = icmp eq i64 %992, 0
+  br i1 %993, label %890, label %819
 
-991:                                              ; preds = %812, %1003
-  %992 = phi i64 [ %2144, %1003 ], [ 0, %812 ]
-  %993 = phi i64 [ %2143, %1003 ], [ 8, %812 ]
-  %994 = phi i1 [ %1004, %1003 ], [ false, %812 ]
-  %995 = icmp sgt i64 %993, 0
-  br i1 %995, label %2142, label %1005
+994:                                              ; preds = %815, %1006
+  %995 = phi i64 [ %2206, %1006 ], [ 0, %815 ]
+  %996 = phi i64 [ %2205, %1006 ], [ 8, %815 ]
+  %997 = phi i1 [ %1007, %1006 ], [ false, %815 ]
+  %998 = icmp sgt i64 %996, 0
+  br i1 %998, label %2204, label %1008
 
-996:                                              ; preds = %2142
-  %997 = icmp slt i64 %992, 0
-  %998 = select i1 %997, i64 %181, i64 0
-  %999 = getelementptr i64, ptr %182, i64 %992
-  %1000 = getelementptr i64, ptr %999, i64 %998
-  %1001 = load i64, ptr %1000, align 8, !noalias !12
-  %1002 = icmp eq i64 %1001, -1
-  br label %1003
+999:                                              ; preds = %2204
+  %1000 = icmp slt i64 %995, 0
+  %1001 = select i1 %1000, i64 %181, i64 0
+  %1002 = getelementptr i64, ptr %182, i64 %995
+  %1003 = getelementptr i64, ptr %1002, i64 %1001
+  %1004 = load i64, ptr %1003, align 8, !noalias !12
+  %1005 = icmp eq i64 %1004, -1
+  br label %1006
 
-1003:                                             ; preds = %996, %2142
-  %1004 = phi i1 [ true, %2142 ], [ %1002, %996 ]
-  br label %991
+1006:                                             ; preds = %999, %2204
+  %1007 = phi i1 [ true, %2204 ], [ %1005, %999 ]
+  br label %994
 
-1005:                                             ; preds = %991
-  br i1 %994, label %270, label %1006
+1008:                                             ; preds = %994
+  br i1 %997, label %270, label %1009
 
-1006:                                             ; preds = %496, %1005, %267
-  %1007 = phi i64 [ %268, %267 ], [ %275, %1005 ], [ %275, %496 ]
-  %1008 = phi i1 [ false, %267 ], [ false, %1005 ], [ true, %496 ]
-  %1009 = getelementptr i8, ptr %190, i64 8
-  %1010 = load i64, ptr %1009, align 8, !noalias !12
-  %1011 = icmp slt i64 %1010, 1
-  br i1 %1011, label %1012, label %1013
+1009:                                             ; preds = %496, %1008, %267
+  %1010 = phi i64 [ %268, %267 ], [ %275, %1008 ], [ %275, %496 ]
+  %1011 = phi i1 [ false, %267 ], [ false, %1008 ], [ true, %496 ]
+  %1012 = getelementptr i8, ptr %190, i64 8
+  %1013 = load i64, ptr %1012, align 8, !noalias !12
+  %1014 = icmp slt i64 %1013, 1
+  br i1 %1014, label %1015, label %1016
 
-1012:                                             ; preds = %1006
-  br label %2194
+1015:                                             ; preds = %1009
+  br label %2256
 
-1013:                                             ; preds = %1006
-  %1014 = add nsw i64 %1010, -1
-  store i64 %1014, ptr %1009, align 8, !noalias !12
-  %1015 = load <8 x double>, ptr %136, align 8, !noalias !12
-  %1016 = load <8 x double>, ptr %141, align 8, !noalias !12
-  %1017 = trunc i64 %1007 to i8
-  %1018 = bitcast i8 %1017 to <8 x i1>
-  br i1 %248, label %1019, label %1026
+1016:                                             ; preds = %1009
+  %1017 = add nsw i64 %1013, -1
+  store i64 %1017, ptr %1012, align 8, !noalias !12
+  %1018 = load <8 x double>, ptr %136, align 8, !noalias !12
+  %1019 = load <8 x double>, ptr %141, align 8, !noalias !12
+  %1020 = trunc i64 %1010 to i8
+  %1021 = bitcast i8 %1020 to <8 x i1>
+  br i1 %248, label %1022, label %1029
 
-1019:                                             ; preds = %1013
-  %1020 = insertelement <8 x double> poison, double %239, i64 0
-  %1021 = shufflevector <8 x double> %1020, <8 x double> poison, <8 x i32> zeroinitializer
-  %1022 = insertelement <8 x double> poison, double %240, i64 0
-  %1023 = shufflevector <8 x double> %1022, <8 x double> poison, <8 x i32> zeroinitializer
-  %1024 = fcmp olt <8 x double> %1016, %1023
-  %1025 = select <8 x i1> %1024, <8 x double> %1016, <8 x double> %1023
-  br label %1033
+1022:                                             ; preds = %1016
+  %1023 = insertelement <8 x double> poison, double %239, i64 0
+  %1024 = shufflevector <8 x double> %1023, <8 x double> poison, <8 x i32> zeroinitializer
+  %1025 = insertelement <8 x double> poison, double %240, i64 0
+  %1026 = shufflevector <8 x double> %1025, <8 x double> poison, <8 x i32> zeroinitializer
+  %1027 = fcmp olt <8 x double> %1019, %1026
+  %1028 = select <8 x i1> %1027, <8 x double> %1019, <8 x double> %1026
+  br label %1036
 
-1026:                                             ; preds = %1013
-  %1027 = load <8 x double>, ptr %157, align 8, !noalias !12
-  %1028 = fsub <8 x double> %1027, %1015
-  %1029 = fdiv <8 x double> %1028, %1016
-  %1030 = fmul <8 x double> %1029, splat (double 0x3FEFFFFFFFFFDCD1)
-  %1031 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %1030)
-  %1032 = fdiv <8 x double> %1028, %1031
-  br label %1033
+1029:                                             ; preds = %1016
+  %1030 = load <8 x double>, ptr %157, align 8, !noalias !12
+  %1031 = fsub <8 x double> %1030, %1018
+  %1032 = fdiv <8 x double> %1031, %1019
+  %1033 = fmul <8 x double> %1032, splat (double 0x3FEFFFFFFFFFDCD1)
+  %1034 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %1033)
+  %1035 = fdiv <8 x double> %1031, %1034
+  br label %1036
 
-1033:                                             ; preds = %1026, %1019
-  %1034 = phi <8 x double> [ %1021, %1019 ], [ %1027, %1026 ]
-  %1035 = phi <8 x double> [ %1025, %1019 ], [ %1032, %1026 ]
-  %1036 = fadd <8 x double> %1015, %1035
-  %1037 = fmul <8 x double> %1035, splat (double 1.000000e-03)
-  %1038 = fsub <8 x double> %1034, %1037
-  %1039 = fcmp ogt <8 x double> %1036, %1038
-  %1040 = fsub <8 x double> %1034, %1015
-  %1041 = select <8 x i1> %1039, <8 x double> %1040, <8 x double> %1035
-  %1042 = select <8 x i1> %1039, <8 x double> %1034, <8 x double> %1036
-  %1043 = select <8 x i1> %1018, <8 x double> %1041, <8 x double> zeroinitializer
-  %1044 = fmul <8 x double> %1043, splat (double 6.250000e-02)
-  %1045 = fadd <8 x double> %1015, %1044
-  %1046 = fcmp ule <8 x double> %1045, %1015
-  %1047 = fcmp une <8 x double> %1042, %1034
-  %1048 = and <8 x i1> %1046, %1047
-  %1049 = load <8 x double>, ptr %162, align 8, !noalias !12
-  %1050 = load <8 x double>, ptr %167, align 8, !noalias !12
-  %1051 = fadd <8 x double> %1049, %1050
-  %1052 = insertelement <8 x double> poison, double %259, i64 0
-  %1053 = shufflevector <8 x double> %1052, <8 x double> poison, <8 x i32> zeroinitializer
-  %1054 = fcmp oge <8 x double> %1051, %1053
-  %1055 = or <8 x i1> %1054, %1048
-  %1056 = and <8 x i1> %1055, %1018
-  %1057 = bitcast <8 x i1> %1056 to i8
-  %1058 = zext i8 %1057 to i64
-  %1059 = icmp eq i8 %1057, 0
-  br i1 %1059, label %1156, label %1060
+1036:                                             ; preds = %1029, %1022
+  %1037 = phi <8 x double> [ %1024, %1022 ], [ %1030, %1029 ]
+  %1038 = phi <8 x double> [ %1028, %1022 ], [ %1035, %1029 ]
+  %1039 = fadd <8 x double> %1018, %1038
+  %1040 = fmul <8 x double> %1038, splat (double 1.000000e-03)
+  %1041 = fsub <8 x double> %1037, %1040
+  %1042 = fcmp ogt <8 x double> %1039, %1041
+  %1043 = fsub <8 x double> %1037, %1018
+  %1044 = select <8 x i1> %1042, <8 x double> %1043, <8 x double> %1038
+  %1045 = select <8 x i1> %1042, <8 x double> %1037, <8 x double> %1039
+  %1046 = select <8 x i1> %1021, <8 x double> %1044, <8 x double> zeroinitializer
+  %1047 = fmul <8 x double> %1046, splat (double 6.250000e-02)
+  %1048 = fadd <8 x double> %1018, %1047
+  %1049 = fcmp ule <8 x double> %1048, %1018
+  %1050 = fcmp une <8 x double> %1045, %1037
+  %1051 = and <8 x i1> %1049, %1050
+  %1052 = load <8 x double>, ptr %162, align 8, !noalias !12
+  %1053 = load <8 x double>, ptr %167, align 8, !noalias !12
+  %1054 = fadd <8 x double> %1052, %1053
+  %1055 = insertelement <8 x double> poison, double %259, i64 0
+  %1056 = shufflevector <8 x double> %1055, <8 x double> poison, <8 x i32> zeroinitializer
+  %1057 = fcmp oge <8 x double> %1054, %1056
+  %1058 = or <8 x i1> %1057, %1051
+  %1059 = and <8 x i1> %1058, %1021
+  %1060 = bitcast <8 x i1> %1059 to i8
+  %1061 = zext i8 %1060 to i64
+  %1062 = icmp eq i8 %1060, 0
+  br i1 %1062, label %1159, label %1063
 
-1060:                                             ; preds = %1033
-  %1061 = bitcast <8 x i1> %1054 to i8
-  %1062 = zext i8 %1061 to i64
-  br label %1063
+1063:                                             ; preds = %1036
+  %1064 = bitcast <8 x i1> %1057 to i8
+  %1065 = zext i8 %1064 to i64
+  br label %1066
 
-1063:                                             ; preds = %1060, %1149
-  %1064 = phi i64 [ 0, %1060 ], [ %1152, %1149 ]
-  %1065 = phi i64 [ 8, %1060 ], [ %1151, %1149 ]
-  %1066 = icmp sgt i64 %1065, 0
-  br i1 %1066, label %1150, label %265
+1066:                                             ; preds = %1063, %1152
+  %1067 = phi i64 [ 0, %1063 ], [ %1155, %1152 ]
+  %1068 = phi i64 [ 8, %1063 ], [ %1154, %1152 ]
+  %1069 = icmp sgt i64 %1068, 0
+  br i1 %1069, label %1153, label %265
 
-1067:                                             ; preds = %1150
-  %1068 = and i64 %1153, %1062
-  %1069 = icmp eq i64 %1068, 0
-  br i1 %1069, label %1070, label %1077
+1070:                                             ; preds = %1153
+  %1071 = and i64 %1156, %1065
+  %1072 = icmp eq i64 %1071, 0
+  br i1 %1072, label %1073, label %1080
 
-1070:                                             ; preds = %1067
-  %1071 = icmp slt i64 %1064, 0
-  %1072 = select i1 %1071, i64 %176, i64 0
-  %1073 = getelementptr double, ptr %177, i64 %1064
-  %1074 = getelementptr double, ptr %1073, i64 %1072
-  %1075 = load double, ptr %1074, align 8, !noalias !85
-  %1076 = fptosi double %1075 to i64
-  br label %1077
+1073:                                             ; preds = %1070
+  %1074 = icmp slt i64 %1067, 0
+  %1075 = select i1 %1074, i64 %176, i64 0
+  %1076 = getelementptr double, ptr %177, i64 %1067
+  %1077 = getelementptr double, ptr %1076, i64 %1075
+  %1078 = load double, ptr %1077, align 8, !noalias !85
+  %1079 = fptosi double %1078 to i64
+  br label %1080
 
-1077:                                             ; preds = %1067, %1070
-  %1078 = phi i64 [ %1076, %1070 ], [ 1, %1067 ]
-  %1079 = icmp slt i64 %1064, 0
-  %1080 = select i1 %1079, i64 %181, i64 0
-  %1081 = getelementptr i64, ptr %182, i64 %1064
-  %1082 = getelementptr i64, ptr %1081, i64 %1080
-  %1083 = load i64, ptr %1082, align 8, !noalias !89
-  %1084 = getelementptr i8, ptr %190, i64 32
-  %1085 = load i64, ptr %1084, align 8, !noalias !89
-  %1086 = shl nsw i64 %1085, 3
-  %1087 = select i1 %1079, i64 %151, i64 0
-  %1088 = getelementptr double, ptr %152, i64 %1064
-  %1089 = getelementptr double, ptr %1088, i64 %1087
-  %1090 = load double, ptr %1089, align 8, !noalias !89
-  %1091 = fptosi double %1090 to i64
-  %1092 = xor i64 %1091, -1
-  %1093 = add i64 %197, %1092
-  %1094 = call i64 @llvm.smax.i64(i64 %1093, i64 0)
-  br label %1095
+1080:                                             ; preds = %1070, %1073
+  %1081 = phi i64 [ %1079, %1073 ], [ 1, %1070 ]
+  %1082 = icmp slt i64 %1067, 0
+  %1083 = select i1 %1082, i64 %181, i64 0
+  %1084 = getelementptr i64, ptr %182, i64 %1067
+  %1085 = getelementptr i64, ptr %1084, i64 %1083
+  %1086 = load i64, ptr %1085, align 8, !noalias !89
+  %1087 = getelementptr i8, ptr %190, i64 32
+  %1088 = load i64, ptr %1087, align 8, !noalias !89
+  %1089 = shl nsw i64 %1088, 3
+  %1090 = select i1 %1082, i64 %151, i64 0
+  %1091 = getelementptr double, ptr %152, i64 %1067
+  %1092 = getelementptr double, ptr %1091, i64 %1090
+  %1093 = load double, ptr %1092, align 8, !noalias !89
+  %1094 = fptosi double %1093 to i64
+  %1095 = xor i64 %1094, -1
+  %1096 = add i64 %197, %1095
+  %1097 = call i64 @llvm.smax.i64(i64 %1096, i64 0)
+  br label %1098
 
-1095:                                             ; preds = %1099, %1077
-  %1096 = phi i64 [ 0, %1077 ], [ %1136, %1099 ]
-  %1097 = phi i64 [ %1094, %1077 ], [ %1135, %1099 ]
-  %1098 = icmp sgt i64 %1097, 0
-  br i1 %1098, label %1134, label %1103
+1098:                                             ; preds = %1102, %1080
+  %1099 = phi i64 [ 0, %1080 ], [ %1139, %1102 ]
+  %1100 = phi i64 [ %1097, %1080 ], [ %1138, %1102 ]
+  %1101 = icmp sgt i64 %1100, 0
+  br i1 %1101, label %1137, label %1106
 
-1099:                                             ; preds = %1134, %1145
-  %1100 = phi i64 [ %1144, %1134 ], [ %1146, %1145 ]
-  %1101 = phi i64 [ %1142, %1134 ], [ %1148, %1145 ]
-  %1102 = icmp sgt i64 %1100, 0
-  br i1 %1102, label %1145, label %1095
+1102:                                             ; preds = %1137, %1148
+  %1103 = phi i64 [ %1147, %1137 ], [ %1149, %1148 ]
+  %1104 = phi i64 [ %1145, %1137 ], [ %1151, %1148 ]
+  %1105 = icmp sgt i64 %1103, 0
+  br i1 %1105, label %1148, label %1098
 
-1103:                                             ; preds = %1095
-  %1104 = icmp slt i64 %1083, 0
-  %1105 = select i1 %1104, i64 %223, i64 0
-  %1106 = add i64 %1083, %1105
-  %1107 = mul i64 %1106, %225
-  %1108 = getelementptr i64, ptr %226, i64 %1107
-  %1109 = select i1 %1079, i64 %161, i64 0
-  %1110 = getelementptr double, ptr %162, i64 %1064
-  %1111 = getelementptr double, ptr %1110, i64 %1109
-  %1112 = load double, ptr %1111, align 8, !noalias !89
-  %1113 = select i1 %1079, i64 %166, i64 0
-  %1114 = getelementptr double, ptr %167, i64 %1064
-  %1115 = getelementptr double, ptr %1114, i64 %1113
-  %1116 = load double, ptr %1115, align 8, !noalias !89
-  %1117 = fptosi double %1112 to i64
-  store i64 %1117, ptr %1108, align 8, !noalias !89
-  %1118 = getelementptr i8, ptr %1108, i64 8
-  %1119 = fptosi double %1116 to i64
-  store i64 %1119, ptr %1118, align 8, !noalias !89
-  %1120 = select i1 %1079, i64 %171, i64 0
-  %1121 = getelementptr double, ptr %172, i64 %1064
-  %1122 = getelementptr double, ptr %1121, i64 %1120
-  %1123 = load double, ptr %1122, align 8, !noalias !89
-  %1124 = getelementptr i8, ptr %1108, i64 16
-  %1125 = fptosi double %1123 to i64
-  store i64 %1125, ptr %1124, align 8, !noalias !89
-  %1126 = getelementptr i8, ptr %1108, i64 24
-  store i64 %1078, ptr %1126, align 8, !noalias !89
-  %1127 = select i1 %1079, i64 %135, i64 0
-  %1128 = getelementptr double, ptr %136, i64 %1064
-  %1129 = getelementptr double, ptr %1128, i64 %1127
-  %1130 = load double, ptr %1129, align 8, !noalias !89
-  %1131 = select i1 %1104, i64 %230, i64 0
-  %1132 = getelementptr double, ptr %231, i64 %1083
-  %1133 = getelementptr double, ptr %1132, i64 %1131
-  store double %1130, ptr %1133, align 8, !noalias !89
-  store i64 -1, ptr %1082, align 8, !noalias !89
-  br label %1149
+1106:                                             ; preds = %1098
+  %1107 = icmp slt i64 %1086, 0
+  %1108 = select i1 %1107, i64 %223, i64 0
+  %1109 = add i64 %1086, %1108
+  %1110 = mul i64 %1109, %225
+  %1111 = getelementptr i64, ptr %226, i64 %1110
+  %1112 = select i1 %1082, i64 %161, i64 0
+  %1113 = getelementptr double, ptr %162, i64 %1067
+  %1114 = getelementptr double, ptr %1113, i64 %1112
+  %1115 = load double, ptr %1114, align 8, !noalias !89
+  %1116 = select i1 %1082, i64 %166, i64 0
+  %1117 = getelementptr double, ptr %167, i64 %1067
+  %1118 = getelementptr double, ptr %1117, i64 %1116
+  %1119 = load double, ptr %1118, align 8, !noalias !89
+  %1120 = fptosi double %1115 to i64
+  store i64 %1120, ptr %1111, align 8, !noalias !89
+  %1121 = getelementptr i8, ptr %1111, i64 8
+  %1122 = fptosi double %1119 to i64
+  store i64 %1122, ptr %1121, align 8, !noalias !89
+  %1123 = select i1 %1082, i64 %171, i64 0
+  %1124 = getelementptr double, ptr %172, i64 %1067
+  %1125 = getelementptr double, ptr %1124, i64 %1123
+  %1126 = load double, ptr %1125, align 8, !noalias !89
+  %1127 = getelementptr i8, ptr %1111, i64 16
+  %1128 = fptosi double %1126 to i64
+  store i64 %1128, ptr %1127, align 8, !noalias !89
+  %1129 = getelementptr i8, ptr %1111, i64 24
+  store i64 %1081, ptr %1129, align 8, !noalias !89
+  %1130 = select i1 %1082, i64 %135, i64 0
+  %1131 = getelementptr double, ptr %136, i64 %1067
+  %1132 = getelementptr double, ptr %1131, i64 %1130
+  %1133 = load double, ptr %1132, align 8, !noalias !89
+  %1134 = select i1 %1107, i64 %230, i64 0
+  %1135 = getelementptr double, ptr %231, i64 %1086
+  %1136 = getelementptr double, ptr %1135, i64 %1134
+  store double %1133, ptr %1136, align 8, !noalias !89
+  store i64 -1, ptr %1085, align 8, !noalias !89
+  br label %1152
 
-1134:                                             ; preds = %1095
-  %1135 = add nsw i64 %1097, -1
-  %1136 = add i64 %1096, 1
-  %1137 = shl nsw i64 %1096, 3
-  %1138 = select i1 %1079, i64 %186, i64 0
-  %1139 = getelementptr i64, ptr %187, i64 %1064
-  %1140 = getelementptr i64, ptr %1139, i64 %1138
-  %1141 = load i64, ptr %1140, align 8, !noalias !89
-  %1142 = add nsw i64 %1141, %1137
-  %1143 = load i64, ptr %232, align 8, !noalias !89
-  %1144 = call i64 @llvm.smax.i64(i64 %1143, i64 0)
-  br label %1099
+1137:                                             ; preds = %1098
+  %1138 = add nsw i64 %1100, -1
+  %1139 = add i64 %1099, 1
+  %1140 = shl nsw i64 %1099, 3
+  %1141 = select i1 %1082, i64 %186, i64 0
+  %1142 = getelementptr i64, ptr %187, i64 %1067
+  %1143 = getelementptr i64, ptr %1142, i64 %1141
+  %1144 = load i64, ptr %1143, align 8, !noalias !89
+  %1145 = add nsw i64 %1144, %1140
+  %1146 = load i64, ptr %232, align 8, !noalias !89
+  %1147 = call i64 @llvm.smax.i64(i64 %1146, i64 0)
+  br label %1102
 
-1145:                                             ; preds = %1099
-  %1146 = add nsw i64 %1100, -1
-  %1147 = inttoptr i64 %1101 to ptr
-  store atomic i64 9221120237041090560, ptr %1147 unordered, align 8, !noalias !89
-  %1148 = add nsw i64 %1101, %1086
-  br label %1099
+1148:                                             ; preds = %1102
+  %1149 = add nsw i64 %1103, -1
+  %1150 = inttoptr i64 %1104 to ptr
+  store atomic i64 9221120237041090560, ptr %1150 unordered, align 8, !noalias !89
+  %1151 = add nsw i64 %1104, %1089
+  br label %1102
 
-1149:                                             ; preds = %1103, %1150
-  br label %1063
+1152:                                             ; preds = %1106, %1153
+  br label %1066
 
-1150:                                             ; preds = %1063
-  %1151 = add nsw i64 %1065, -1
-  %1152 = add i64 %1064, 1
-  %1153 = shl nuw i64 1, %1064
-  %1154 = and i64 %1153, %1058
-  %1155 = icmp eq i64 %1154, 0
-  br i1 %1155, label %1149, label %1067
+1153:                                             ; preds = %1066
+  %1154 = add nsw i64 %1068, -1
+  %1155 = add i64 %1067, 1
+  %1156 = shl nuw i64 1, %1067
+  %1157 = and i64 %1156, %1061
+  %1158 = icmp eq i64 %1157, 0
+  br i1 %1158, label %1152, label %1070
 
-1156:                                             ; preds = %1033
-  store <8 x double> %1043, ptr %101, align 8, !noalias !93
-  %1157 = load i64, ptr %19, align 8, !noalias !93
-  %1158 = add i64 %1157, -1
-  %1159 = call i64 @llvm.smax.i64(i64 %1158, i64 0)
-  br label %1160
+1159:                                             ; preds = %1036
+  store <8 x double> %1046, ptr %101, align 8, !noalias !93
+  %1160 = load i64, ptr %19, align 8, !noalias !93
+  %1161 = add i64 %1160, -1
+  %1162 = call i64 @llvm.smax.i64(i64 %1161, i64 0)
+  br label %1163
 
-1160:                                             ; preds = %1218, %1156
-  %1161 = phi i64 [ 1, %1156 ], [ %1186, %1218 ]
-  %1162 = phi i64 [ %1159, %1156 ], [ %1185, %1218 ]
-  %1163 = phi i64 [ 0, %1156 ], [ %1224, %1218 ]
-  %1164 = icmp sgt i64 %1162, 0
-  br i1 %1164, label %1184, label %1165
+1163:                                             ; preds = %1221, %1159
+  %1164 = phi i64 [ 1, %1159 ], [ %1189, %1221 ]
+  %1165 = phi i64 [ %1162, %1159 ], [ %1188, %1221 ]
+  %1166 = phi i64 [ 0, %1159 ], [ %1227, %1221 ]
+  %1167 = icmp sgt i64 %1165, 0
+  br i1 %1167, label %1187, label %1168
 
-1165:                                             ; preds = %1160
-  %1166 = load i64, ptr %19, align 8, !noalias !93
-  %1167 = icmp slt i64 %1166, 0
-  %1168 = select i1 %1167, i64 %23, i64 0
-  %1169 = getelementptr i64, ptr %24, i64 %1166
-  %1170 = getelementptr i64, ptr %1169, i64 %1168
+1168:                                             ; preds = %1163
+  %1169 = load i64, ptr %19, align 8, !noalias !93
+  %1170 = getelementptr i8, ptr %39, i64 16
   %1171 = load i64, ptr %1170, align 8, !noalias !97
-  %1172 = shl i64 %1171, 3
-  %1173 = add i64 %26, %1172
-  %1174 = add i64 %28, %1172
-  %1175 = icmp slt i64 %1166, -1
-  %1176 = select i1 %1175, i64 %23, i64 0
-  %1177 = getelementptr i8, ptr %1169, i64 8
-  %1178 = getelementptr i64, ptr %1177, i64 %1176
-  %1179 = load i64, ptr %1178, align 8, !noalias !97
-  %1180 = xor i64 %1171, -1
-  %1181 = add i64 %1179, %1180
-  %1182 = getelementptr i8, ptr %39, i64 16
-  %1183 = load i64, ptr %1182, align 8, !noalias !97
-  call fastcc void @pydy_combine(i64 %90, i64 %85, i64 %100, i64 %113, i64 %1173, i64 %1174, i64 %1181, i64 1, i64 %1183) #3, !noalias !97
-  br i1 %251, label %1237, label %1226
+  %1172 = icmp slt i64 %1169, 0
+  %1173 = select i1 %1172, i64 %23, i64 0
+  %1174 = getelementptr i64, ptr %24, i64 %1169
+  %1175 = getelementptr i64, ptr %1174, i64 %1173
+  %1176 = load i64, ptr %1175, align 8, !noalias !101
+  %1177 = shl i64 %1176, 3
+  %1178 = add i64 %26, %1177
+  %1179 = add i64 %28, %1177
+  %1180 = icmp slt i64 %1169, -1
+  %1181 = select i1 %1180, i64 %23, i64 0
+  %1182 = getelementptr i8, ptr %1174, i64 8
+  %1183 = getelementptr i64, ptr %1182, i64 %1181
+  %1184 = load i64, ptr %1183, align 8, !noalias !101
+  %1185 = xor i64 %1176, -1
+  %1186 = add i64 %1184, %1185
+  call fastcc void @pydy_combine(i64 %90, i64 %85, i64 %100, i64 %113, i64 %1178, i64 %1179, i64 %1186, i64 1, i64 %1171) #3, !noalias !101
+  br i1 %251, label %1240, label %1229
 
-1184:                                             ; preds = %1160
-  %1185 = add nsw i64 %1162, -1
-  %1186 = add i64 %1161, 1
-  %1187 = icmp slt i64 %1161, 0
-  %1188 = select i1 %1187, i64 %23, i64 0
-  %1189 = getelementptr i64, ptr %24, i64 %1161
-  %1190 = getelementptr i64, ptr %1189, i64 %1188
-  %1191 = load i64, ptr %1190, align 8, !noalias !103
-  %1192 = shl i64 %1191, 3
-  %1193 = add i64 %26, %1192
-  %1194 = add i64 %28, %1192
-  %1195 = icmp slt i64 %1161, -1
-  %1196 = select i1 %1195, i64 %23, i64 0
-  %1197 = getelementptr i8, ptr %1189, i64 8
-  %1198 = getelementptr i64, ptr %1197, i64 %1196
-  %1199 = load i64, ptr %1198, align 8, !noalias !103
-  %1200 = xor i64 %1191, -1
-  %1201 = add i64 %1199, %1200
-  %1202 = getelementptr i8, ptr %39, i64 16
-  %1203 = load i64, ptr %1202, align 8, !noalias !103
-  call fastcc void @pydy_combine(i64 %95, i64 %85, i64 %100, i64 %113, i64 %1193, i64 %1194, i64 %1201, i64 1, i64 %1203) #3, !noalias !103
-  %1204 = mul nsw i64 %1161, %87
-  %1205 = shl i64 %1204, 3
-  %1206 = add i64 %113, %1205
-  %1207 = select i1 %1187, i64 %32, i64 0
-  %1208 = getelementptr double, ptr %33, i64 %1161
-  %1209 = getelementptr double, ptr %1208, i64 %1207
-  %1210 = load double, ptr %1209, align 8, !noalias !93
-  %1211 = insertelement <8 x double> poison, double %1210, i64 0
-  %1212 = shufflevector <8 x double> %1211, <8 x double> poison, <8 x i32> zeroinitializer
-  %1213 = fmul <8 x double> %1212, %1043
-  %1214 = fadd <8 x double> %1015, %1213
-  store ptr null, ptr %8, align 8, !noalias !109
-  store ptr null, ptr %9, align 8, !noalias !109
-  store <8 x double> %1214, ptr %44, align 8, !noalias !109
-  %1215 = icmp sgt i64 %61, 0
-  br i1 %1215, label %1216, label %1218
+1187:                                             ; preds = %1163
+  %1188 = add nsw i64 %1165, -1
+  %1189 = add i64 %1164, 1
+  %1190 = getelementptr i8, ptr %39, i64 16
+  %1191 = load i64, ptr %1190, align 8, !noalias !104
+  %1192 = icmp slt i64 %1164, 0
+  %1193 = select i1 %1192, i64 %23, i64 0
+  %1194 = getelementptr i64, ptr %24, i64 %1164
+  %1195 = getelementptr i64, ptr %1194, i64 %1193
+  %1196 = load i64, ptr %1195, align 8, !noalias !108
+  %1197 = shl i64 %1196, 3
+  %1198 = add i64 %26, %1197
+  %1199 = add i64 %28, %1197
+  %1200 = icmp slt i64 %1164, -1
+  %1201 = select i1 %1200, i64 %23, i64 0
+  %1202 = getelementptr i8, ptr %1194, i64 8
+  %1203 = getelementptr i64, ptr %1202, i64 %1201
+  %1204 = load i64, ptr %1203, align 8, !noalias !108
+  %1205 = xor i64 %1196, -1
+  %1206 = add i64 %1204, %1205
+  call fastcc void @pydy_combine(i64 %95, i64 %85, i64 %100, i64 %113, i64 %1198, i64 %1199, i64 %1206, i64 1, i64 %1191) #3, !noalias !108
+  %1207 = mul nsw i64 %1164, %87
+  %1208 = shl i64 %1207, 3
+  %1209 = add i64 %113, %1208
+  %1210 = select i1 %1192, i64 %32, i64 0
+  %1211 = getelementptr double, ptr %33, i64 %1164
+  %1212 = getelementptr double, ptr %1211, i64 %1210
+  %1213 = load double, ptr %1212, align 8, !noalias !93
+  %1214 = insertelement <8 x double> poison, double %1213, i64 0
+  %1215 = shufflevector <8 x double> %1214, <8 x double> poison, <8 x i32> zeroinitializer
+  %1216 = fmul <8 x double> %1215, %1046
+  %1217 = fadd <8 x double> %1018, %1216
+  store ptr null, ptr %8, align 8, !noalias !111
+  store ptr null, ptr %9, align 8, !noalias !111
+  store <8 x double> %1217, ptr %44, align 8, !noalias !111
+  %1218 = icmp sgt i64 %61, 0
+  br i1 %1218, label %1219, label %1221
 
-1216:                                             ; preds = %1184
-  store ptr null, ptr %8, align 8, !noalias !109
-  %1217 = call fastcc i32 @_set_inputs(ptr nonnull %8, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %1217, label %1225 [
-    i32 -2, label %1218
-    i32 0, label %1218
+1219:                                             ; preds = %1187
+  store ptr null, ptr %8, align 8, !noalias !111
+  %1220 = call fastcc i32 @_set_inputs(ptr nonnull %8, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %1220, label %1228 [
+    i32 -2, label %1221
+    i32 0, label %1221
   ], !prof !56
 
-1218:                                             ; preds = %1216, %1216, %1184
-  %1219 = load i64, ptr %39, align 8, !noalias !109
-  %1220 = inttoptr i64 %1219 to ptr
-  %1221 = inttoptr i64 %1206 to ptr
-  %1222 = call i32 %1220(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %1221) #3, !noalias !109
-  %1223 = sext i32 %1222 to i64
-  %1224 = or i64 %1163, %1223
-  br label %1160
+1221:                                             ; preds = %1219, %1219, %1187
+  %1222 = load i64, ptr %39, align 8, !noalias !111
+  %1223 = inttoptr i64 %1222 to ptr
+  %1224 = inttoptr i64 %1209 to ptr
+  %1225 = call i32 %1223(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %1224) #3, !noalias !111
+  %1226 = sext i32 %1225 to i64
+  %1227 = or i64 %1166, %1226
+  br label %1163
 
-1225:                                             ; preds = %1216
-  br label %2194
+1228:                                             ; preds = %1219
+  br label %2256
 
-1226:                                             ; preds = %1165
-  store ptr null, ptr %6, align 8, !noalias !113
-  store ptr null, ptr %7, align 8, !noalias !113
-  store <8 x double> %1042, ptr %44, align 8, !noalias !113
-  %1227 = icmp sgt i64 %61, 0
-  br i1 %1227, label %1228, label %1230
+1229:                                             ; preds = %1168
+  store ptr null, ptr %6, align 8, !noalias !115
+  store ptr null, ptr %7, align 8, !noalias !115
+  store <8 x double> %1045, ptr %44, align 8, !noalias !115
+  %1230 = icmp sgt i64 %61, 0
+  br i1 %1230, label %1231, label %1233
 
-1228:                                             ; preds = %1226
-  store ptr null, ptr %6, align 8, !noalias !113
-  %1229 = call fastcc i32 @_set_inputs(ptr nonnull %6, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %1229, label %2145 [
-    i32 -2, label %1230
-    i32 0, label %1230
+1231:                                             ; preds = %1229
+  store ptr null, ptr %6, align 8, !noalias !115
+  %1232 = call fastcc i32 @_set_inputs(ptr nonnull %6, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %1232, label %2207 [
+    i32 -2, label %1233
+    i32 0, label %1233
   ], !prof !56
 
-1230:                                             ; preds = %1228, %1228, %1226
-  %1231 = load i64, ptr %39, align 8, !noalias !113
-  %1232 = inttoptr i64 %1231 to ptr
-  %1233 = inttoptr i64 %244 to ptr
-  %1234 = call i32 %1232(ptr nonnull %44, ptr %93, ptr %49, ptr %57, ptr %1233) #3, !noalias !113
-  %1235 = sext i32 %1234 to i64
-  %1236 = or i64 %1163, %1235
-  br label %1237
+1233:                                             ; preds = %1231, %1231, %1229
+  %1234 = load i64, ptr %39, align 8, !noalias !115
+  %1235 = inttoptr i64 %1234 to ptr
+  %1236 = inttoptr i64 %244 to ptr
+  %1237 = call i32 %1235(ptr nonnull %44, ptr %93, ptr %49, ptr %57, ptr %1236) #3, !noalias !115
+  %1238 = sext i32 %1237 to i64
+  %1239 = or i64 %1166, %1238
+  br label %1240
 
-1237:                                             ; preds = %1230, %1165
-  %1238 = phi i64 [ %1236, %1230 ], [ %1163, %1165 ]
-  br i1 %248, label %1239, label %1349
+1240:                                             ; preds = %1233, %1168
+  %1241 = phi i64 [ %1239, %1233 ], [ %1166, %1168 ]
+  br i1 %248, label %1242, label %1411
 
-1239:                                             ; preds = %1237
-  %1240 = load i64, ptr %232, align 8, !noalias !117
-  %1241 = load i64, ptr %246, align 8, !noalias !117
-  %1242 = load i64, ptr %19, align 8, !noalias !117
-  %1243 = add nsw i64 %1242, 1
-  %1244 = call i64 @llvm.smax.i64(i64 %1241, i64 0)
-  br label %1245
+1242:                                             ; preds = %1240
+  %1243 = getelementptr i8, ptr %39, i64 24
+  %1244 = load i64, ptr %1243, align 8, !noalias !119
+  %1245 = getelementptr i8, ptr %39, i64 32
+  %1246 = load i64, ptr %1245, align 8, !noalias !119
+  %1247 = load i64, ptr %246, align 8, !noalias !119
+  %1248 = load i64, ptr %19, align 8, !noalias !119
+  %1249 = add nsw i64 %1248, 1
+  %1250 = call i64 @llvm.smax.i64(i64 %1247, i64 0)
+  br label %1251
 
-1245:                                             ; preds = %1239, %1274
-  %1246 = phi i64 [ 0, %1239 ], [ %1276, %1274 ]
-  %1247 = phi i64 [ %1244, %1239 ], [ %1275, %1274 ]
-  %1248 = icmp sgt i64 %1247, 0
-  br i1 %1248, label %1274, label %1297
+1251:                                             ; preds = %1242, %1337
+  %1252 = phi i64 [ 0, %1242 ], [ %1339, %1337 ]
+  %1253 = phi i64 [ %1250, %1242 ], [ %1338, %1337 ]
+  %1254 = icmp sgt i64 %1253, 0
+  br i1 %1254, label %1337, label %1359
 
-1249:                                             ; preds = %1307, %1311
-  %1250 = phi i64 [ 0, %1307 ], [ %1313, %1311 ]
-  %1251 = phi i64 [ %1310, %1307 ], [ %1312, %1311 ]
-  %1252 = phi <8 x double> [ zeroinitializer, %1307 ], [ %1348, %1311 ]
-  %1253 = phi <8 x double> [ zeroinitializer, %1307 ], [ %1346, %1311 ]
-  %1254 = icmp sgt i64 %1251, 0
-  br i1 %1254, label %1311, label %1255
+1255:                                             ; preds = %1369, %1373
+  %1256 = phi i64 [ 0, %1369 ], [ %1375, %1373 ]
+  %1257 = phi i64 [ %1372, %1369 ], [ %1374, %1373 ]
+  %1258 = phi <8 x double> [ zeroinitializer, %1369 ], [ %1410, %1373 ]
+  %1259 = phi <8 x double> [ zeroinitializer, %1369 ], [ %1408, %1373 ]
+  %1260 = icmp sgt i64 %1257, 0
+  br i1 %1260, label %1373, label %1261
 
-1255:                                             ; preds = %1249
-  %1256 = icmp eq i64 %1241, 2
-  br i1 %1256, label %1257, label %1268
+1261:                                             ; preds = %1255
+  %1262 = load i64, ptr %232, align 8, !noalias !119
+  %1263 = add nsw i64 %1262, -3
+  %1264 = sub i64 %1263, %1244
+  %1265 = add nuw i64 %1264, 3
+  %1266 = lshr i64 %1265, 2
+  %1267 = icmp sgt i64 %1264, 0
+  %1268 = select i1 %1267, i64 %1266, i64 0
+  br label %1269
 
-1257:                                             ; preds = %1255
-  %1258 = fcmp oeq <8 x double> %1253, zeroinitializer
-  %1259 = fmul <8 x double> %1252, splat (double 1.000000e-02)
-  %1260 = fadd <8 x double> %1253, %1259
-  %1261 = sitofp i64 %1240 to double
-  %1262 = insertelement <8 x double> poison, double %1261, i64 0
-  %1263 = shufflevector <8 x double> %1262, <8 x double> poison, <8 x i32> zeroinitializer
-  %1264 = fmul <8 x double> %1260, %1263
-  %1265 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1264)
-  %1266 = fdiv <8 x double> %1253, %1265
-  %1267 = select <8 x i1> %1258, <8 x double> zeroinitializer, <8 x double> %1266
-  br label %1356
+1269:                                             ; preds = %1261, %1292
+  %1270 = phi i64 [ %1244, %1261 ], [ %1294, %1292 ]
+  %1271 = phi i64 [ %1268, %1261 ], [ %1293, %1292 ]
+  %1272 = phi <8 x double> [ zeroinitializer, %1261 ], [ %1299, %1292 ]
+  %1273 = phi <8 x double> [ zeroinitializer, %1261 ], [ %1303, %1292 ]
+  %1274 = phi <8 x double> [ zeroinitializer, %1261 ], [ %1307, %1292 ]
+  %1275 = phi <8 x double> [ zeroinitializer, %1261 ], [ %1311, %1292 ]
+  %1276 = icmp sgt i64 %1271, 0
+  br i1 %1276, label %1292, label %1277
 
-1268:                                             ; preds = %1255
-  %1269 = sitofp i64 %1240 to double
-  %1270 = insertelement <8 x double> poison, double %1269, i64 0
-  %1271 = shufflevector <8 x double> %1270, <8 x double> poison, <8 x i32> zeroinitializer
-  %1272 = fdiv <8 x double> %1253, %1271
-  %1273 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1272)
-  br label %1356
+1277:                                             ; preds = %1269
+  %1278 = sub nsw i64 %1262, %1244
+  %1279 = and i64 %1278, 3
+  %1280 = sub nsw i64 %1262, %1279
+  br label %1281
 
-1274:                                             ; preds = %1245
-  %1275 = add nsw i64 %1247, -1
-  %1276 = add i64 %1246, 1
-  %1277 = add nsw i64 %1243, %1246
-  %1278 = mul nsw i64 %1246, %87
-  %1279 = shl i64 %1278, 3
-  %1280 = add i64 %108, %1279
-  %1281 = icmp slt i64 %1277, 0
-  %1282 = select i1 %1281, i64 %23, i64 0
-  %1283 = getelementptr i64, ptr %24, i64 %1277
-  %1284 = getelementptr i64, ptr %1283, i64 %1282
-  %1285 = load i64, ptr %1284, align 8, !noalias !121
-  %1286 = shl i64 %1285, 3
-  %1287 = add i64 %26, %1286
-  %1288 = add i64 %28, %1286
-  %1289 = icmp slt i64 %1277, -1
-  %1290 = select i1 %1289, i64 %23, i64 0
-  %1291 = getelementptr i8, ptr %1283, i64 8
-  %1292 = getelementptr i64, ptr %1291, i64 %1290
-  %1293 = load i64, ptr %1292, align 8, !noalias !121
-  %1294 = xor i64 %1285, -1
-  %1295 = add i64 %1293, %1294
-  %1296 = load i64, ptr %1182, align 8, !noalias !121
-  call fastcc void @pydy_combine(i64 %1280, i64 %106, i64 %100, i64 %113, i64 %1287, i64 %1288, i64 %1295, i64 1, i64 %1296) #3, !noalias !121
-  br label %1245
+1281:                                             ; preds = %1277, %1312
+  %1282 = phi i64 [ %1280, %1277 ], [ %1314, %1312 ]
+  %1283 = phi i64 [ %1279, %1277 ], [ %1313, %1312 ]
+  %1284 = phi <8 x double> [ %1272, %1277 ], [ %1319, %1312 ]
+  %1285 = icmp sgt i64 %1283, 0
+  br i1 %1285, label %1312, label %1286
 
-1297:                                             ; preds = %1245
-  %1298 = icmp slt i64 %87, 0
-  %1299 = select i1 %1298, i64 %110, i64 0
-  %1300 = add i64 %87, %1299
-  %1301 = icmp slt i64 %1300, 0
-  br i1 %1301, label %1302, label %1303, !prof !4
+1286:                                             ; preds = %1281
+  %1287 = fadd <8 x double> %1284, %1273
+  %1288 = fadd <8 x double> %1274, %1275
+  %1289 = fadd <8 x double> %1287, %1288
+  %1290 = fadd <8 x double> %1259, %1289
+  %1291 = icmp eq i64 %1247, 2
+  br i1 %1291, label %1320, label %1331
 
-1302:                                             ; preds = %1297
-  br label %1303
+1292:                                             ; preds = %1269
+  %1293 = add nsw i64 %1271, -1
+  %1294 = add i64 %1270, 4
+  %1295 = shl i64 %1270, 6
+  %1296 = getelementptr i8, ptr %93, i64 %1295
+  %1297 = load <8 x double>, ptr %1296, align 8, !noalias !123
+  %1298 = fmul <8 x double> %1297, zeroinitializer
+  %1299 = fadd <8 x double> %1272, %1298
+  %1300 = getelementptr i8, ptr %1296, i64 64
+  %1301 = load <8 x double>, ptr %1300, align 8, !noalias !123
+  %1302 = fmul <8 x double> %1301, zeroinitializer
+  %1303 = fadd <8 x double> %1273, %1302
+  %1304 = getelementptr i8, ptr %1296, i64 128
+  %1305 = load <8 x double>, ptr %1304, align 8, !noalias !123
+  %1306 = fmul <8 x double> %1305, zeroinitializer
+  %1307 = fadd <8 x double> %1274, %1306
+  %1308 = getelementptr i8, ptr %1296, i64 192
+  %1309 = load <8 x double>, ptr %1308, align 8, !noalias !123
+  %1310 = fmul <8 x double> %1309, zeroinitializer
+  %1311 = fadd <8 x double> %1275, %1310
+  br label %1269
 
-1303:                                             ; preds = %1302, %1297
-  %1304 = phi i64 [ 0, %1302 ], [ %1300, %1297 ]
-  %1305 = icmp slt i64 %1300, %110
-  br i1 %1305, label %1307, label %1306, !prof !8
+1312:                                             ; preds = %1281
+  %1313 = add nsw i64 %1283, -1
+  %1314 = add i64 %1282, 1
+  %1315 = shl i64 %1282, 6
+  %1316 = getelementptr i8, ptr %93, i64 %1315
+  %1317 = load <8 x double>, ptr %1316, align 8, !noalias !123
+  %1318 = fmul <8 x double> %1317, zeroinitializer
+  %1319 = fadd <8 x double> %1284, %1318
+  br label %1281
 
-1306:                                             ; preds = %1303
-  br label %1307
+1320:                                             ; preds = %1286
+  %1321 = fcmp oeq <8 x double> %1290, zeroinitializer
+  %1322 = fmul <8 x double> %1258, splat (double 1.000000e-02)
+  %1323 = fadd <8 x double> %1290, %1322
+  %1324 = sitofp i64 %1244 to double
+  %1325 = insertelement <8 x double> poison, double %1324, i64 0
+  %1326 = shufflevector <8 x double> %1325, <8 x double> poison, <8 x i32> zeroinitializer
+  %1327 = fmul <8 x double> %1323, %1326
+  %1328 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1327)
+  %1329 = fdiv <8 x double> %1290, %1328
+  %1330 = select <8 x i1> %1321, <8 x double> zeroinitializer, <8 x double> %1329
+  br label %1418
 
-1307:                                             ; preds = %1306, %1303
-  %1308 = phi i64 [ %110, %1306 ], [ %1304, %1303 ]
-  %1309 = getelementptr double, ptr %111, i64 %1308
-  %1310 = call i64 @llvm.smax.i64(i64 %1240, i64 0)
-  br label %1249
+1331:                                             ; preds = %1286
+  %1332 = sitofp i64 %1244 to double
+  %1333 = insertelement <8 x double> poison, double %1332, i64 0
+  %1334 = shufflevector <8 x double> %1333, <8 x double> poison, <8 x i32> zeroinitializer
+  %1335 = fdiv <8 x double> %1290, %1334
+  %1336 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1335)
+  br label %1418
 
-1311:                                             ; preds = %1249
-  %1312 = add nsw i64 %1251, -1
-  %1313 = add i64 %1250, 1
-  %1314 = shl i64 %1250, 6
-  %1315 = getelementptr i8, ptr %88, i64 %1314
-  %1316 = load <8 x double>, ptr %1315, align 8, !noalias !117
-  %1317 = getelementptr i8, ptr %93, i64 %1314
-  %1318 = load <8 x double>, ptr %1317, align 8, !noalias !117
-  %1319 = icmp slt i64 %1250, 0
-  %1320 = select i1 %1319, i64 %130, i64 0
-  %1321 = getelementptr double, ptr %131, i64 %1250
-  %1322 = getelementptr double, ptr %1321, i64 %1320
-  %1323 = load double, ptr %1322, align 8, !noalias !127
-  %1324 = select i1 %1319, i64 %125, i64 0
-  %1325 = getelementptr double, ptr %126, i64 %1250
-  %1326 = getelementptr double, ptr %1325, i64 %1324
-  %1327 = load double, ptr %1326, align 8, !noalias !127
-  %1328 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1316)
-  %1329 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1318)
-  %1330 = fcmp ogt <8 x double> %1328, %1329
-  %1331 = select <8 x i1> %1330, <8 x double> %1328, <8 x double> %1329
-  %1332 = insertelement <8 x double> poison, double %1327, i64 0
-  %1333 = shufflevector <8 x double> %1332, <8 x double> poison, <8 x i32> zeroinitializer
-  %1334 = fmul <8 x double> %1333, %1331
-  %1335 = insertelement <8 x double> poison, double %1323, i64 0
-  %1336 = shufflevector <8 x double> %1335, <8 x double> poison, <8 x i32> zeroinitializer
-  %1337 = fadd <8 x double> %1336, %1334
-  %1338 = fdiv <8 x double> splat (double 1.000000e+00), %1337
-  %1339 = getelementptr i8, ptr %111, i64 %1314
-  %1340 = load <8 x double>, ptr %1339, align 8, !noalias !117
-  %1341 = fmul <8 x double> %1340, %1338
-  %1342 = getelementptr i8, ptr %1309, i64 %1314
-  %1343 = load <8 x double>, ptr %1342, align 8, !noalias !117
-  %1344 = fmul <8 x double> %1343, %1338
-  %1345 = fmul <8 x double> %1341, %1341
-  %1346 = fadd <8 x double> %1253, %1345
-  %1347 = fmul <8 x double> %1344, %1344
-  %1348 = fadd <8 x double> %1252, %1347
-  br label %1249
+1337:                                             ; preds = %1251
+  %1338 = add nsw i64 %1253, -1
+  %1339 = add i64 %1252, 1
+  %1340 = mul nsw i64 %1252, %87
+  %1341 = shl i64 %1340, 3
+  %1342 = add i64 %108, %1341
+  %1343 = add nsw i64 %1249, %1252
+  %1344 = icmp slt i64 %1343, 0
+  %1345 = select i1 %1344, i64 %23, i64 0
+  %1346 = getelementptr i64, ptr %24, i64 %1343
+  %1347 = getelementptr i64, ptr %1346, i64 %1345
+  %1348 = load i64, ptr %1347, align 8, !noalias !127
+  %1349 = shl i64 %1348, 3
+  %1350 = add i64 %26, %1349
+  %1351 = add i64 %28, %1349
+  %1352 = icmp slt i64 %1343, -1
+  %1353 = select i1 %1352, i64 %23, i64 0
+  %1354 = getelementptr i8, ptr %1346, i64 8
+  %1355 = getelementptr i64, ptr %1354, i64 %1353
+  %1356 = load i64, ptr %1355, align 8, !noalias !127
+  %1357 = xor i64 %1348, -1
+  %1358 = add i64 %1356, %1357
+  call fastcc void @pydy_combine(i64 %1342, i64 %106, i64 %100, i64 %113, i64 %1350, i64 %1351, i64 %1358, i64 1, i64 %1246) #3, !noalias !127
+  br label %1251
 
-1349:                                             ; preds = %1237
-  %1350 = call i64 @llvm.smax.i64(i64 %233, i64 0)
-  br label %1351
+1359:                                             ; preds = %1251
+  %1360 = icmp slt i64 %87, 0
+  %1361 = select i1 %1360, i64 %110, i64 0
+  %1362 = add i64 %87, %1361
+  %1363 = icmp slt i64 %1362, 0
+  br i1 %1363, label %1364, label %1365, !prof !4
 
-1351:                                             ; preds = %1349, %2146
-  %1352 = phi i64 [ 0, %1349 ], [ %2148, %2146 ]
-  %1353 = phi i64 [ %1350, %1349 ], [ %2147, %2146 ]
-  %1354 = phi <8 x double> [ zeroinitializer, %1349 ], [ %2153, %2146 ]
-  %1355 = icmp sgt i64 %1353, 0
-  br i1 %1355, label %2146, label %1356
+1364:                                             ; preds = %1359
+  br label %1365
 
-1356:                                             ; preds = %1351, %1257, %1268
-  %1357 = phi <8 x double> [ %1354, %1351 ], [ %1273, %1268 ], [ %1267, %1257 ]
-  %1358 = fcmp olt <8 x double> %1357, splat (double 1.000000e+00)
-  %1359 = trunc i64 %1238 to i8
-  %1360 = bitcast i8 %1359 to <8 x i1>
-  %1361 = xor <8 x i1> %1360, splat (i1 true)
-  %1362 = and <8 x i1> %1358, %1361
-  %1363 = and <8 x i1> %1362, %1018
-  %1364 = bitcast <8 x i1> %1363 to i8
-  %1365 = icmp ne i8 %1364, 0
-  %1366 = select i1 %251, i1 %1365, i1 false
-  br i1 %1366, label %1367, label %1382
+1365:                                             ; preds = %1364, %1359
+  %1366 = phi i64 [ 0, %1364 ], [ %1362, %1359 ]
+  %1367 = icmp slt i64 %1362, %110
+  br i1 %1367, label %1369, label %1368, !prof !8
 
-1367:                                             ; preds = %1356
-  store ptr null, ptr %4, align 8, !noalias !130
-  store ptr null, ptr %5, align 8, !noalias !130
-  store <8 x double> %1042, ptr %44, align 8, !noalias !130
-  %1368 = icmp sgt i64 %61, 0
-  br i1 %1368, label %1369, label %1371
+1368:                                             ; preds = %1365
+  br label %1369
 
-1369:                                             ; preds = %1367
-  store ptr null, ptr %4, align 8, !noalias !130
-  %1370 = call fastcc i32 @_set_inputs(ptr nonnull %4, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %1370, label %2154 [
-    i32 -2, label %1371
-    i32 0, label %1371
+1369:                                             ; preds = %1368, %1365
+  %1370 = phi i64 [ %110, %1368 ], [ %1366, %1365 ]
+  %1371 = getelementptr double, ptr %111, i64 %1370
+  %1372 = call i64 @llvm.smax.i64(i64 %1244, i64 0)
+  br label %1255
+
+1373:                                             ; preds = %1255
+  %1374 = add nsw i64 %1257, -1
+  %1375 = add i64 %1256, 1
+  %1376 = shl i64 %1256, 6
+  %1377 = getelementptr i8, ptr %88, i64 %1376
+  %1378 = load <8 x double>, ptr %1377, align 8, !noalias !119
+  %1379 = getelementptr i8, ptr %93, i64 %1376
+  %1380 = load <8 x double>, ptr %1379, align 8, !noalias !119
+  %1381 = icmp slt i64 %1256, 0
+  %1382 = select i1 %1381, i64 %130, i64 0
+  %1383 = getelementptr double, ptr %131, i64 %1256
+  %1384 = getelementptr double, ptr %1383, i64 %1382
+  %1385 = load double, ptr %1384, align 8, !noalias !130
+  %1386 = select i1 %1381, i64 %125, i64 0
+  %1387 = getelementptr double, ptr %126, i64 %1256
+  %1388 = getelementptr double, ptr %1387, i64 %1386
+  %1389 = load double, ptr %1388, align 8, !noalias !130
+  %1390 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1378)
+  %1391 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1380)
+  %1392 = fcmp ogt <8 x double> %1390, %1391
+  %1393 = select <8 x i1> %1392, <8 x double> %1390, <8 x double> %1391
+  %1394 = insertelement <8 x double> poison, double %1389, i64 0
+  %1395 = shufflevector <8 x double> %1394, <8 x double> poison, <8 x i32> zeroinitializer
+  %1396 = fmul <8 x double> %1395, %1393
+  %1397 = insertelement <8 x double> poison, double %1385, i64 0
+  %1398 = shufflevector <8 x double> %1397, <8 x double> poison, <8 x i32> zeroinitializer
+  %1399 = fadd <8 x double> %1398, %1396
+  %1400 = fdiv <8 x double> splat (double 1.000000e+00), %1399
+  %1401 = getelementptr i8, ptr %111, i64 %1376
+  %1402 = load <8 x double>, ptr %1401, align 8, !noalias !119
+  %1403 = fmul <8 x double> %1402, %1400
+  %1404 = getelementptr i8, ptr %1371, i64 %1376
+  %1405 = load <8 x double>, ptr %1404, align 8, !noalias !119
+  %1406 = fmul <8 x double> %1405, %1400
+  %1407 = fmul <8 x double> %1403, %1403
+  %1408 = fadd <8 x double> %1259, %1407
+  %1409 = fmul <8 x double> %1406, %1406
+  %1410 = fadd <8 x double> %1258, %1409
+  br label %1255
+
+1411:                                             ; preds = %1240
+  %1412 = call i64 @llvm.smax.i64(i64 %233, i64 0)
+  br label %1413
+
+1413:                                             ; preds = %1411, %2208
+  %1414 = phi i64 [ 0, %1411 ], [ %2210, %2208 ]
+  %1415 = phi i64 [ %1412, %1411 ], [ %2209, %2208 ]
+  %1416 = phi <8 x double> [ zeroinitializer, %1411 ], [ %2215, %2208 ]
+  %1417 = icmp sgt i64 %1415, 0
+  br i1 %1417, label %2208, label %1418
+
+1418:                                             ; preds = %1413, %1320, %1331
+  %1419 = phi <8 x double> [ %1416, %1413 ], [ %1336, %1331 ], [ %1330, %1320 ]
+  %1420 = fcmp olt <8 x double> %1419, splat (double 1.000000e+00)
+  %1421 = trunc i64 %1241 to i8
+  %1422 = bitcast i8 %1421 to <8 x i1>
+  %1423 = xor <8 x i1> %1422, splat (i1 true)
+  %1424 = and <8 x i1> %1420, %1423
+  %1425 = and <8 x i1> %1424, %1021
+  %1426 = bitcast <8 x i1> %1425 to i8
+  %1427 = icmp ne i8 %1426, 0
+  %1428 = select i1 %251, i1 %1427, i1 false
+  br i1 %1428, label %1429, label %1444
+
+1429:                                             ; preds = %1418
+  store ptr null, ptr %4, align 8, !noalias !133
+  store ptr null, ptr %5, align 8, !noalias !133
+  store <8 x double> %1045, ptr %44, align 8, !noalias !133
+  %1430 = icmp sgt i64 %61, 0
+  br i1 %1430, label %1431, label %1433
+
+1431:                                             ; preds = %1429
+  store ptr null, ptr %4, align 8, !noalias !133
+  %1432 = call fastcc i32 @_set_inputs(ptr nonnull %4, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %1432, label %2216 [
+    i32 -2, label %1433
+    i32 0, label %1433
   ], !prof !56
 
-1371:                                             ; preds = %1369, %1369, %1367
-  %1372 = load i64, ptr %39, align 8, !noalias !130
-  %1373 = inttoptr i64 %1372 to ptr
-  %1374 = inttoptr i64 %244 to ptr
-  %1375 = call i32 %1373(ptr nonnull %44, ptr %93, ptr %49, ptr %57, ptr %1374) #3, !noalias !130
-  %1376 = sext i32 %1375 to i64
-  %1377 = or i64 %1238, %1376
-  %1378 = trunc i64 %1377 to i8
-  %1379 = bitcast i8 %1378 to <8 x i1>
-  %1380 = xor <8 x i1> %1379, splat (i1 true)
-  %1381 = and <8 x i1> %1363, %1380
-  br label %1382
+1433:                                             ; preds = %1431, %1431, %1429
+  %1434 = load i64, ptr %39, align 8, !noalias !133
+  %1435 = inttoptr i64 %1434 to ptr
+  %1436 = inttoptr i64 %244 to ptr
+  %1437 = call i32 %1435(ptr nonnull %44, ptr %93, ptr %49, ptr %57, ptr %1436) #3, !noalias !133
+  %1438 = sext i32 %1437 to i64
+  %1439 = or i64 %1241, %1438
+  %1440 = trunc i64 %1439 to i8
+  %1441 = bitcast i8 %1440 to <8 x i1>
+  %1442 = xor <8 x i1> %1441, splat (i1 true)
+  %1443 = and <8 x i1> %1425, %1442
+  br label %1444
 
-1382:                                             ; preds = %1371, %1356
-  %1383 = phi i64 [ %1238, %1356 ], [ %1377, %1371 ]
-  %1384 = phi <8 x i1> [ %1363, %1356 ], [ %1381, %1371 ]
-  %1385 = load <8 x double>, ptr %172, align 8, !noalias !12
-  %1386 = insertelement <8 x double> poison, double %254, i64 0
-  %1387 = shufflevector <8 x double> %1386, <8 x double> poison, <8 x i32> zeroinitializer
-  %1388 = fadd <8 x double> %1385, %1387
-  %1389 = insertelement <8 x double> poison, double %256, i64 0
-  %1390 = shufflevector <8 x double> %1389, <8 x double> poison, <8 x i32> zeroinitializer
-  %1391 = select <8 x i1> %1363, <8 x double> %1390, <8 x double> zeroinitializer
-  %1392 = fadd <8 x double> %1388, %1391
-  store <8 x double> %1392, ptr %172, align 8, !noalias !12
-  %1393 = load <8 x double>, ptr %157, align 8, !noalias !12
-  %1394 = fcmp olt <8 x double> %1393, %1042
-  %1395 = and <8 x i1> %1384, %1394
-  %1396 = bitcast <8 x i1> %1395 to i8
-  %1397 = icmp eq i8 %1396, 0
-  br i1 %1397, label %1739, label %1398
+1444:                                             ; preds = %1433, %1418
+  %1445 = phi i64 [ %1241, %1418 ], [ %1439, %1433 ]
+  %1446 = phi <8 x i1> [ %1425, %1418 ], [ %1443, %1433 ]
+  %1447 = load <8 x double>, ptr %172, align 8, !noalias !12
+  %1448 = insertelement <8 x double> poison, double %254, i64 0
+  %1449 = shufflevector <8 x double> %1448, <8 x double> poison, <8 x i32> zeroinitializer
+  %1450 = fadd <8 x double> %1447, %1449
+  %1451 = insertelement <8 x double> poison, double %256, i64 0
+  %1452 = shufflevector <8 x double> %1451, <8 x double> poison, <8 x i32> zeroinitializer
+  %1453 = select <8 x i1> %1425, <8 x double> %1452, <8 x double> zeroinitializer
+  %1454 = fadd <8 x double> %1450, %1453
+  store <8 x double> %1454, ptr %172, align 8, !noalias !12
+  %1455 = load <8 x double>, ptr %157, align 8, !noalias !12
+  %1456 = fcmp olt <8 x double> %1455, %1045
+  %1457 = and <8 x i1> %1446, %1456
+  %1458 = bitcast <8 x i1> %1457 to i8
+  %1459 = icmp eq i8 %1458, 0
+  br i1 %1459, label %1801, label %1460
 
-1398:                                             ; preds = %1382
-  %1399 = load i64, ptr %19, align 8, !noalias !134
-  %1400 = getelementptr i8, ptr %19, i64 16
-  %1401 = load i64, ptr %1400, align 8, !noalias !134
-  %1402 = call i64 @llvm.smax.i64(i64 %1401, i64 0)
-  br label %1403
+1460:                                             ; preds = %1444
+  %1461 = load i64, ptr %19, align 8, !noalias !137
+  %1462 = getelementptr i8, ptr %19, i64 16
+  %1463 = load i64, ptr %1462, align 8, !noalias !137
+  %1464 = call i64 @llvm.smax.i64(i64 %1463, i64 0)
+  br label %1465
 
-1403:                                             ; preds = %1547, %1398
-  %1404 = phi i64 [ %1399, %1398 ], [ %1407, %1547 ]
-  %1405 = phi i64 [ %1402, %1398 ], [ %1513, %1547 ]
-  %1406 = phi i64 [ 0, %1398 ], [ %1553, %1547 ]
-  %1407 = add i64 %1404, 1
-  %1408 = icmp sgt i64 %1405, 0
-  br i1 %1408, label %1512, label %1409
+1465:                                             ; preds = %1609, %1460
+  %1466 = phi i64 [ %1461, %1460 ], [ %1469, %1609 ]
+  %1467 = phi i64 [ %1464, %1460 ], [ %1575, %1609 ]
+  %1468 = phi i64 [ 0, %1460 ], [ %1615, %1609 ]
+  %1469 = add i64 %1466, 1
+  %1470 = icmp sgt i64 %1467, 0
+  br i1 %1470, label %1574, label %1471
 
-1409:                                             ; preds = %1403
-  %1410 = load i64, ptr %232, align 8, !noalias !138
-  %1411 = load i64, ptr %19, align 8, !noalias !138
-  %1412 = mul nsw i64 %1411, %87
-  %1413 = icmp slt i64 %1412, 0
-  %1414 = select i1 %1413, i64 %115, i64 0
-  %1415 = add i64 %1412, %1414
-  %1416 = icmp slt i64 %1415, 0
-  br i1 %1416, label %1435, label %1436, !prof !4
+1471:                                             ; preds = %1465
+  %1472 = load i64, ptr %232, align 8, !noalias !141
+  %1473 = load i64, ptr %19, align 8, !noalias !141
+  %1474 = mul nsw i64 %1473, %87
+  %1475 = icmp slt i64 %1474, 0
+  %1476 = select i1 %1475, i64 %115, i64 0
+  %1477 = add i64 %1474, %1476
+  %1478 = icmp slt i64 %1477, 0
+  br i1 %1478, label %1497, label %1498, !prof !4
 
-1417:                                             ; preds = %1463, %1467
-  %1418 = phi i64 [ 0, %1463 ], [ %1469, %1467 ]
-  %1419 = phi i64 [ %1466, %1463 ], [ %1468, %1467 ]
-  %1420 = icmp sgt i64 %1419, 0
-  br i1 %1420, label %1467, label %1421
+1479:                                             ; preds = %1525, %1529
+  %1480 = phi i64 [ 0, %1525 ], [ %1531, %1529 ]
+  %1481 = phi i64 [ %1528, %1525 ], [ %1530, %1529 ]
+  %1482 = icmp sgt i64 %1481, 0
+  br i1 %1482, label %1529, label %1483
 
-1421:                                             ; preds = %1417
-  %1422 = add nsw i64 %1411, 1
-  %1423 = load i64, ptr %246, align 8, !noalias !138
-  %1424 = add nsw i64 %1422, %1423
-  %1425 = load i64, ptr %1400, align 8, !noalias !138
-  %1426 = add nsw i64 %1424, %1425
-  %1427 = getelementptr i8, ptr %19, i64 24
-  %1428 = load i64, ptr %1427, align 8, !noalias !138
-  %1429 = add i64 %1428, -3
-  %1430 = call i64 @llvm.smax.i64(i64 %1429, i64 0)
-  br label %1431
+1483:                                             ; preds = %1479
+  %1484 = add nsw i64 %1473, 1
+  %1485 = load i64, ptr %246, align 8, !noalias !141
+  %1486 = add nsw i64 %1484, %1485
+  %1487 = load i64, ptr %1462, align 8, !noalias !141
+  %1488 = add nsw i64 %1486, %1487
+  %1489 = getelementptr i8, ptr %19, i64 24
+  %1490 = load i64, ptr %1489, align 8, !noalias !141
+  %1491 = add i64 %1490, -3
+  %1492 = call i64 @llvm.smax.i64(i64 %1491, i64 0)
+  br label %1493
 
-1431:                                             ; preds = %1421, %1488
-  %1432 = phi i64 [ 3, %1421 ], [ %1490, %1488 ]
-  %1433 = phi i64 [ %1430, %1421 ], [ %1489, %1488 ]
-  %1434 = icmp sgt i64 %1433, 0
-  br i1 %1434, label %1488, label %2155
+1493:                                             ; preds = %1483, %1550
+  %1494 = phi i64 [ 3, %1483 ], [ %1552, %1550 ]
+  %1495 = phi i64 [ %1492, %1483 ], [ %1551, %1550 ]
+  %1496 = icmp sgt i64 %1495, 0
+  br i1 %1496, label %1550, label %2217
 
-1435:                                             ; preds = %1409
-  br label %1436
+1497:                                             ; preds = %1471
+  br label %1498
 
-1436:                                             ; preds = %1435, %1409
-  %1437 = phi i64 [ 0, %1435 ], [ %1415, %1409 ]
-  %1438 = icmp slt i64 %1415, %115
-  br i1 %1438, label %1440, label %1439, !prof !8
+1498:                                             ; preds = %1497, %1471
+  %1499 = phi i64 [ 0, %1497 ], [ %1477, %1471 ]
+  %1500 = icmp slt i64 %1477, %115
+  br i1 %1500, label %1502, label %1501, !prof !8
 
-1439:                                             ; preds = %1436
-  br label %1440
+1501:                                             ; preds = %1498
+  br label %1502
 
-1440:                                             ; preds = %1439, %1436
-  %1441 = phi i64 [ %115, %1439 ], [ %1437, %1436 ]
-  %1442 = getelementptr double, ptr %116, i64 %1441
-  %1443 = icmp slt i64 %87, 0
-  %1444 = select i1 %1443, i64 %120, i64 0
-  %1445 = add i64 %87, %1444
-  %1446 = icmp slt i64 %1445, 0
-  br i1 %1446, label %1447, label %1448, !prof !4
+1502:                                             ; preds = %1501, %1498
+  %1503 = phi i64 [ %115, %1501 ], [ %1499, %1498 ]
+  %1504 = getelementptr double, ptr %116, i64 %1503
+  %1505 = icmp slt i64 %87, 0
+  %1506 = select i1 %1505, i64 %120, i64 0
+  %1507 = add i64 %87, %1506
+  %1508 = icmp slt i64 %1507, 0
+  br i1 %1508, label %1509, label %1510, !prof !4
 
-1447:                                             ; preds = %1440
-  br label %1448
+1509:                                             ; preds = %1502
+  br label %1510
 
-1448:                                             ; preds = %1447, %1440
-  %1449 = phi i64 [ 0, %1447 ], [ %1445, %1440 ]
-  %1450 = icmp slt i64 %1445, %120
-  br i1 %1450, label %1452, label %1451, !prof !8
+1510:                                             ; preds = %1509, %1502
+  %1511 = phi i64 [ 0, %1509 ], [ %1507, %1502 ]
+  %1512 = icmp slt i64 %1507, %120
+  br i1 %1512, label %1514, label %1513, !prof !8
 
-1451:                                             ; preds = %1448
-  br label %1452
+1513:                                             ; preds = %1510
+  br label %1514
 
-1452:                                             ; preds = %1451, %1448
-  %1453 = phi i64 [ %120, %1451 ], [ %1449, %1448 ]
-  %1454 = getelementptr double, ptr %121, i64 %1453
-  %1455 = shl nsw i64 %87, 1
-  %1456 = add i64 %1455, %1444
-  %1457 = icmp slt i64 %1456, 0
-  br i1 %1457, label %1458, label %1459, !prof !4
+1514:                                             ; preds = %1513, %1510
+  %1515 = phi i64 [ %120, %1513 ], [ %1511, %1510 ]
+  %1516 = getelementptr double, ptr %121, i64 %1515
+  %1517 = shl nsw i64 %87, 1
+  %1518 = add i64 %1517, %1506
+  %1519 = icmp slt i64 %1518, 0
+  br i1 %1519, label %1520, label %1521, !prof !4
 
-1458:                                             ; preds = %1452
-  br label %1459
+1520:                                             ; preds = %1514
+  br label %1521
 
-1459:                                             ; preds = %1458, %1452
-  %1460 = phi i64 [ 0, %1458 ], [ %1456, %1452 ]
-  %1461 = icmp slt i64 %1456, %120
-  br i1 %1461, label %1463, label %1462, !prof !8
+1521:                                             ; preds = %1520, %1514
+  %1522 = phi i64 [ 0, %1520 ], [ %1518, %1514 ]
+  %1523 = icmp slt i64 %1518, %120
+  br i1 %1523, label %1525, label %1524, !prof !8
 
-1462:                                             ; preds = %1459
-  br label %1463
+1524:                                             ; preds = %1521
+  br label %1525
 
-1463:                                             ; preds = %1462, %1459
-  %1464 = phi i64 [ %120, %1462 ], [ %1460, %1459 ]
-  %1465 = getelementptr double, ptr %121, i64 %1464
-  %1466 = call i64 @llvm.smax.i64(i64 %1410, i64 0)
-  br label %1417
+1525:                                             ; preds = %1524, %1521
+  %1526 = phi i64 [ %120, %1524 ], [ %1522, %1521 ]
+  %1527 = getelementptr double, ptr %121, i64 %1526
+  %1528 = call i64 @llvm.smax.i64(i64 %1472, i64 0)
+  br label %1479
 
-1467:                                             ; preds = %1417
-  %1468 = add nsw i64 %1419, -1
-  %1469 = add i64 %1418, 1
-  %1470 = shl i64 %1418, 6
-  %1471 = getelementptr i8, ptr %93, i64 %1470
-  %1472 = load <8 x double>, ptr %1471, align 8, !noalias !138
-  %1473 = getelementptr i8, ptr %88, i64 %1470
-  %1474 = load <8 x double>, ptr %1473, align 8, !noalias !138
-  %1475 = fsub <8 x double> %1472, %1474
-  %1476 = getelementptr i8, ptr %116, i64 %1470
-  %1477 = load <8 x double>, ptr %1476, align 8, !noalias !138
-  %1478 = fmul <8 x double> %1043, %1477
-  %1479 = fsub <8 x double> %1478, %1475
-  %1480 = getelementptr i8, ptr %121, i64 %1470
-  store <8 x double> %1475, ptr %1480, align 8, !noalias !138
-  %1481 = getelementptr i8, ptr %1454, i64 %1470
-  store <8 x double> %1479, ptr %1481, align 8, !noalias !138
-  %1482 = fsub <8 x double> %1475, %1479
-  %1483 = getelementptr i8, ptr %1442, i64 %1470
-  %1484 = load <8 x double>, ptr %1483, align 8, !noalias !138
-  %1485 = fmul <8 x double> %1043, %1484
-  %1486 = fsub <8 x double> %1482, %1485
-  %1487 = getelementptr i8, ptr %1465, i64 %1470
-  store <8 x double> %1486, ptr %1487, align 8, !noalias !138
-  br label %1417
+1529:                                             ; preds = %1479
+  %1530 = add nsw i64 %1481, -1
+  %1531 = add i64 %1480, 1
+  %1532 = shl i64 %1480, 6
+  %1533 = getelementptr i8, ptr %93, i64 %1532
+  %1534 = load <8 x double>, ptr %1533, align 8, !noalias !141
+  %1535 = getelementptr i8, ptr %88, i64 %1532
+  %1536 = load <8 x double>, ptr %1535, align 8, !noalias !141
+  %1537 = fsub <8 x double> %1534, %1536
+  %1538 = getelementptr i8, ptr %116, i64 %1532
+  %1539 = load <8 x double>, ptr %1538, align 8, !noalias !141
+  %1540 = fmul <8 x double> %1046, %1539
+  %1541 = fsub <8 x double> %1540, %1537
+  %1542 = getelementptr i8, ptr %121, i64 %1532
+  store <8 x double> %1537, ptr %1542, align 8, !noalias !141
+  %1543 = getelementptr i8, ptr %1516, i64 %1532
+  store <8 x double> %1541, ptr %1543, align 8, !noalias !141
+  %1544 = fsub <8 x double> %1537, %1541
+  %1545 = getelementptr i8, ptr %1504, i64 %1532
+  %1546 = load <8 x double>, ptr %1545, align 8, !noalias !141
+  %1547 = fmul <8 x double> %1046, %1546
+  %1548 = fsub <8 x double> %1544, %1547
+  %1549 = getelementptr i8, ptr %1527, i64 %1532
+  store <8 x double> %1548, ptr %1549, align 8, !noalias !141
+  br label %1479
 
-1488:                                             ; preds = %1431
-  %1489 = add nsw i64 %1433, -1
-  %1490 = add i64 %1432, 1
-  %1491 = mul nsw i64 %1432, %87
-  %1492 = shl i64 %1491, 3
-  %1493 = add i64 %118, %1492
-  %1494 = add nsw i64 %1426, %1432
-  %1495 = icmp slt i64 %1494, 3
-  %1496 = select i1 %1495, i64 %23, i64 0
-  %1497 = getelementptr i64, ptr %24, i64 %1494
-  %1498 = getelementptr i8, ptr %1497, i64 -24
-  %1499 = getelementptr i64, ptr %1498, i64 %1496
-  %1500 = load i64, ptr %1499, align 8, !noalias !142
-  %1501 = shl i64 %1500, 3
-  %1502 = add i64 %26, %1501
-  %1503 = add i64 %28, %1501
-  %1504 = icmp slt i64 %1494, 2
-  %1505 = select i1 %1504, i64 %23, i64 0
-  %1506 = getelementptr i8, ptr %1497, i64 -16
-  %1507 = getelementptr i64, ptr %1506, i64 %1505
-  %1508 = load i64, ptr %1507, align 8, !noalias !142
-  %1509 = xor i64 %1500, -1
-  %1510 = add i64 %1508, %1509
-  %1511 = load i64, ptr %1182, align 8, !noalias !142
-  call fastcc void @pydy_combine(i64 %1493, i64 %106, i64 %100, i64 %113, i64 %1502, i64 %1503, i64 %1510, i64 1, i64 %1511) #3, !noalias !142
-  br label %1431
+1550:                                             ; preds = %1493
+  %1551 = add nsw i64 %1495, -1
+  %1552 = add i64 %1494, 1
+  %1553 = mul nsw i64 %1494, %87
+  %1554 = shl i64 %1553, 3
+  %1555 = add i64 %118, %1554
+  %1556 = add nsw i64 %1488, %1494
+  %1557 = load i64, ptr %1170, align 8, !noalias !145
+  %1558 = icmp slt i64 %1556, 3
+  %1559 = select i1 %1558, i64 %23, i64 0
+  %1560 = getelementptr i64, ptr %24, i64 %1556
+  %1561 = getelementptr i8, ptr %1560, i64 -24
+  %1562 = getelementptr i64, ptr %1561, i64 %1559
+  %1563 = load i64, ptr %1562, align 8, !noalias !149
+  %1564 = shl i64 %1563, 3
+  %1565 = add i64 %26, %1564
+  %1566 = add i64 %28, %1564
+  %1567 = icmp slt i64 %1556, 2
+  %1568 = select i1 %1567, i64 %23, i64 0
+  %1569 = getelementptr i8, ptr %1560, i64 -16
+  %1570 = getelementptr i64, ptr %1569, i64 %1568
+  %1571 = load i64, ptr %1570, align 8, !noalias !149
+  %1572 = xor i64 %1563, -1
+  %1573 = add i64 %1571, %1572
+  call fastcc void @pydy_combine(i64 %1555, i64 %106, i64 %100, i64 %113, i64 %1565, i64 %1566, i64 %1573, i64 1, i64 %1557) #3, !noalias !149
+  br label %1493
 
-1512:                                             ; preds = %1403
-  %1513 = add nsw i64 %1405, -1
-  %1514 = load i64, ptr %246, align 8, !noalias !134
-  %1515 = add nsw i64 %1407, %1514
-  %1516 = icmp slt i64 %1515, 0
-  %1517 = select i1 %1516, i64 %23, i64 0
-  %1518 = getelementptr i64, ptr %24, i64 %1515
-  %1519 = getelementptr i64, ptr %1518, i64 %1517
-  %1520 = load i64, ptr %1519, align 8, !noalias !148
-  %1521 = shl i64 %1520, 3
-  %1522 = add i64 %26, %1521
-  %1523 = add i64 %28, %1521
-  %1524 = icmp slt i64 %1515, -1
-  %1525 = select i1 %1524, i64 %23, i64 0
-  %1526 = getelementptr i8, ptr %1518, i64 8
-  %1527 = getelementptr i64, ptr %1526, i64 %1525
-  %1528 = load i64, ptr %1527, align 8, !noalias !148
-  %1529 = xor i64 %1520, -1
-  %1530 = add i64 %1528, %1529
-  %1531 = load i64, ptr %1182, align 8, !noalias !148
-  call fastcc void @pydy_combine(i64 %95, i64 %85, i64 %100, i64 %113, i64 %1522, i64 %1523, i64 %1530, i64 1, i64 %1531) #3, !noalias !148
-  %1532 = mul nsw i64 %1407, %87
-  %1533 = shl i64 %1532, 3
-  %1534 = add i64 %113, %1533
-  %1535 = icmp slt i64 %1407, 0
-  %1536 = select i1 %1535, i64 %32, i64 0
-  %1537 = getelementptr double, ptr %33, i64 %1407
-  %1538 = getelementptr double, ptr %1537, i64 %1536
-  %1539 = load double, ptr %1538, align 8, !noalias !134
-  %1540 = insertelement <8 x double> poison, double %1539, i64 0
-  %1541 = shufflevector <8 x double> %1540, <8 x double> poison, <8 x i32> zeroinitializer
-  %1542 = fmul <8 x double> %1541, %1043
-  %1543 = fadd <8 x double> %1015, %1542
-  store ptr null, ptr %2, align 8, !noalias !154
-  store ptr null, ptr %3, align 8, !noalias !154
-  store <8 x double> %1543, ptr %44, align 8, !noalias !154
-  %1544 = icmp sgt i64 %61, 0
-  br i1 %1544, label %1545, label %1547
+1574:                                             ; preds = %1465
+  %1575 = add nsw i64 %1467, -1
+  %1576 = load i64, ptr %246, align 8, !noalias !137
+  %1577 = add nsw i64 %1469, %1576
+  %1578 = load i64, ptr %1170, align 8, !noalias !152
+  %1579 = icmp slt i64 %1577, 0
+  %1580 = select i1 %1579, i64 %23, i64 0
+  %1581 = getelementptr i64, ptr %24, i64 %1577
+  %1582 = getelementptr i64, ptr %1581, i64 %1580
+  %1583 = load i64, ptr %1582, align 8, !noalias !156
+  %1584 = shl i64 %1583, 3
+  %1585 = add i64 %26, %1584
+  %1586 = add i64 %28, %1584
+  %1587 = icmp slt i64 %1577, -1
+  %1588 = select i1 %1587, i64 %23, i64 0
+  %1589 = getelementptr i8, ptr %1581, i64 8
+  %1590 = getelementptr i64, ptr %1589, i64 %1588
+  %1591 = load i64, ptr %1590, align 8, !noalias !156
+  %1592 = xor i64 %1583, -1
+  %1593 = add i64 %1591, %1592
+  call fastcc void @pydy_combine(i64 %95, i64 %85, i64 %100, i64 %113, i64 %1585, i64 %1586, i64 %1593, i64 1, i64 %1578) #3, !noalias !156
+  %1594 = mul nsw i64 %1469, %87
+  %1595 = shl i64 %1594, 3
+  %1596 = add i64 %113, %1595
+  %1597 = icmp slt i64 %1469, 0
+  %1598 = select i1 %1597, i64 %32, i64 0
+  %1599 = getelementptr double, ptr %33, i64 %1469
+  %1600 = getelementptr double, ptr %1599, i64 %1598
+  %1601 = load double, ptr %1600, align 8, !noalias !137
+  %1602 = insertelement <8 x double> poison, double %1601, i64 0
+  %1603 = shufflevector <8 x double> %1602, <8 x double> poison, <8 x i32> zeroinitializer
+  %1604 = fmul <8 x double> %1603, %1046
+  %1605 = fadd <8 x double> %1018, %1604
+  store ptr null, ptr %2, align 8, !noalias !159
+  store ptr null, ptr %3, align 8, !noalias !159
+  store <8 x double> %1605, ptr %44, align 8, !noalias !159
+  %1606 = icmp sgt i64 %61, 0
+  br i1 %1606, label %1607, label %1609
 
-1545:                                             ; preds = %1512
-  store ptr null, ptr %2, align 8, !noalias !154
-  %1546 = call fastcc i32 @_set_inputs(ptr nonnull %2, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %1546, label %1554 [
-    i32 -2, label %1547
-    i32 0, label %1547
+1607:                                             ; preds = %1574
+  store ptr null, ptr %2, align 8, !noalias !159
+  %1608 = call fastcc i32 @_set_inputs(ptr nonnull %2, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
+  switch i32 %1608, label %1616 [
+    i32 -2, label %1609
+    i32 0, label %1609
   ], !prof !56
 
-1547:                                             ; preds = %1545, %1545, %1512
-  %1548 = load i64, ptr %39, align 8, !noalias !154
-  %1549 = inttoptr i64 %1548 to ptr
-  %1550 = inttoptr i64 %1534 to ptr
-  %1551 = call i32 %1549(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %1550) #3, !noalias !154
-  %1552 = sext i32 %1551 to i64
-  %1553 = or i64 %1406, %1552
-  br label %1403
+1609:                                             ; preds = %1607, %1607, %1574
+  %1610 = load i64, ptr %39, align 8, !noalias !159
+  %1611 = inttoptr i64 %1610 to ptr
+  %1612 = inttoptr i64 %1596 to ptr
+  %1613 = call i32 %1611(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %1612) #3, !noalias !159
+  %1614 = sext i32 %1613 to i64
+  %1615 = or i64 %1468, %1614
+  br label %1465
 
-1554:                                             ; preds = %1545
-  br label %2194
+1616:                                             ; preds = %1607
+  br label %2256
 
-1555:                                             ; preds = %2155, %1630
-  %1556 = phi i64 [ %2168, %1630 ], [ 0, %2155 ]
-  %1557 = phi i64 [ %2167, %1630 ], [ 8, %2155 ]
-  %1558 = icmp sgt i64 %1557, 0
-  br i1 %1558, label %2166, label %1631
+1617:                                             ; preds = %2217, %1692
+  %1618 = phi i64 [ %2230, %1692 ], [ 0, %2217 ]
+  %1619 = phi i64 [ %2229, %1692 ], [ 8, %2217 ]
+  %1620 = icmp sgt i64 %1619, 0
+  br i1 %1620, label %2228, label %1693
 
-1559:                                             ; preds = %2166
-  %1560 = icmp slt i64 %1556, 0
-  %1561 = select i1 %1560, i64 %181, i64 0
-  %1562 = getelementptr i64, ptr %182, i64 %1556
-  %1563 = getelementptr i64, ptr %1562, i64 %1561
-  %1564 = load i64, ptr %1563, align 8, !noalias !158
-  %1565 = getelementptr i8, ptr %190, i64 32
-  %1566 = load i64, ptr %1565, align 8, !noalias !158
-  %1567 = shl nsw i64 %1566, 3
-  %1568 = select i1 %1560, i64 %151, i64 0
-  %1569 = getelementptr double, ptr %152, i64 %1556
-  %1570 = getelementptr double, ptr %1569, i64 %1568
-  %1571 = load double, ptr %1570, align 8, !noalias !158
-  %1572 = fptosi double %1571 to i64
-  %1573 = xor i64 %1572, -1
-  %1574 = add i64 %197, %1573
-  %1575 = call i64 @llvm.smax.i64(i64 %1574, i64 0)
-  br label %1576
-
-1576:                                             ; preds = %1580, %1559
-  %1577 = phi i64 [ 0, %1559 ], [ %1617, %1580 ]
-  %1578 = phi i64 [ %1575, %1559 ], [ %1616, %1580 ]
-  %1579 = icmp sgt i64 %1578, 0
-  br i1 %1579, label %1615, label %1584
-
-1580:                                             ; preds = %1615, %1626
-  %1581 = phi i64 [ %1625, %1615 ], [ %1627, %1626 ]
-  %1582 = phi i64 [ %1623, %1615 ], [ %1629, %1626 ]
-  %1583 = icmp sgt i64 %1581, 0
-  br i1 %1583, label %1626, label %1576
-
-1584:                                             ; preds = %1576
-  %1585 = icmp slt i64 %1564, 0
-  %1586 = select i1 %1585, i64 %223, i64 0
-  %1587 = add i64 %1564, %1586
-  %1588 = mul i64 %1587, %225
-  %1589 = getelementptr i64, ptr %226, i64 %1588
-  %1590 = select i1 %1560, i64 %161, i64 0
-  %1591 = getelementptr double, ptr %162, i64 %1556
-  %1592 = getelementptr double, ptr %1591, i64 %1590
-  %1593 = load double, ptr %1592, align 8, !noalias !158
-  %1594 = select i1 %1560, i64 %166, i64 0
-  %1595 = getelementptr double, ptr %167, i64 %1556
-  %1596 = getelementptr double, ptr %1595, i64 %1594
-  %1597 = load double, ptr %1596, align 8, !noalias !158
-  %1598 = fptosi double %1593 to i64
-  store i64 %1598, ptr %1589, align 8, !noalias !158
-  %1599 = getelementptr i8, ptr %1589, i64 8
-  %1600 = fptosi double %1597 to i64
-  store i64 %1600, ptr %1599, align 8, !noalias !158
-  %1601 = select i1 %1560, i64 %171, i64 0
-  %1602 = getelementptr double, ptr %172, i64 %1556
-  %1603 = getelementptr double, ptr %1602, i64 %1601
-  %1604 = load double, ptr %1603, align 8, !noalias !158
-  %1605 = getelementptr i8, ptr %1589, i64 16
-  %1606 = fptosi double %1604 to i64
-  store i64 %1606, ptr %1605, align 8, !noalias !158
-  %1607 = getelementptr i8, ptr %1589, i64 24
-  store i64 3, ptr %1607, align 8, !noalias !158
-  %1608 = select i1 %1560, i64 %135, i64 0
-  %1609 = getelementptr double, ptr %136, i64 %1556
-  %1610 = getelementptr double, ptr %1609, i64 %1608
-  %1611 = load double, ptr %1610, align 8, !noalias !158
-  %1612 = select i1 %1585, i64 %230, i64 0
-  %1613 = getelementptr double, ptr %231, i64 %1564
-  %1614 = getelementptr double, ptr %1613, i64 %1612
-  store double %1611, ptr %1614, align 8, !noalias !158
-  store i64 -1, ptr %1563, align 8, !noalias !158
-  br label %1630
-
-1615:                                             ; preds = %1576
-  %1616 = add nsw i64 %1578, -1
-  %1617 = add i64 %1577, 1
-  %1618 = shl nsw i64 %1577, 3
-  %1619 = select i1 %1560, i64 %186, i64 0
-  %1620 = getelementptr i64, ptr %187, i64 %1556
-  %1621 = getelementptr i64, ptr %1620, i64 %1619
-  %1622 = load i64, ptr %1621, align 8, !noalias !158
-  %1623 = add nsw i64 %1622, %1618
-  %1624 = load i64, ptr %232, align 8, !noalias !158
-  %1625 = call i64 @llvm.smax.i64(i64 %1624, i64 0)
-  br label %1580
-
-1626:                                             ; preds = %1580
-  %1627 = add nsw i64 %1581, -1
-  %1628 = inttoptr i64 %1582 to ptr
-  store atomic i64 9221120237041090560, ptr %1628 unordered, align 8, !noalias !158
-  %1629 = add nsw i64 %1582, %1567
-  br label %1580
-
-1630:                                             ; preds = %1584, %2166
-  br label %1555
-
-1631:                                             ; preds = %1555
-  %1632 = xor i64 %2157, -1
-  %1633 = and i64 %1007, %1632
-  %1634 = trunc i64 %1633 to i8
-  %1635 = bitcast i8 %1634 to <8 x i1>
-  %1636 = and <8 x i1> %1384, %1635
-  %1637 = and <8 x i1> %1395, %1635
+1621:                                             ; preds = %2228
+  %1622 = icmp slt i64 %1618, 0
+  %1623 = select i1 %1622, i64 %181, i64 0
+  %1624 = getelementptr i64, ptr %182, i64 %1618
+  %1625 = getelementptr i64, ptr %1624, i64 %1623
+  %1626 = load i64, ptr %1625, align 8, !noalias !163
+  %1627 = getelementptr i8, ptr %190, i64 32
+  %1628 = load i64, ptr %1627, align 8, !noalias !163
+  %1629 = shl nsw i64 %1628, 3
+  %1630 = select i1 %1622, i64 %151, i64 0
+  %1631 = getelementptr double, ptr %152, i64 %1618
+  %1632 = getelementptr double, ptr %1631, i64 %1630
+  %1633 = load double, ptr %1632, align 8, !noalias !163
+  %1634 = fptosi double %1633 to i64
+  %1635 = xor i64 %1634, -1
+  %1636 = add i64 %197, %1635
+  %1637 = call i64 @llvm.smax.i64(i64 %1636, i64 0)
   br label %1638
 
-1638:                                             ; preds = %2155, %1631
-  %1639 = phi i64 [ %1633, %1631 ], [ %1007, %2155 ]
-  %1640 = phi i1 [ true, %1631 ], [ %1008, %2155 ]
-  %1641 = phi <8 x i1> [ %1636, %1631 ], [ %1384, %2155 ]
-  %1642 = phi <8 x i1> [ %1637, %1631 ], [ %1395, %2155 ]
-  %1643 = bitcast <8 x i1> %1642 to i8
-  %1644 = zext i8 %1643 to i64
-  %1645 = load <8 x double>, ptr %136, align 8, !noalias !162
-  %1646 = load <8 x double>, ptr %101, align 8, !noalias !162
-  %1647 = icmp eq i8 %1643, 0
-  br i1 %1647, label %1739, label %1648
+1638:                                             ; preds = %1642, %1621
+  %1639 = phi i64 [ 0, %1621 ], [ %1679, %1642 ]
+  %1640 = phi i64 [ %1637, %1621 ], [ %1678, %1642 ]
+  %1641 = icmp sgt i64 %1640, 0
+  br i1 %1641, label %1677, label %1646
 
-1648:                                             ; preds = %1638, %1676
-  %1649 = phi i64 [ %1725, %1676 ], [ %1644, %1638 ]
-  %1650 = load <8 x double>, ptr %157, align 8, !noalias !162
-  %1651 = fsub <8 x double> %1650, %1645
-  %1652 = fdiv <8 x double> %1651, %1646
-  store <8 x double> %1652, ptr %104, align 8, !noalias !162
-  %1653 = load i64, ptr %1427, align 8, !noalias !162
-  %1654 = load i64, ptr %232, align 8, !noalias !162
-  call fastcc void @pydy_nested(i64 %95, i64 %85, i64 %118, i64 %87, i64 %1653, i64 %103, i64 %1654) #3, !noalias !162
-  %1655 = getelementptr i8, ptr %190, i64 32
-  %1656 = load i64, ptr %1655, align 8, !noalias !166
-  %1657 = shl nsw i64 %1656, 3
-  %1658 = load i64, ptr %232, align 8, !noalias !166
-  %1659 = icmp eq i64 %1649, 0
-  br i1 %1659, label %1676, label %1660
+1642:                                             ; preds = %1677, %1688
+  %1643 = phi i64 [ %1687, %1677 ], [ %1689, %1688 ]
+  %1644 = phi i64 [ %1685, %1677 ], [ %1691, %1688 ]
+  %1645 = icmp sgt i64 %1643, 0
+  br i1 %1645, label %1688, label %1638
 
-1660:                                             ; preds = %1648, %1674
-  %1661 = phi i64 [ %1664, %1674 ], [ %1649, %1648 ]
-  %1662 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1661, i1 true)
-  %1663 = add nsw i64 %1661, -1
-  %1664 = and i64 %1661, %1663
-  %1665 = getelementptr i64, ptr %187, i64 %1662
-  %1666 = load i64, ptr %1665, align 8, !noalias !166
-  %1667 = add nsw i64 %1666, 8
-  store i64 %1667, ptr %1665, align 8, !noalias !166
-  %1668 = call i64 @llvm.smax.i64(i64 %1658, i64 0)
-  br label %1669
+1646:                                             ; preds = %1638
+  %1647 = icmp slt i64 %1626, 0
+  %1648 = select i1 %1647, i64 %223, i64 0
+  %1649 = add i64 %1626, %1648
+  %1650 = mul i64 %1649, %225
+  %1651 = getelementptr i64, ptr %226, i64 %1650
+  %1652 = select i1 %1622, i64 %161, i64 0
+  %1653 = getelementptr double, ptr %162, i64 %1618
+  %1654 = getelementptr double, ptr %1653, i64 %1652
+  %1655 = load double, ptr %1654, align 8, !noalias !163
+  %1656 = select i1 %1622, i64 %166, i64 0
+  %1657 = getelementptr double, ptr %167, i64 %1618
+  %1658 = getelementptr double, ptr %1657, i64 %1656
+  %1659 = load double, ptr %1658, align 8, !noalias !163
+  %1660 = fptosi double %1655 to i64
+  store i64 %1660, ptr %1651, align 8, !noalias !163
+  %1661 = getelementptr i8, ptr %1651, i64 8
+  %1662 = fptosi double %1659 to i64
+  store i64 %1662, ptr %1661, align 8, !noalias !163
+  %1663 = select i1 %1622, i64 %171, i64 0
+  %1664 = getelementptr double, ptr %172, i64 %1618
+  %1665 = getelementptr double, ptr %1664, i64 %1663
+  %1666 = load double, ptr %1665, align 8, !noalias !163
+  %1667 = getelementptr i8, ptr %1651, i64 16
+  %1668 = fptosi double %1666 to i64
+  store i64 %1668, ptr %1667, align 8, !noalias !163
+  %1669 = getelementptr i8, ptr %1651, i64 24
+  store i64 3, ptr %1669, align 8, !noalias !163
+  %1670 = select i1 %1622, i64 %135, i64 0
+  %1671 = getelementptr double, ptr %136, i64 %1618
+  %1672 = getelementptr double, ptr %1671, i64 %1670
+  %1673 = load double, ptr %1672, align 8, !noalias !163
+  %1674 = select i1 %1647, i64 %230, i64 0
+  %1675 = getelementptr double, ptr %231, i64 %1626
+  %1676 = getelementptr double, ptr %1675, i64 %1674
+  store double %1673, ptr %1676, align 8, !noalias !163
+  store i64 -1, ptr %1625, align 8, !noalias !163
+  br label %1692
 
-1669:                                             ; preds = %1660, %1727
-  %1670 = phi i64 [ 0, %1660 ], [ %1729, %1727 ]
-  %1671 = phi i64 [ %1668, %1660 ], [ %1728, %1727 ]
-  %1672 = phi i64 [ %1666, %1660 ], [ %1738, %1727 ]
-  %1673 = icmp sgt i64 %1671, 0
-  br i1 %1673, label %1727, label %1674
+1677:                                             ; preds = %1638
+  %1678 = add nsw i64 %1640, -1
+  %1679 = add i64 %1639, 1
+  %1680 = shl nsw i64 %1639, 3
+  %1681 = select i1 %1622, i64 %186, i64 0
+  %1682 = getelementptr i64, ptr %187, i64 %1618
+  %1683 = getelementptr i64, ptr %1682, i64 %1681
+  %1684 = load i64, ptr %1683, align 8, !noalias !163
+  %1685 = add nsw i64 %1684, %1680
+  %1686 = load i64, ptr %232, align 8, !noalias !163
+  %1687 = call i64 @llvm.smax.i64(i64 %1686, i64 0)
+  br label %1642
 
-1674:                                             ; preds = %1669
-  %1675 = icmp eq i64 %1664, 0
-  br i1 %1675, label %1676, label %1660
+1688:                                             ; preds = %1642
+  %1689 = add nsw i64 %1643, -1
+  %1690 = inttoptr i64 %1644 to ptr
+  store atomic i64 9221120237041090560, ptr %1690 unordered, align 8, !noalias !163
+  %1691 = add nsw i64 %1644, %1629
+  br label %1642
 
-1676:                                             ; preds = %1674, %1648
-  %1677 = load <8 x double>, ptr %152, align 8, !noalias !166
-  %1678 = trunc i64 %1649 to i8
-  %1679 = bitcast i8 %1678 to <8 x i1>
-  %1680 = select <8 x i1> %1679, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1681 = fadd <8 x double> %1677, %1680
-  store <8 x double> %1681, ptr %152, align 8, !noalias !166
-  %1682 = extractelement <8 x double> %1681, i64 0
-  %1683 = fptosi double %1682 to i64
-  %1684 = getelementptr double, ptr %198, i64 %1683
-  %1685 = load double, ptr %1684, align 8, !noalias !166
-  %1686 = insertelement <8 x double> poison, double %1685, i64 0
-  %1687 = extractelement <8 x double> %1681, i64 1
-  %1688 = fptosi double %1687 to i64
-  %1689 = getelementptr double, ptr %198, i64 %1688
-  %1690 = load double, ptr %1689, align 8, !noalias !166
-  %1691 = insertelement <8 x double> %1686, double %1690, i64 1
-  %1692 = extractelement <8 x double> %1681, i64 2
-  %1693 = fptosi double %1692 to i64
-  %1694 = getelementptr double, ptr %198, i64 %1693
-  %1695 = load double, ptr %1694, align 8, !noalias !166
-  %1696 = insertelement <8 x double> %1691, double %1695, i64 2
-  %1697 = extractelement <8 x double> %1681, i64 3
-  %1698 = fptosi double %1697 to i64
-  %1699 = getelementptr double, ptr %198, i64 %1698
-  %1700 = load double, ptr %1699, align 8, !noalias !166
-  %1701 = insertelement <8 x double> %1696, double %1700, i64 3
-  %1702 = extractelement <8 x double> %1681, i64 4
-  %1703 = fptosi double %1702 to i64
-  %1704 = getelementptr double, ptr %198, i64 %1703
-  %1705 = load double, ptr %1704, align 8, !noalias !166
-  %1706 = insertelement <8 x double> %1701, double %1705, i64 4
-  %1707 = extractelement <8 x double> %1681, i64 5
-  %1708 = fptosi double %1707 to i64
-  %1709 = getelementptr double, ptr %198, i64 %1708
-  %1710 = load double, ptr %1709, align 8, !noalias !166
-  %1711 = insertelement <8 x double> %1706, double %1710, i64 5
-  %1712 = extractelement <8 x double> %1681, i64 6
-  %1713 = fptosi double %1712 to i64
-  %1714 = getelementptr double, ptr %198, i64 %1713
-  %1715 = load double, ptr %1714, align 8, !noalias !166
-  %1716 = insertelement <8 x double> %1711, double %1715, i64 6
-  %1717 = extractelement <8 x double> %1681, i64 7
-  %1718 = fptosi double %1717 to i64
-  %1719 = getelementptr double, ptr %198, i64 %1718
-  %1720 = load double, ptr %1719, align 8, !noalias !166
-  %1721 = insertelement <8 x double> %1716, double %1720, i64 7
-  store <8 x double> %1721, ptr %157, align 8, !noalias !166
-  %1722 = fcmp olt <8 x double> %1721, %1042
-  %1723 = bitcast <8 x i1> %1722 to i8
-  %1724 = zext i8 %1723 to i64
-  %1725 = and i64 %1649, %1724
-  %1726 = icmp eq i64 %1725, 0
-  br i1 %1726, label %1739, label %1648
+1692:                                             ; preds = %1646, %2228
+  br label %1617
 
-1727:                                             ; preds = %1669
-  %1728 = add nsw i64 %1671, -1
-  %1729 = add i64 %1670, 1
-  %1730 = shl nsw i64 %1670, 3
-  %1731 = add nsw i64 %1730, %1662
-  %1732 = icmp slt i64 %1731, 0
-  %1733 = select i1 %1732, i64 %97, i64 0
-  %1734 = getelementptr double, ptr %98, i64 %1731
-  %1735 = getelementptr double, ptr %1734, i64 %1733
-  %1736 = load i64, ptr %1735, align 8, !noalias !166
-  %1737 = inttoptr i64 %1672 to ptr
-  store atomic i64 %1736, ptr %1737 unordered, align 8, !noalias !166
-  %1738 = add nsw i64 %1672, %1657
-  br label %1669
+1693:                                             ; preds = %1617
+  %1694 = xor i64 %2219, -1
+  %1695 = and i64 %1010, %1694
+  %1696 = trunc i64 %1695 to i8
+  %1697 = bitcast i8 %1696 to <8 x i1>
+  %1698 = and <8 x i1> %1446, %1697
+  %1699 = and <8 x i1> %1457, %1697
+  br label %1700
 
-1739:                                             ; preds = %1676, %1638, %1382
-  %1740 = phi i64 [ %1007, %1382 ], [ %1639, %1638 ], [ %1639, %1676 ]
-  %1741 = phi i1 [ %1008, %1382 ], [ %1640, %1638 ], [ %1640, %1676 ]
-  %1742 = phi <8 x i1> [ %1384, %1382 ], [ %1641, %1638 ], [ %1641, %1676 ]
-  %1743 = load <8 x double>, ptr %157, align 8, !noalias !12
-  %1744 = fcmp oeq <8 x double> %1743, %1042
-  %1745 = and <8 x i1> %1742, %1744
-  %1746 = bitcast <8 x i1> %1745 to i8
-  %1747 = zext i8 %1746 to i64
-  %1748 = icmp eq i8 %1746, 0
-  br i1 %1748, label %1835, label %1749
+1700:                                             ; preds = %2217, %1693
+  %1701 = phi i64 [ %1695, %1693 ], [ %1010, %2217 ]
+  %1702 = phi i1 [ true, %1693 ], [ %1011, %2217 ]
+  %1703 = phi <8 x i1> [ %1698, %1693 ], [ %1446, %2217 ]
+  %1704 = phi <8 x i1> [ %1699, %1693 ], [ %1457, %2217 ]
+  %1705 = bitcast <8 x i1> %1704 to i8
+  %1706 = zext i8 %1705 to i64
+  %1707 = load <8 x double>, ptr %136, align 8, !noalias !167
+  %1708 = load <8 x double>, ptr %101, align 8, !noalias !167
+  %1709 = icmp eq i8 %1705, 0
+  br i1 %1709, label %1801, label %1710
 
-1749:                                             ; preds = %1739, %1772
-  %1750 = phi i64 [ %1821, %1772 ], [ %1747, %1739 ]
-  %1751 = getelementptr i8, ptr %190, i64 32
-  %1752 = load i64, ptr %1751, align 8, !noalias !170
-  %1753 = shl nsw i64 %1752, 3
-  %1754 = load i64, ptr %232, align 8, !noalias !170
-  %1755 = icmp eq i64 %1750, 0
-  br i1 %1755, label %1772, label %1756
+1710:                                             ; preds = %1700, %1738
+  %1711 = phi i64 [ %1787, %1738 ], [ %1706, %1700 ]
+  %1712 = load <8 x double>, ptr %157, align 8, !noalias !167
+  %1713 = fsub <8 x double> %1712, %1707
+  %1714 = fdiv <8 x double> %1713, %1708
+  store <8 x double> %1714, ptr %104, align 8, !noalias !167
+  %1715 = load i64, ptr %1489, align 8, !noalias !167
+  %1716 = load i64, ptr %232, align 8, !noalias !167
+  call fastcc void @pydy_nested(i64 %95, i64 %85, i64 %118, i64 %87, i64 %1715, i64 %103, i64 %1716) #3, !noalias !167
+  %1717 = getelementptr i8, ptr %190, i64 32
+  %1718 = load i64, ptr %1717, align 8, !noalias !171
+  %1719 = shl nsw i64 %1718, 3
+  %1720 = load i64, ptr %232, align 8, !noalias !171
+  %1721 = icmp eq i64 %1711, 0
+  br i1 %1721, label %1738, label %1722
 
-1756:                                             ; preds = %1749, %1770
-  %1757 = phi i64 [ %1760, %1770 ], [ %1750, %1749 ]
-  %1758 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1757, i1 true)
-  %1759 = add nsw i64 %1757, -1
-  %1760 = and i64 %1757, %1759
-  %1761 = getelementptr i64, ptr %187, i64 %1758
-  %1762 = load i64, ptr %1761, align 8, !noalias !170
-  %1763 = add nsw i64 %1762, 8
-  store i64 %1763, ptr %1761, align 8, !noalias !170
-  %1764 = call i64 @llvm.smax.i64(i64 %1754, i64 0)
-  br label %1765
+1722:                                             ; preds = %1710, %1736
+  %1723 = phi i64 [ %1726, %1736 ], [ %1711, %1710 ]
+  %1724 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1723, i1 true)
+  %1725 = add nsw i64 %1723, -1
+  %1726 = and i64 %1723, %1725
+  %1727 = getelementptr i64, ptr %187, i64 %1724
+  %1728 = load i64, ptr %1727, align 8, !noalias !171
+  %1729 = add nsw i64 %1728, 8
+  store i64 %1729, ptr %1727, align 8, !noalias !171
+  %1730 = call i64 @llvm.smax.i64(i64 %1720, i64 0)
+  br label %1731
 
-1765:                                             ; preds = %1756, %1823
-  %1766 = phi i64 [ 0, %1756 ], [ %1825, %1823 ]
-  %1767 = phi i64 [ %1764, %1756 ], [ %1824, %1823 ]
-  %1768 = phi i64 [ %1762, %1756 ], [ %1834, %1823 ]
-  %1769 = icmp sgt i64 %1767, 0
-  br i1 %1769, label %1823, label %1770
+1731:                                             ; preds = %1722, %1789
+  %1732 = phi i64 [ 0, %1722 ], [ %1791, %1789 ]
+  %1733 = phi i64 [ %1730, %1722 ], [ %1790, %1789 ]
+  %1734 = phi i64 [ %1728, %1722 ], [ %1800, %1789 ]
+  %1735 = icmp sgt i64 %1733, 0
+  br i1 %1735, label %1789, label %1736
 
-1770:                                             ; preds = %1765
-  %1771 = icmp eq i64 %1760, 0
-  br i1 %1771, label %1772, label %1756
+1736:                                             ; preds = %1731
+  %1737 = icmp eq i64 %1726, 0
+  br i1 %1737, label %1738, label %1722
 
-1772:                                             ; preds = %1770, %1749
-  %1773 = load <8 x double>, ptr %152, align 8, !noalias !170
-  %1774 = trunc i64 %1750 to i8
-  %1775 = bitcast i8 %1774 to <8 x i1>
-  %1776 = select <8 x i1> %1775, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1777 = fadd <8 x double> %1773, %1776
-  store <8 x double> %1777, ptr %152, align 8, !noalias !170
-  %1778 = extractelement <8 x double> %1777, i64 0
-  %1779 = fptosi double %1778 to i64
-  %1780 = getelementptr double, ptr %198, i64 %1779
-  %1781 = load double, ptr %1780, align 8, !noalias !170
-  %1782 = insertelement <8 x double> poison, double %1781, i64 0
-  %1783 = extractelement <8 x double> %1777, i64 1
-  %1784 = fptosi double %1783 to i64
-  %1785 = getelementptr double, ptr %198, i64 %1784
-  %1786 = load double, ptr %1785, align 8, !noalias !170
-  %1787 = insertelement <8 x double> %1782, double %1786, i64 1
-  %1788 = extractelement <8 x double> %1777, i64 2
-  %1789 = fptosi double %1788 to i64
-  %1790 = getelementptr double, ptr %198, i64 %1789
-  %1791 = load double, ptr %1790, align 8, !noalias !170
-  %1792 = insertelement <8 x double> %1787, double %1791, i64 2
-  %1793 = extractelement <8 x double> %1777, i64 3
-  %1794 = fptosi double %1793 to i64
-  %1795 = getelementptr double, ptr %198, i64 %1794
-  %1796 = load double, ptr %1795, align 8, !noalias !170
-  %1797 = insertelement <8 x double> %1792, double %1796, i64 3
-  %1798 = extractelement <8 x double> %1777, i64 4
-  %1799 = fptosi double %1798 to i64
-  %1800 = getelementptr double, ptr %198, i64 %1799
-  %1801 = load double, ptr %1800, align 8, !noalias !170
-  %1802 = insertelement <8 x double> %1797, double %1801, i64 4
-  %1803 = extractelement <8 x double> %1777, i64 5
-  %1804 = fptosi double %1803 to i64
-  %1805 = getelementptr double, ptr %198, i64 %1804
-  %1806 = load double, ptr %1805, align 8, !noalias !170
-  %1807 = insertelement <8 x double> %1802, double %1806, i64 5
-  %1808 = extractelement <8 x double> %1777, i64 6
-  %1809 = fptosi double %1808 to i64
-  %1810 = getelementptr double, ptr %198, i64 %1809
-  %1811 = load double, ptr %1810, align 8, !noalias !170
-  %1812 = insertelement <8 x double> %1807, double %1811, i64 6
-  %1813 = extractelement <8 x double> %1777, i64 7
-  %1814 = fptosi double %1813 to i64
-  %1815 = getelementptr double, ptr %198, i64 %1814
-  %1816 = load double, ptr %1815, align 8, !noalias !170
-  %1817 = insertelement <8 x double> %1812, double %1816, i64 7
-  store <8 x double> %1817, ptr %157, align 8, !noalias !170
-  %1818 = fcmp oeq <8 x double> %1817, %1042
-  %1819 = bitcast <8 x i1> %1818 to i8
-  %1820 = zext i8 %1819 to i64
-  %1821 = and i64 %1750, %1820
-  %1822 = icmp eq i64 %1821, 0
-  br i1 %1822, label %1835, label %1749
+1738:                                             ; preds = %1736, %1710
+  %1739 = load <8 x double>, ptr %152, align 8, !noalias !171
+  %1740 = trunc i64 %1711 to i8
+  %1741 = bitcast i8 %1740 to <8 x i1>
+  %1742 = select <8 x i1> %1741, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %1743 = fadd <8 x double> %1739, %1742
+  store <8 x double> %1743, ptr %152, align 8, !noalias !171
+  %1744 = extractelement <8 x double> %1743, i64 0
+  %1745 = fptosi double %1744 to i64
+  %1746 = getelementptr double, ptr %198, i64 %1745
+  %1747 = load double, ptr %1746, align 8, !noalias !171
+  %1748 = insertelement <8 x double> poison, double %1747, i64 0
+  %1749 = extractelement <8 x double> %1743, i64 1
+  %1750 = fptosi double %1749 to i64
+  %1751 = getelementptr double, ptr %198, i64 %1750
+  %1752 = load double, ptr %1751, align 8, !noalias !171
+  %1753 = insertelement <8 x double> %1748, double %1752, i64 1
+  %1754 = extractelement <8 x double> %1743, i64 2
+  %1755 = fptosi double %1754 to i64
+  %1756 = getelementptr double, ptr %198, i64 %1755
+  %1757 = load double, ptr %1756, align 8, !noalias !171
+  %1758 = insertelement <8 x double> %1753, double %1757, i64 2
+  %1759 = extractelement <8 x double> %1743, i64 3
+  %1760 = fptosi double %1759 to i64
+  %1761 = getelementptr double, ptr %198, i64 %1760
+  %1762 = load double, ptr %1761, align 8, !noalias !171
+  %1763 = insertelement <8 x double> %1758, double %1762, i64 3
+  %1764 = extractelement <8 x double> %1743, i64 4
+  %1765 = fptosi double %1764 to i64
+  %1766 = getelementptr double, ptr %198, i64 %1765
+  %1767 = load double, ptr %1766, align 8, !noalias !171
+  %1768 = insertelement <8 x double> %1763, double %1767, i64 4
+  %1769 = extractelement <8 x double> %1743, i64 5
+  %1770 = fptosi double %1769 to i64
+  %1771 = getelementptr double, ptr %198, i64 %1770
+  %1772 = load double, ptr %1771, align 8, !noalias !171
+  %1773 = insertelement <8 x double> %1768, double %1772, i64 5
+  %1774 = extractelement <8 x double> %1743, i64 6
+  %1775 = fptosi double %1774 to i64
+  %1776 = getelementptr double, ptr %198, i64 %1775
+  %1777 = load double, ptr %1776, align 8, !noalias !171
+  %1778 = insertelement <8 x double> %1773, double %1777, i64 6
+  %1779 = extractelement <8 x double> %1743, i64 7
+  %1780 = fptosi double %1779 to i64
+  %1781 = getelementptr double, ptr %198, i64 %1780
+  %1782 = load double, ptr %1781, align 8, !noalias !171
+  %1783 = insertelement <8 x double> %1778, double %1782, i64 7
+  store <8 x double> %1783, ptr %157, align 8, !noalias !171
+  %1784 = fcmp olt <8 x double> %1783, %1045
+  %1785 = bitcast <8 x i1> %1784 to i8
+  %1786 = zext i8 %1785 to i64
+  %1787 = and i64 %1711, %1786
+  %1788 = icmp eq i64 %1787, 0
+  br i1 %1788, label %1801, label %1710
 
-1823:                                             ; preds = %1765
-  %1824 = add nsw i64 %1767, -1
-  %1825 = add i64 %1766, 1
-  %1826 = shl nsw i64 %1766, 3
-  %1827 = add nsw i64 %1826, %1758
-  %1828 = icmp slt i64 %1827, 0
-  %1829 = select i1 %1828, i64 %92, i64 0
-  %1830 = getelementptr double, ptr %93, i64 %1827
-  %1831 = getelementptr double, ptr %1830, i64 %1829
-  %1832 = load i64, ptr %1831, align 8, !noalias !170
-  %1833 = inttoptr i64 %1768 to ptr
-  store atomic i64 %1832, ptr %1833 unordered, align 8, !noalias !170
-  %1834 = add nsw i64 %1768, %1753
-  br label %1765
+1789:                                             ; preds = %1731
+  %1790 = add nsw i64 %1733, -1
+  %1791 = add i64 %1732, 1
+  %1792 = shl nsw i64 %1732, 3
+  %1793 = add nsw i64 %1792, %1724
+  %1794 = icmp slt i64 %1793, 0
+  %1795 = select i1 %1794, i64 %97, i64 0
+  %1796 = getelementptr double, ptr %98, i64 %1793
+  %1797 = getelementptr double, ptr %1796, i64 %1795
+  %1798 = load i64, ptr %1797, align 8, !noalias !171
+  %1799 = inttoptr i64 %1734 to ptr
+  store atomic i64 %1798, ptr %1799 unordered, align 8, !noalias !171
+  %1800 = add nsw i64 %1734, %1719
+  br label %1731
 
-1835:                                             ; preds = %1772, %1739
-  %1836 = xor <8 x i1> %1742, splat (i1 true)
-  %1837 = and <8 x i1> %1018, %1836
-  %1838 = load <8 x double>, ptr %162, align 8, !noalias !12
-  %1839 = select <8 x i1> %1742, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1840 = fadd <8 x double> %1838, %1839
-  store <8 x double> %1840, ptr %162, align 8, !noalias !12
-  br i1 %248, label %1841, label %1958
+1801:                                             ; preds = %1738, %1700, %1444
+  %1802 = phi i64 [ %1010, %1444 ], [ %1701, %1700 ], [ %1701, %1738 ]
+  %1803 = phi i1 [ %1011, %1444 ], [ %1702, %1700 ], [ %1702, %1738 ]
+  %1804 = phi <8 x i1> [ %1446, %1444 ], [ %1703, %1700 ], [ %1703, %1738 ]
+  %1805 = load <8 x double>, ptr %157, align 8, !noalias !12
+  %1806 = fcmp oeq <8 x double> %1805, %1045
+  %1807 = and <8 x i1> %1804, %1806
+  %1808 = bitcast <8 x i1> %1807 to i8
+  %1809 = zext i8 %1808 to i64
+  %1810 = icmp eq i8 %1808, 0
+  br i1 %1810, label %1897, label %1811
 
-1841:                                             ; preds = %1835
-  %1842 = load <8 x double>, ptr %144, align 8, !noalias !12
-  %1843 = load <8 x double>, ptr %147, align 8, !noalias !12
-  %1844 = getelementptr i8, ptr %36, i64 24
-  %1845 = load double, ptr %1844, align 8, !noalias !174
-  %1846 = fcmp ogt <8 x double> %1357, splat (double 1.000000e-10)
-  %1847 = select <8 x i1> %1846, <8 x double> %1357, <8 x double> splat (double 1.000000e-10)
-  %1848 = getelementptr i8, ptr %36, i64 8
-  %1849 = load double, ptr %1848, align 8, !noalias !174
-  %1850 = fneg double %1849
-  %1851 = insertelement <8 x double> poison, double %1850, i64 0
-  %1852 = shufflevector <8 x double> %1851, <8 x double> poison, <8 x i32> zeroinitializer
-  %1853 = bitcast <8 x double> %1847 to <8 x i64>
-  %1854 = add nsw <8 x i64> %1853, splat (i64 -4604544271217802189)
-  %1855 = ashr <8 x i64> %1854, splat (i64 52)
-  %1856 = and <8 x i64> %1854, splat (i64 -4503599627370496)
-  %1857 = sub <8 x i64> %1853, %1856
-  %1858 = bitcast <8 x i64> %1857 to <8 x double>
-  %1859 = fadd <8 x double> %1858, splat (double -1.000000e+00)
-  %1860 = fadd <8 x double> %1858, splat (double 1.000000e+00)
-  %1861 = fdiv <8 x double> %1859, %1860
-  %1862 = fmul <8 x double> %1861, %1861
-  %1863 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1862, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %1864 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1863, <8 x double> %1862, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %1865 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1864, <8 x double> %1862, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %1866 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1865, <8 x double> %1862, <8 x double> splat (double 0x40071547652B82FE))
-  %1867 = fmul <8 x double> %1866, %1861
-  %1868 = trunc nsw <8 x i64> %1855 to <8 x i32>
-  %1869 = sitofp <8 x i32> %1868 to <8 x double>
-  %1870 = fadd <8 x double> %1867, %1869
-  %1871 = fmul <8 x double> %1870, %1852
-  %1872 = fcmp ogt <8 x double> %1871, splat (double -1.000000e+03)
-  %1873 = select <8 x i1> %1872, <8 x double> %1871, <8 x double> splat (double -1.000000e+03)
-  %1874 = fcmp olt <8 x double> %1873, splat (double 1.000000e+03)
-  %1875 = select <8 x i1> %1874, <8 x double> %1873, <8 x double> splat (double 1.000000e+03)
-  %1876 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1875)
-  %1877 = fsub <8 x double> %1875, %1876
-  %1878 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1877, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %1879 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1878, <8 x double> %1877, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %1880 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1879, <8 x double> %1877, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %1881 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1880, <8 x double> %1877, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %1882 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1881, <8 x double> %1877, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %1883 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1882, <8 x double> %1877, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %1884 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1883, <8 x double> %1877, <8 x double> splat (double 1.000000e+00))
-  %1885 = fptosi <8 x double> %1876 to <8 x i32>
-  %1886 = zext <8 x i32> %1885 to <8 x i64>
-  %1887 = shl <8 x i64> %1886, splat (i64 52)
-  %1888 = bitcast <8 x double> %1884 to <8 x i64>
-  %1889 = add <8 x i64> %1887, %1888
-  %1890 = bitcast <8 x i64> %1889 to <8 x double>
-  %1891 = insertelement <8 x double> poison, double %1845, i64 0
-  %1892 = shufflevector <8 x double> %1891, <8 x double> poison, <8 x i32> zeroinitializer
-  %1893 = fmul <8 x double> %1892, %1890
-  %1894 = getelementptr i8, ptr %36, i64 16
-  %1895 = load double, ptr %1894, align 8, !noalias !174
-  %1896 = fcmp une double %1895, 0.000000e+00
-  br i1 %1896, label %1897, label %1939
+1811:                                             ; preds = %1801, %1834
+  %1812 = phi i64 [ %1883, %1834 ], [ %1809, %1801 ]
+  %1813 = getelementptr i8, ptr %190, i64 32
+  %1814 = load i64, ptr %1813, align 8, !noalias !175
+  %1815 = shl nsw i64 %1814, 3
+  %1816 = load i64, ptr %232, align 8, !noalias !175
+  %1817 = icmp eq i64 %1812, 0
+  br i1 %1817, label %1834, label %1818
 
-1897:                                             ; preds = %1841
-  %1898 = insertelement <8 x double> poison, double %1895, i64 0
-  %1899 = shufflevector <8 x double> %1898, <8 x double> poison, <8 x i32> zeroinitializer
-  %1900 = bitcast <8 x double> %1842 to <8 x i64>
-  %1901 = add <8 x i64> %1900, splat (i64 -4604544271217802189)
-  %1902 = ashr <8 x i64> %1901, splat (i64 52)
-  %1903 = and <8 x i64> %1901, splat (i64 -4503599627370496)
-  %1904 = sub <8 x i64> %1900, %1903
-  %1905 = bitcast <8 x i64> %1904 to <8 x double>
-  %1906 = fadd <8 x double> %1905, splat (double -1.000000e+00)
-  %1907 = fadd <8 x double> %1905, splat (double 1.000000e+00)
-  %1908 = fdiv <8 x double> %1906, %1907
-  %1909 = fmul <8 x double> %1908, %1908
-  %1910 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1909, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %1911 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1910, <8 x double> %1909, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %1912 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1911, <8 x double> %1909, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %1913 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1912, <8 x double> %1909, <8 x double> splat (double 0x40071547652B82FE))
-  %1914 = fmul <8 x double> %1913, %1908
-  %1915 = trunc nsw <8 x i64> %1902 to <8 x i32>
-  %1916 = sitofp <8 x i32> %1915 to <8 x double>
-  %1917 = fadd <8 x double> %1914, %1916
-  %1918 = fmul <8 x double> %1917, %1899
-  %1919 = fcmp ogt <8 x double> %1918, splat (double -1.000000e+03)
-  %1920 = select <8 x i1> %1919, <8 x double> %1918, <8 x double> splat (double -1.000000e+03)
-  %1921 = fcmp olt <8 x double> %1920, splat (double 1.000000e+03)
-  %1922 = select <8 x i1> %1921, <8 x double> %1920, <8 x double> splat (double 1.000000e+03)
-  %1923 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1922)
-  %1924 = fsub <8 x double> %1922, %1923
-  %1925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1924, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %1926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1925, <8 x double> %1924, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %1927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1926, <8 x double> %1924, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %1928 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1927, <8 x double> %1924, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %1929 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1928, <8 x double> %1924, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %1930 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1929, <8 x double> %1924, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %1931 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1930, <8 x double> %1924, <8 x double> splat (double 1.000000e+00))
-  %1932 = fptosi <8 x double> %1923 to <8 x i32>
-  %1933 = zext <8 x i32> %1932 to <8 x i64>
-  %1934 = shl <8 x i64> %1933, splat (i64 52)
-  %1935 = bitcast <8 x double> %1931 to <8 x i64>
-  %1936 = add <8 x i64> %1934, %1935
-  %1937 = bitcast <8 x i64> %1936 to <8 x double>
-  %1938 = fmul <8 x double> %1893, %1937
-  br label %1939
+1818:                                             ; preds = %1811, %1832
+  %1819 = phi i64 [ %1822, %1832 ], [ %1812, %1811 ]
+  %1820 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1819, i1 true)
+  %1821 = add nsw i64 %1819, -1
+  %1822 = and i64 %1819, %1821
+  %1823 = getelementptr i64, ptr %187, i64 %1820
+  %1824 = load i64, ptr %1823, align 8, !noalias !175
+  %1825 = add nsw i64 %1824, 8
+  store i64 %1825, ptr %1823, align 8, !noalias !175
+  %1826 = call i64 @llvm.smax.i64(i64 %1816, i64 0)
+  br label %1827
 
-1939:                                             ; preds = %1897, %1841
-  %1940 = phi <8 x double> [ %1938, %1897 ], [ %1893, %1841 ]
-  %1941 = getelementptr i8, ptr %36, i64 32
-  %1942 = load double, ptr %1941, align 8, !noalias !174
-  %1943 = insertelement <8 x double> poison, double %1942, i64 0
-  %1944 = shufflevector <8 x double> %1943, <8 x double> poison, <8 x i32> zeroinitializer
-  %1945 = fcmp ogt <8 x double> %1940, %1944
-  %1946 = select <8 x i1> %1945, <8 x double> %1940, <8 x double> %1944
-  %1947 = fcmp olt <8 x double> %1843, %1946
-  %1948 = select <8 x i1> %1947, <8 x double> %1843, <8 x double> %1946
-  %1949 = fmul <8 x double> %1043, %1948
-  %1950 = fcmp ogt <8 x double> %1357, splat (double 1.000000e-04)
-  %1951 = select <8 x i1> %1950, <8 x double> %1357, <8 x double> splat (double 1.000000e-04)
-  %1952 = select <8 x i1> %1742, <8 x double> %1951, <8 x double> %1842
-  store <8 x double> %1952, ptr %144, align 8, !noalias !12
-  %1953 = getelementptr i8, ptr %36, i64 40
-  %1954 = load double, ptr %1953, align 8, !noalias !12
-  %1955 = insertelement <8 x double> poison, double %1954, i64 0
-  %1956 = shufflevector <8 x double> %1955, <8 x double> poison, <8 x i32> zeroinitializer
-  %1957 = select <8 x i1> %1837, <8 x double> splat (double 1.000000e+00), <8 x double> %1956
-  store <8 x double> %1957, ptr %147, align 8, !noalias !12
-  br label %1958
+1827:                                             ; preds = %1818, %1885
+  %1828 = phi i64 [ 0, %1818 ], [ %1887, %1885 ]
+  %1829 = phi i64 [ %1826, %1818 ], [ %1886, %1885 ]
+  %1830 = phi i64 [ %1824, %1818 ], [ %1896, %1885 ]
+  %1831 = icmp sgt i64 %1829, 0
+  br i1 %1831, label %1885, label %1832
 
-1958:                                             ; preds = %1939, %1835
-  %1959 = phi <8 x double> [ %1949, %1939 ], [ %1016, %1835 ]
-  %1960 = bitcast <8 x i1> %1837 to i8
-  %1961 = icmp eq i8 %1960, 0
-  br i1 %1961, label %2034, label %1962
+1832:                                             ; preds = %1827
+  %1833 = icmp eq i64 %1822, 0
+  br i1 %1833, label %1834, label %1818
 
-1962:                                             ; preds = %1958
-  %1963 = trunc i64 %1383 to i8
-  %1964 = bitcast i8 %1963 to <8 x i1>
-  %1965 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1357)
-  %1966 = fcmp ueq <8 x double> %1965, splat (double 0x7FF0000000000000)
-  %1967 = or <8 x i1> %1966, %1964
-  %1968 = getelementptr i8, ptr %36, i64 24
-  %1969 = load double, ptr %1968, align 8, !noalias !177
-  %1970 = fcmp ogt <8 x double> %1357, splat (double 1.000000e-10)
-  %1971 = select <8 x i1> %1970, <8 x double> %1357, <8 x double> splat (double 1.000000e-10)
-  %1972 = load double, ptr %36, align 8, !noalias !177
-  %1973 = fneg double %1972
-  %1974 = insertelement <8 x double> poison, double %1973, i64 0
-  %1975 = shufflevector <8 x double> %1974, <8 x double> poison, <8 x i32> zeroinitializer
-  %1976 = bitcast <8 x double> %1971 to <8 x i64>
-  %1977 = add nsw <8 x i64> %1976, splat (i64 -4604544271217802189)
-  %1978 = ashr <8 x i64> %1977, splat (i64 52)
-  %1979 = and <8 x i64> %1977, splat (i64 -4503599627370496)
-  %1980 = sub <8 x i64> %1976, %1979
-  %1981 = bitcast <8 x i64> %1980 to <8 x double>
-  %1982 = fadd <8 x double> %1981, splat (double -1.000000e+00)
-  %1983 = fadd <8 x double> %1981, splat (double 1.000000e+00)
-  %1984 = fdiv <8 x double> %1982, %1983
-  %1985 = fmul <8 x double> %1984, %1984
-  %1986 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1985, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %1987 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1986, <8 x double> %1985, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %1988 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1987, <8 x double> %1985, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %1989 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1988, <8 x double> %1985, <8 x double> splat (double 0x40071547652B82FE))
-  %1990 = fmul <8 x double> %1989, %1984
-  %1991 = trunc nsw <8 x i64> %1978 to <8 x i32>
-  %1992 = sitofp <8 x i32> %1991 to <8 x double>
-  %1993 = fadd <8 x double> %1990, %1992
-  %1994 = fmul <8 x double> %1993, %1975
-  %1995 = fcmp ogt <8 x double> %1994, splat (double -1.000000e+03)
-  %1996 = select <8 x i1> %1995, <8 x double> %1994, <8 x double> splat (double -1.000000e+03)
-  %1997 = fcmp olt <8 x double> %1996, splat (double 1.000000e+03)
-  %1998 = select <8 x i1> %1997, <8 x double> %1996, <8 x double> splat (double 1.000000e+03)
-  %1999 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1998)
-  %2000 = fsub <8 x double> %1998, %1999
-  %2001 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2000, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %2002 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2001, <8 x double> %2000, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %2003 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2002, <8 x double> %2000, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %2004 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2003, <8 x double> %2000, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %2005 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2004, <8 x double> %2000, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %2006 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2005, <8 x double> %2000, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %2007 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2006, <8 x double> %2000, <8 x double> splat (double 1.000000e+00))
-  %2008 = fptosi <8 x double> %1999 to <8 x i32>
-  %2009 = zext <8 x i32> %2008 to <8 x i64>
-  %2010 = shl <8 x i64> %2009, splat (i64 52)
-  %2011 = bitcast <8 x double> %2007 to <8 x i64>
-  %2012 = add <8 x i64> %2010, %2011
-  %2013 = bitcast <8 x i64> %2012 to <8 x double>
-  %2014 = insertelement <8 x double> poison, double %1969, i64 0
-  %2015 = shufflevector <8 x double> %2014, <8 x double> poison, <8 x i32> zeroinitializer
-  %2016 = fmul <8 x double> %2015, %2013
-  %2017 = getelementptr i8, ptr %36, i64 32
-  %2018 = load double, ptr %2017, align 8, !noalias !177
-  %2019 = insertelement <8 x double> poison, double %2018, i64 0
-  %2020 = shufflevector <8 x double> %2019, <8 x double> poison, <8 x i32> zeroinitializer
-  %2021 = fcmp ogt <8 x double> %2016, %2020
-  %2022 = select <8 x i1> %2021, <8 x double> %2016, <8 x double> %2020
-  %2023 = select <8 x i1> %1967, <8 x double> splat (double 2.500000e-01), <8 x double> %2022
-  %2024 = fmul <8 x double> %1043, %2023
-  %2025 = select i1 %248, <8 x double> %2024, <8 x double> zeroinitializer
-  %2026 = select <8 x i1> %1837, <8 x double> %2025, <8 x double> %1959
-  %2027 = select <8 x i1> %1967, <8 x double> splat (double 4.000000e+00), <8 x double> splat (double 2.000000e+00)
-  %2028 = select <8 x i1> %1964, <8 x double> splat (double 3.000000e+00), <8 x double> %2027
-  %2029 = load <8 x double>, ptr %177, align 8, !noalias !12
-  %2030 = select <8 x i1> %1837, <8 x double> %2028, <8 x double> %2029
-  store <8 x double> %2030, ptr %177, align 8, !noalias !12
-  %2031 = load <8 x double>, ptr %167, align 8, !noalias !12
-  %2032 = select <8 x i1> %1837, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %2033 = fadd <8 x double> %2031, %2032
-  store <8 x double> %2033, ptr %167, align 8, !noalias !12
-  br label %2034
+1834:                                             ; preds = %1832, %1811
+  %1835 = load <8 x double>, ptr %152, align 8, !noalias !175
+  %1836 = trunc i64 %1812 to i8
+  %1837 = bitcast i8 %1836 to <8 x i1>
+  %1838 = select <8 x i1> %1837, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %1839 = fadd <8 x double> %1835, %1838
+  store <8 x double> %1839, ptr %152, align 8, !noalias !175
+  %1840 = extractelement <8 x double> %1839, i64 0
+  %1841 = fptosi double %1840 to i64
+  %1842 = getelementptr double, ptr %198, i64 %1841
+  %1843 = load double, ptr %1842, align 8, !noalias !175
+  %1844 = insertelement <8 x double> poison, double %1843, i64 0
+  %1845 = extractelement <8 x double> %1839, i64 1
+  %1846 = fptosi double %1845 to i64
+  %1847 = getelementptr double, ptr %198, i64 %1846
+  %1848 = load double, ptr %1847, align 8, !noalias !175
+  %1849 = insertelement <8 x double> %1844, double %1848, i64 1
+  %1850 = extractelement <8 x double> %1839, i64 2
+  %1851 = fptosi double %1850 to i64
+  %1852 = getelementptr double, ptr %198, i64 %1851
+  %1853 = load double, ptr %1852, align 8, !noalias !175
+  %1854 = insertelement <8 x double> %1849, double %1853, i64 2
+  %1855 = extractelement <8 x double> %1839, i64 3
+  %1856 = fptosi double %1855 to i64
+  %1857 = getelementptr double, ptr %198, i64 %1856
+  %1858 = load double, ptr %1857, align 8, !noalias !175
+  %1859 = insertelement <8 x double> %1854, double %1858, i64 3
+  %1860 = extractelement <8 x double> %1839, i64 4
+  %1861 = fptosi double %1860 to i64
+  %1862 = getelementptr double, ptr %198, i64 %1861
+  %1863 = load double, ptr %1862, align 8, !noalias !175
+  %1864 = insertelement <8 x double> %1859, double %1863, i64 4
+  %1865 = extractelement <8 x double> %1839, i64 5
+  %1866 = fptosi double %1865 to i64
+  %1867 = getelementptr double, ptr %198, i64 %1866
+  %1868 = load double, ptr %1867, align 8, !noalias !175
+  %1869 = insertelement <8 x double> %1864, double %1868, i64 5
+  %1870 = extractelement <8 x double> %1839, i64 6
+  %1871 = fptosi double %1870 to i64
+  %1872 = getelementptr double, ptr %198, i64 %1871
+  %1873 = load double, ptr %1872, align 8, !noalias !175
+  %1874 = insertelement <8 x double> %1869, double %1873, i64 6
+  %1875 = extractelement <8 x double> %1839, i64 7
+  %1876 = fptosi double %1875 to i64
+  %1877 = getelementptr double, ptr %198, i64 %1876
+  %1878 = load double, ptr %1877, align 8, !noalias !175
+  %1879 = insertelement <8 x double> %1874, double %1878, i64 7
+  store <8 x double> %1879, ptr %157, align 8, !noalias !175
+  %1880 = fcmp oeq <8 x double> %1879, %1045
+  %1881 = bitcast <8 x i1> %1880 to i8
+  %1882 = zext i8 %1881 to i64
+  %1883 = and i64 %1812, %1882
+  %1884 = icmp eq i64 %1883, 0
+  br i1 %1884, label %1897, label %1811
 
-2034:                                             ; preds = %1962, %1958
-  %2035 = phi <8 x double> [ %2026, %1962 ], [ %1959, %1958 ]
-  store <8 x double> %2035, ptr %141, align 8, !noalias !12
-  %2036 = select <8 x i1> %1742, <8 x double> %1042, <8 x double> %1015
-  store <8 x double> %2036, ptr %136, align 8, !noalias !12
-  %2037 = call i64 @llvm.smax.i64(i64 %233, i64 0)
-  br label %2038
+1885:                                             ; preds = %1827
+  %1886 = add nsw i64 %1829, -1
+  %1887 = add i64 %1828, 1
+  %1888 = shl nsw i64 %1828, 3
+  %1889 = add nsw i64 %1888, %1820
+  %1890 = icmp slt i64 %1889, 0
+  %1891 = select i1 %1890, i64 %92, i64 0
+  %1892 = getelementptr double, ptr %93, i64 %1889
+  %1893 = getelementptr double, ptr %1892, i64 %1891
+  %1894 = load i64, ptr %1893, align 8, !noalias !175
+  %1895 = inttoptr i64 %1830 to ptr
+  store atomic i64 %1894, ptr %1895 unordered, align 8, !noalias !175
+  %1896 = add nsw i64 %1830, %1815
+  br label %1827
 
-2038:                                             ; preds = %2034, %2172
-  %2039 = phi i64 [ 0, %2034 ], [ %2174, %2172 ]
-  %2040 = phi i64 [ %2037, %2034 ], [ %2173, %2172 ]
-  %2041 = icmp sgt i64 %2040, 0
-  br i1 %2041, label %2172, label %2042
+1897:                                             ; preds = %1834, %1801
+  %1898 = xor <8 x i1> %1804, splat (i1 true)
+  %1899 = and <8 x i1> %1021, %1898
+  %1900 = load <8 x double>, ptr %162, align 8, !noalias !12
+  %1901 = select <8 x i1> %1804, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %1902 = fadd <8 x double> %1900, %1901
+  store <8 x double> %1902, ptr %162, align 8, !noalias !12
+  br i1 %248, label %1903, label %2020
 
-2042:                                             ; preds = %2038
-  %2043 = load <8 x double>, ptr %157, align 8, !noalias !12
-  %2044 = fcmp oeq <8 x double> %2043, splat (double 0x7FF0000000000000)
-  %2045 = and <8 x i1> %1742, %2044
-  %2046 = bitcast <8 x i1> %2045 to i8
-  %2047 = zext i8 %2046 to i64
-  %2048 = icmp eq i8 %2046, 0
-  br i1 %2048, label %2125, label %2049
+1903:                                             ; preds = %1897
+  %1904 = load <8 x double>, ptr %144, align 8, !noalias !12
+  %1905 = load <8 x double>, ptr %147, align 8, !noalias !12
+  %1906 = getelementptr i8, ptr %36, i64 24
+  %1907 = load double, ptr %1906, align 8, !noalias !179
+  %1908 = fcmp ogt <8 x double> %1419, splat (double 1.000000e-10)
+  %1909 = select <8 x i1> %1908, <8 x double> %1419, <8 x double> splat (double 1.000000e-10)
+  %1910 = getelementptr i8, ptr %36, i64 8
+  %1911 = load double, ptr %1910, align 8, !noalias !179
+  %1912 = fneg double %1911
+  %1913 = insertelement <8 x double> poison, double %1912, i64 0
+  %1914 = shufflevector <8 x double> %1913, <8 x double> poison, <8 x i32> zeroinitializer
+  %1915 = bitcast <8 x double> %1909 to <8 x i64>
+  %1916 = add nsw <8 x i64> %1915, splat (i64 -4604544271217802189)
+  %1917 = ashr <8 x i64> %1916, splat (i64 52)
+  %1918 = and <8 x i64> %1916, splat (i64 -4503599627370496)
+  %1919 = sub <8 x i64> %1915, %1918
+  %1920 = bitcast <8 x i64> %1919 to <8 x double>
+  %1921 = fadd <8 x double> %1920, splat (double -1.000000e+00)
+  %1922 = fadd <8 x double> %1920, splat (double 1.000000e+00)
+  %1923 = fdiv <8 x double> %1921, %1922
+  %1924 = fmul <8 x double> %1923, %1923
+  %1925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1924, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
+  %1926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1925, <8 x double> %1924, <8 x double> splat (double 0x3FE2776C50EF9BFE))
+  %1927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1926, <8 x double> %1924, <8 x double> splat (double 0x3FEEC709DC3A03FD))
+  %1928 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1927, <8 x double> %1924, <8 x double> splat (double 0x40071547652B82FE))
+  %1929 = fmul <8 x double> %1928, %1923
+  %1930 = trunc nsw <8 x i64> %1917 to <8 x i32>
+  %1931 = sitofp <8 x i32> %1930 to <8 x double>
+  %1932 = fadd <8 x double> %1929, %1931
+  %1933 = fmul <8 x double> %1932, %1914
+  %1934 = fcmp ogt <8 x double> %1933, splat (double -1.000000e+03)
+  %1935 = select <8 x i1> %1934, <8 x double> %1933, <8 x double> splat (double -1.000000e+03)
+  %1936 = fcmp olt <8 x double> %1935, splat (double 1.000000e+03)
+  %1937 = select <8 x i1> %1936, <8 x double> %1935, <8 x double> splat (double 1.000000e+03)
+  %1938 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1937)
+  %1939 = fsub <8 x double> %1937, %1938
+  %1940 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1939, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
+  %1941 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1940, <8 x double> %1939, <8 x double> splat (double 0x3F55D87FE78A6730))
+  %1942 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1941, <8 x double> %1939, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
+  %1943 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1942, <8 x double> %1939, <8 x double> splat (double 0x3FAC6B08D704A0BF))
+  %1944 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1943, <8 x double> %1939, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
+  %1945 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1944, <8 x double> %1939, <8 x double> splat (double 0x3FE62E42FEFA39EF))
+  %1946 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1945, <8 x double> %1939, <8 x double> splat (double 1.000000e+00))
+  %1947 = fptosi <8 x double> %1938 to <8 x i32>
+  %1948 = zext <8 x i32> %1947 to <8 x i64>
+  %1949 = shl <8 x i64> %1948, splat (i64 52)
+  %1950 = bitcast <8 x double> %1946 to <8 x i64>
+  %1951 = add <8 x i64> %1949, %1950
+  %1952 = bitcast <8 x i64> %1951 to <8 x double>
+  %1953 = insertelement <8 x double> poison, double %1907, i64 0
+  %1954 = shufflevector <8 x double> %1953, <8 x double> poison, <8 x i32> zeroinitializer
+  %1955 = fmul <8 x double> %1954, %1952
+  %1956 = getelementptr i8, ptr %36, i64 16
+  %1957 = load double, ptr %1956, align 8, !noalias !179
+  %1958 = fcmp une double %1957, 0.000000e+00
+  br i1 %1958, label %1959, label %2001
 
-2049:                                             ; preds = %2042, %2124
-  %2050 = phi i64 [ %2190, %2124 ], [ 0, %2042 ]
-  %2051 = phi i64 [ %2189, %2124 ], [ 8, %2042 ]
-  %2052 = icmp sgt i64 %2051, 0
-  br i1 %2052, label %2188, label %2125
+1959:                                             ; preds = %1903
+  %1960 = insertelement <8 x double> poison, double %1957, i64 0
+  %1961 = shufflevector <8 x double> %1960, <8 x double> poison, <8 x i32> zeroinitializer
+  %1962 = bitcast <8 x double> %1904 to <8 x i64>
+  %1963 = add <8 x i64> %1962, splat (i64 -4604544271217802189)
+  %1964 = ashr <8 x i64> %1963, splat (i64 52)
+  %1965 = and <8 x i64> %1963, splat (i64 -4503599627370496)
+  %1966 = sub <8 x i64> %1962, %1965
+  %1967 = bitcast <8 x i64> %1966 to <8 x double>
+  %1968 = fadd <8 x double> %1967, splat (double -1.000000e+00)
+  %1969 = fadd <8 x double> %1967, splat (double 1.000000e+00)
+  %1970 = fdiv <8 x double> %1968, %1969
+  %1971 = fmul <8 x double> %1970, %1970
+  %1972 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1971, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
+  %1973 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1972, <8 x double> %1971, <8 x double> splat (double 0x3FE2776C50EF9BFE))
+  %1974 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1973, <8 x double> %1971, <8 x double> splat (double 0x3FEEC709DC3A03FD))
+  %1975 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1974, <8 x double> %1971, <8 x double> splat (double 0x40071547652B82FE))
+  %1976 = fmul <8 x double> %1975, %1970
+  %1977 = trunc nsw <8 x i64> %1964 to <8 x i32>
+  %1978 = sitofp <8 x i32> %1977 to <8 x double>
+  %1979 = fadd <8 x double> %1976, %1978
+  %1980 = fmul <8 x double> %1979, %1961
+  %1981 = fcmp ogt <8 x double> %1980, splat (double -1.000000e+03)
+  %1982 = select <8 x i1> %1981, <8 x double> %1980, <8 x double> splat (double -1.000000e+03)
+  %1983 = fcmp olt <8 x double> %1982, splat (double 1.000000e+03)
+  %1984 = select <8 x i1> %1983, <8 x double> %1982, <8 x double> splat (double 1.000000e+03)
+  %1985 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1984)
+  %1986 = fsub <8 x double> %1984, %1985
+  %1987 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1986, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
+  %1988 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1987, <8 x double> %1986, <8 x double> splat (double 0x3F55D87FE78A6730))
+  %1989 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1988, <8 x double> %1986, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
+  %1990 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1989, <8 x double> %1986, <8 x double> splat (double 0x3FAC6B08D704A0BF))
+  %1991 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1990, <8 x double> %1986, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
+  %1992 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1991, <8 x double> %1986, <8 x double> splat (double 0x3FE62E42FEFA39EF))
+  %1993 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1992, <8 x double> %1986, <8 x double> splat (double 1.000000e+00))
+  %1994 = fptosi <8 x double> %1985 to <8 x i32>
+  %1995 = zext <8 x i32> %1994 to <8 x i64>
+  %1996 = shl <8 x i64> %1995, splat (i64 52)
+  %1997 = bitcast <8 x double> %1993 to <8 x i64>
+  %1998 = add <8 x i64> %1996, %1997
+  %1999 = bitcast <8 x i64> %1998 to <8 x double>
+  %2000 = fmul <8 x double> %1955, %1999
+  br label %2001
 
-2053:                                             ; preds = %2188
-  %2054 = icmp slt i64 %2050, 0
-  %2055 = select i1 %2054, i64 %181, i64 0
-  %2056 = getelementptr i64, ptr %182, i64 %2050
-  %2057 = getelementptr i64, ptr %2056, i64 %2055
-  %2058 = load i64, ptr %2057, align 8, !noalias !180
-  %2059 = getelementptr i8, ptr %190, i64 32
-  %2060 = load i64, ptr %2059, align 8, !noalias !180
-  %2061 = shl nsw i64 %2060, 3
-  %2062 = select i1 %2054, i64 %151, i64 0
-  %2063 = getelementptr double, ptr %152, i64 %2050
-  %2064 = getelementptr double, ptr %2063, i64 %2062
-  %2065 = load double, ptr %2064, align 8, !noalias !180
-  %2066 = fptosi double %2065 to i64
-  %2067 = xor i64 %2066, -1
-  %2068 = add i64 %197, %2067
-  %2069 = call i64 @llvm.smax.i64(i64 %2068, i64 0)
-  br label %2070
+2001:                                             ; preds = %1959, %1903
+  %2002 = phi <8 x double> [ %2000, %1959 ], [ %1955, %1903 ]
+  %2003 = getelementptr i8, ptr %36, i64 32
+  %2004 = load double, ptr %2003, align 8, !noalias !179
+  %2005 = insertelement <8 x double> poison, double %2004, i64 0
+  %2006 = shufflevector <8 x double> %2005, <8 x double> poison, <8 x i32> zeroinitializer
+  %2007 = fcmp ogt <8 x double> %2002, %2006
+  %2008 = select <8 x i1> %2007, <8 x double> %2002, <8 x double> %2006
+  %2009 = fcmp olt <8 x double> %1905, %2008
+  %2010 = select <8 x i1> %2009, <8 x double> %1905, <8 x double> %2008
+  %2011 = fmul <8 x double> %1046, %2010
+  %2012 = fcmp ogt <8 x double> %1419, splat (double 1.000000e-04)
+  %2013 = select <8 x i1> %2012, <8 x double> %1419, <8 x double> splat (double 1.000000e-04)
+  %2014 = select <8 x i1> %1804, <8 x double> %2013, <8 x double> %1904
+  store <8 x double> %2014, ptr %144, align 8, !noalias !12
+  %2015 = getelementptr i8, ptr %36, i64 40
+  %2016 = load double, ptr %2015, align 8, !noalias !12
+  %2017 = insertelement <8 x double> poison, double %2016, i64 0
+  %2018 = shufflevector <8 x double> %2017, <8 x double> poison, <8 x i32> zeroinitializer
+  %2019 = select <8 x i1> %1899, <8 x double> splat (double 1.000000e+00), <8 x double> %2018
+  store <8 x double> %2019, ptr %147, align 8, !noalias !12
+  br label %2020
 
-2070:                                             ; preds = %2074, %2053
-  %2071 = phi i64 [ 0, %2053 ], [ %2111, %2074 ]
-  %2072 = phi i64 [ %2069, %2053 ], [ %2110, %2074 ]
-  %2073 = icmp sgt i64 %2072, 0
-  br i1 %2073, label %2109, label %2078
+2020:                                             ; preds = %2001, %1897
+  %2021 = phi <8 x double> [ %2011, %2001 ], [ %1019, %1897 ]
+  %2022 = bitcast <8 x i1> %1899 to i8
+  %2023 = icmp eq i8 %2022, 0
+  br i1 %2023, label %2096, label %2024
 
-2074:                                             ; preds = %2109, %2120
-  %2075 = phi i64 [ %2119, %2109 ], [ %2121, %2120 ]
-  %2076 = phi i64 [ %2117, %2109 ], [ %2123, %2120 ]
-  %2077 = icmp sgt i64 %2075, 0
-  br i1 %2077, label %2120, label %2070
+2024:                                             ; preds = %2020
+  %2025 = trunc i64 %1445 to i8
+  %2026 = bitcast i8 %2025 to <8 x i1>
+  %2027 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1419)
+  %2028 = fcmp ueq <8 x double> %2027, splat (double 0x7FF0000000000000)
+  %2029 = or <8 x i1> %2028, %2026
+  %2030 = getelementptr i8, ptr %36, i64 24
+  %2031 = load double, ptr %2030, align 8, !noalias !182
+  %2032 = fcmp ogt <8 x double> %1419, splat (double 1.000000e-10)
+  %2033 = select <8 x i1> %2032, <8 x double> %1419, <8 x double> splat (double 1.000000e-10)
+  %2034 = load double, ptr %36, align 8, !noalias !182
+  %2035 = fneg double %2034
+  %2036 = insertelement <8 x double> poison, double %2035, i64 0
+  %2037 = shufflevector <8 x double> %2036, <8 x double> poison, <8 x i32> zeroinitializer
+  %2038 = bitcast <8 x double> %2033 to <8 x i64>
+  %2039 = add nsw <8 x i64> %2038, splat (i64 -4604544271217802189)
+  %2040 = ashr <8 x i64> %2039, splat (i64 52)
+  %2041 = and <8 x i64> %2039, splat (i64 -4503599627370496)
+  %2042 = sub <8 x i64> %2038, %2041
+  %2043 = bitcast <8 x i64> %2042 to <8 x double>
+  %2044 = fadd <8 x double> %2043, splat (double -1.000000e+00)
+  %2045 = fadd <8 x double> %2043, splat (double 1.000000e+00)
+  %2046 = fdiv <8 x double> %2044, %2045
+  %2047 = fmul <8 x double> %2046, %2046
+  %2048 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2047, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
+  %2049 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2048, <8 x double> %2047, <8 x double> splat (double 0x3FE2776C50EF9BFE))
+  %2050 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2049, <8 x double> %2047, <8 x double> splat (double 0x3FEEC709DC3A03FD))
+  %2051 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2050, <8 x double> %2047, <8 x double> splat (double 0x40071547652B82FE))
+  %2052 = fmul <8 x double> %2051, %2046
+  %2053 = trunc nsw <8 x i64> %2040 to <8 x i32>
+  %2054 = sitofp <8 x i32> %2053 to <8 x double>
+  %2055 = fadd <8 x double> %2052, %2054
+  %2056 = fmul <8 x double> %2055, %2037
+  %2057 = fcmp ogt <8 x double> %2056, splat (double -1.000000e+03)
+  %2058 = select <8 x i1> %2057, <8 x double> %2056, <8 x double> splat (double -1.000000e+03)
+  %2059 = fcmp olt <8 x double> %2058, splat (double 1.000000e+03)
+  %2060 = select <8 x i1> %2059, <8 x double> %2058, <8 x double> splat (double 1.000000e+03)
+  %2061 = call <8 x double> @llvm.rint.v8f64(<8 x double> %2060)
+  %2062 = fsub <8 x double> %2060, %2061
+  %2063 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2062, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
+  %2064 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2063, <8 x double> %2062, <8 x double> splat (double 0x3F55D87FE78A6730))
+  %2065 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2064, <8 x double> %2062, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
+  %2066 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2065, <8 x double> %2062, <8 x double> splat (double 0x3FAC6B08D704A0BF))
+  %2067 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2066, <8 x double> %2062, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
+  %2068 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2067, <8 x double> %2062, <8 x double> splat (double 0x3FE62E42FEFA39EF))
+  %2069 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2068, <8 x double> %2062, <8 x double> splat (double 1.000000e+00))
+  %2070 = fptosi <8 x double> %2061 to <8 x i32>
+  %2071 = zext <8 x i32> %2070 to <8 x i64>
+  %2072 = shl <8 x i64> %2071, splat (i64 52)
+  %2073 = bitcast <8 x double> %2069 to <8 x i64>
+  %2074 = add <8 x i64> %2072, %2073
+  %2075 = bitcast <8 x i64> %2074 to <8 x double>
+  %2076 = insertelement <8 x double> poison, double %2031, i64 0
+  %2077 = shufflevector <8 x double> %2076, <8 x double> poison, <8 x i32> zeroinitializer
+  %2078 = fmul <8 x double> %2077, %2075
+  %2079 = getelementptr i8, ptr %36, i64 32
+  %2080 = load double, ptr %2079, align 8, !noalias !182
+  %2081 = insertelement <8 x double> poison, double %2080, i64 0
+  %2082 = shufflevector <8 x double> %2081, <8 x double> poison, <8 x i32> zeroinitializer
+  %2083 = fcmp ogt <8 x double> %2078, %2082
+  %2084 = select <8 x i1> %2083, <8 x double> %2078, <8 x double> %2082
+  %2085 = select <8 x i1> %2029, <8 x double> splat (double 2.500000e-01), <8 x double> %2084
+  %2086 = fmul <8 x double> %1046, %2085
+  %2087 = select i1 %248, <8 x double> %2086, <8 x double> zeroinitializer
+  %2088 = select <8 x i1> %1899, <8 x double> %2087, <8 x double> %2021
+  %2089 = select <8 x i1> %2029, <8 x double> splat (double 4.000000e+00), <8 x double> splat (double 2.000000e+00)
+  %2090 = select <8 x i1> %2026, <8 x double> splat (double 3.000000e+00), <8 x double> %2089
+  %2091 = load <8 x double>, ptr %177, align 8, !noalias !12
+  %2092 = select <8 x i1> %1899, <8 x double> %2090, <8 x double> %2091
+  store <8 x double> %2092, ptr %177, align 8, !noalias !12
+  %2093 = load <8 x double>, ptr %167, align 8, !noalias !12
+  %2094 = select <8 x i1> %1899, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
+  %2095 = fadd <8 x double> %2093, %2094
+  store <8 x double> %2095, ptr %167, align 8, !noalias !12
+  br label %2096
 
-2078:                                             ; preds = %2070
-  %2079 = icmp slt i64 %2058, 0
-  %2080 = select i1 %2079, i64 %223, i64 0
-  %2081 = add i64 %2058, %2080
-  %2082 = mul i64 %2081, %225
-  %2083 = getelementptr i64, ptr %226, i64 %2082
-  %2084 = select i1 %2054, i64 %161, i64 0
-  %2085 = getelementptr double, ptr %162, i64 %2050
-  %2086 = getelementptr double, ptr %2085, i64 %2084
-  %2087 = load double, ptr %2086, align 8, !noalias !180
-  %2088 = select i1 %2054, i64 %166, i64 0
-  %2089 = getelementptr double, ptr %167, i64 %2050
-  %2090 = getelementptr double, ptr %2089, i64 %2088
-  %2091 = load double, ptr %2090, align 8, !noalias !180
-  %2092 = fptosi double %2087 to i64
-  store i64 %2092, ptr %2083, align 8, !noalias !180
-  %2093 = getelementptr i8, ptr %2083, i64 8
-  %2094 = fptosi double %2091 to i64
-  store i64 %2094, ptr %2093, align 8, !noalias !180
-  %2095 = select i1 %2054, i64 %171, i64 0
-  %2096 = getelementptr double, ptr %172, i64 %2050
-  %2097 = getelementptr double, ptr %2096, i64 %2095
-  %2098 = load double, ptr %2097, align 8, !noalias !180
-  %2099 = getelementptr i8, ptr %2083, i64 16
-  %2100 = fptosi double %2098 to i64
-  store i64 %2100, ptr %2099, align 8, !noalias !180
-  %2101 = getelementptr i8, ptr %2083, i64 24
-  store i64 0, ptr %2101, align 8, !noalias !180
-  %2102 = select i1 %2054, i64 %135, i64 0
-  %2103 = getelementptr double, ptr %136, i64 %2050
-  %2104 = getelementptr double, ptr %2103, i64 %2102
-  %2105 = load double, ptr %2104, align 8, !noalias !180
-  %2106 = select i1 %2079, i64 %230, i64 0
-  %2107 = getelementptr double, ptr %231, i64 %2058
-  %2108 = getelementptr double, ptr %2107, i64 %2106
-  store double %2105, ptr %2108, align 8, !noalias !180
-  store i64 -1, ptr %2057, align 8, !noalias !180
-  br label %2124
+2096:                                             ; preds = %2024, %2020
+  %2097 = phi <8 x double> [ %2088, %2024 ], [ %2021, %2020 ]
+  store <8 x double> %2097, ptr %141, align 8, !noalias !12
+  %2098 = select <8 x i1> %1804, <8 x double> %1045, <8 x double> %1018
+  store <8 x double> %2098, ptr %136, align 8, !noalias !12
+  %2099 = call i64 @llvm.smax.i64(i64 %233, i64 0)
+  br label %2100
 
-2109:                                             ; preds = %2070
-  %2110 = add nsw i64 %2072, -1
-  %2111 = add i64 %2071, 1
-  %2112 = shl nsw i64 %2071, 3
-  %2113 = select i1 %2054, i64 %186, i64 0
-  %2114 = getelementptr i64, ptr %187, i64 %2050
-  %2115 = getelementptr i64, ptr %2114, i64 %2113
-  %2116 = load i64, ptr %2115, align 8, !noalias !180
-  %2117 = add nsw i64 %2116, %2112
-  %2118 = load i64, ptr %232, align 8, !noalias !180
-  %2119 = call i64 @llvm.smax.i64(i64 %2118, i64 0)
-  br label %2074
+2100:                                             ; preds = %2096, %2234
+  %2101 = phi i64 [ 0, %2096 ], [ %2236, %2234 ]
+  %2102 = phi i64 [ %2099, %2096 ], [ %2235, %2234 ]
+  %2103 = icmp sgt i64 %2102, 0
+  br i1 %2103, label %2234, label %2104
 
-2120:                                             ; preds = %2074
-  %2121 = add nsw i64 %2075, -1
-  %2122 = inttoptr i64 %2076 to ptr
-  store atomic i64 9221120237041090560, ptr %2122 unordered, align 8, !noalias !180
-  %2123 = add nsw i64 %2076, %2061
-  br label %2074
+2104:                                             ; preds = %2100
+  %2105 = load <8 x double>, ptr %157, align 8, !noalias !12
+  %2106 = fcmp oeq <8 x double> %2105, splat (double 0x7FF0000000000000)
+  %2107 = and <8 x i1> %1804, %2106
+  %2108 = bitcast <8 x i1> %2107 to i8
+  %2109 = zext i8 %2108 to i64
+  %2110 = icmp eq i8 %2108, 0
+  br i1 %2110, label %2187, label %2111
 
-2124:                                             ; preds = %2078, %2188
-  br label %2049
+2111:                                             ; preds = %2104, %2186
+  %2112 = phi i64 [ %2252, %2186 ], [ 0, %2104 ]
+  %2113 = phi i64 [ %2251, %2186 ], [ 8, %2104 ]
+  %2114 = icmp sgt i64 %2113, 0
+  br i1 %2114, label %2250, label %2187
 
-2125:                                             ; preds = %2049, %2042
-  %2126 = phi i1 [ %1741, %2042 ], [ true, %2049 ]
+2115:                                             ; preds = %2250
+  %2116 = icmp slt i64 %2112, 0
+  %2117 = select i1 %2116, i64 %181, i64 0
+  %2118 = getelementptr i64, ptr %182, i64 %2112
+  %2119 = getelementptr i64, ptr %2118, i64 %2117
+  %2120 = load i64, ptr %2119, align 8, !noalias !185
+  %2121 = getelementptr i8, ptr %190, i64 32
+  %2122 = load i64, ptr %2121, align 8, !noalias !185
+  %2123 = shl nsw i64 %2122, 3
+  %2124 = select i1 %2116, i64 %151, i64 0
+  %2125 = getelementptr double, ptr %152, i64 %2112
+  %2126 = getelementptr double, ptr %2125, i64 %2124
+  %2127 = load double, ptr %2126, align 8, !noalias !185
+  %2128 = fptosi double %2127 to i64
+  %2129 = xor i64 %2128, -1
+  %2130 = add i64 %197, %2129
+  %2131 = call i64 @llvm.smax.i64(i64 %2130, i64 0)
+  br label %2132
+
+2132:                                             ; preds = %2136, %2115
+  %2133 = phi i64 [ 0, %2115 ], [ %2173, %2136 ]
+  %2134 = phi i64 [ %2131, %2115 ], [ %2172, %2136 ]
+  %2135 = icmp sgt i64 %2134, 0
+  br i1 %2135, label %2171, label %2140
+
+2136:                                             ; preds = %2171, %2182
+  %2137 = phi i64 [ %2181, %2171 ], [ %2183, %2182 ]
+  %2138 = phi i64 [ %2179, %2171 ], [ %2185, %2182 ]
+  %2139 = icmp sgt i64 %2137, 0
+  br i1 %2139, label %2182, label %2132
+
+2140:                                             ; preds = %2132
+  %2141 = icmp slt i64 %2120, 0
+  %2142 = select i1 %2141, i64 %223, i64 0
+  %2143 = add i64 %2120, %2142
+  %2144 = mul i64 %2143, %225
+  %2145 = getelementptr i64, ptr %226, i64 %2144
+  %2146 = select i1 %2116, i64 %161, i64 0
+  %2147 = getelementptr double, ptr %162, i64 %2112
+  %2148 = getelementptr double, ptr %2147, i64 %2146
+  %2149 = load double, ptr %2148, align 8, !noalias !185
+  %2150 = select i1 %2116, i64 %166, i64 0
+  %2151 = getelementptr double, ptr %167, i64 %2112
+  %2152 = getelementptr double, ptr %2151, i64 %2150
+  %2153 = load double, ptr %2152, align 8, !noalias !185
+  %2154 = fptosi double %2149 to i64
+  store i64 %2154, ptr %2145, align 8, !noalias !185
+  %2155 = getelementptr i8, ptr %2145, i64 8
+  %2156 = fptosi double %2153 to i64
+  store i64 %2156, ptr %2155, align 8, !noalias !185
+  %2157 = select i1 %2116, i64 %171, i64 0
+  %2158 = getelementptr double, ptr %172, i64 %2112
+  %2159 = getelementptr double, ptr %2158, i64 %2157
+  %2160 = load double, ptr %2159, align 8, !noalias !185
+  %2161 = getelementptr i8, ptr %2145, i64 16
+  %2162 = fptosi double %2160 to i64
+  store i64 %2162, ptr %2161, align 8, !noalias !185
+  %2163 = getelementptr i8, ptr %2145, i64 24
+  store i64 0, ptr %2163, align 8, !noalias !185
+  %2164 = select i1 %2116, i64 %135, i64 0
+  %2165 = getelementptr double, ptr %136, i64 %2112
+  %2166 = getelementptr double, ptr %2165, i64 %2164
+  %2167 = load double, ptr %2166, align 8, !noalias !185
+  %2168 = select i1 %2141, i64 %230, i64 0
+  %2169 = getelementptr double, ptr %231, i64 %2120
+  %2170 = getelementptr double, ptr %2169, i64 %2168
+  store double %2167, ptr %2170, align 8, !noalias !185
+  store i64 -1, ptr %2119, align 8, !noalias !185
+  br label %2186
+
+2171:                                             ; preds = %2132
+  %2172 = add nsw i64 %2134, -1
+  %2173 = add i64 %2133, 1
+  %2174 = shl nsw i64 %2133, 3
+  %2175 = select i1 %2116, i64 %186, i64 0
+  %2176 = getelementptr i64, ptr %187, i64 %2112
+  %2177 = getelementptr i64, ptr %2176, i64 %2175
+  %2178 = load i64, ptr %2177, align 8, !noalias !185
+  %2179 = add nsw i64 %2178, %2174
+  %2180 = load i64, ptr %232, align 8, !noalias !185
+  %2181 = call i64 @llvm.smax.i64(i64 %2180, i64 0)
+  br label %2136
+
+2182:                                             ; preds = %2136
+  %2183 = add nsw i64 %2137, -1
+  %2184 = inttoptr i64 %2138 to ptr
+  store atomic i64 9221120237041090560, ptr %2184 unordered, align 8, !noalias !185
+  %2185 = add nsw i64 %2138, %2123
+  br label %2136
+
+2186:                                             ; preds = %2140, %2250
+  br label %2111
+
+2187:                                             ; preds = %2111, %2104
+  %2188 = phi i1 [ %1803, %2104 ], [ true, %2111 ]
   br label %267
 
-2127:                                             ; preds = %260
-  %2128 = add nsw i64 %262, -1
-  %2129 = add i64 %261, 1
-  %2130 = icmp slt i64 %261, 0
-  %2131 = select i1 %2130, i64 %181, i64 0
-  %2132 = getelementptr i64, ptr %182, i64 %261
-  %2133 = getelementptr i64, ptr %2132, i64 %2131
-  %2134 = load i64, ptr %2133, align 8, !noalias !12
-  %2135 = shl nuw i64 1, %261
-  %2136 = icmp slt i64 %2134, 0
-  %2137 = select i1 %2136, i64 0, i64 %2135
-  %2138 = or i64 %263, %2137
+2189:                                             ; preds = %260
+  %2190 = add nsw i64 %262, -1
+  %2191 = add i64 %261, 1
+  %2192 = icmp slt i64 %261, 0
+  %2193 = select i1 %2192, i64 %181, i64 0
+  %2194 = getelementptr i64, ptr %182, i64 %261
+  %2195 = getelementptr i64, ptr %2194, i64 %2193
+  %2196 = load i64, ptr %2195, align 8, !noalias !12
+  %2197 = shl nuw i64 1, %261
+  %2198 = icmp slt i64 %2196, 0
+  %2199 = select i1 %2198, i64 0, i64 %2197
+  %2200 = or i64 %263, %2199
   br label %260
 
-2139:                                             ; preds = %343, %314
-  %2140 = icmp eq i64 %275, 0
-  br i1 %2140, label %495, label %496
+2201:                                             ; preds = %343, %314
+  %2202 = icmp eq i64 %275, 0
+  br i1 %2202, label %495, label %496
 
-2141:                                             ; preds = %664, %512
-  br label %2194
+2203:                                             ; preds = %667, %512
+  br label %2256
 
-2142:                                             ; preds = %991
-  %2143 = add nsw i64 %993, -1
-  %2144 = add i64 %992, 1
-  br i1 %994, label %1003, label %996
+2204:                                             ; preds = %994
+  %2205 = add nsw i64 %996, -1
+  %2206 = add i64 %995, 1
+  br i1 %997, label %1006, label %999
 
-2145:                                             ; preds = %1228
-  br label %2194
+2207:                                             ; preds = %1231
+  br label %2256
 
-2146:                                             ; preds = %1351
-  %2147 = add nsw i64 %1353, -1
-  %2148 = add i64 %1352, 1
-  %2149 = shl i64 %1352, 6
-  %2150 = getelementptr i8, ptr %93, i64 %2149
-  %2151 = load <8 x double>, ptr %2150, align 8, !noalias !12
-  %2152 = fmul <8 x double> %2151, zeroinitializer
-  %2153 = fadd <8 x double> %1354, %2152
-  br label %1351
+2208:                                             ; preds = %1413
+  %2209 = add nsw i64 %1415, -1
+  %2210 = add i64 %1414, 1
+  %2211 = shl i64 %1414, 6
+  %2212 = getelementptr i8, ptr %93, i64 %2211
+  %2213 = load <8 x double>, ptr %2212, align 8, !noalias !12
+  %2214 = fmul <8 x double> %2213, zeroinitializer
+  %2215 = fadd <8 x double> %1416, %2214
+  br label %1413
 
-2154:                                             ; preds = %1369
-  br label %2194
+2216:                                             ; preds = %1431
+  br label %2256
 
-2155:                                             ; preds = %1431
-  %2156 = zext i8 %1396 to i64
-  %2157 = and i64 %1406, %2156
-  %2158 = load i64, ptr %1400, align 8, !noalias !12
-  %2159 = sitofp i64 %2158 to double
-  %2160 = insertelement <8 x double> poison, double %2159, i64 0
-  %2161 = shufflevector <8 x double> %2160, <8 x double> poison, <8 x i32> zeroinitializer
-  %2162 = select <8 x i1> %1395, <8 x double> %2161, <8 x double> zeroinitializer
-  %2163 = load <8 x double>, ptr %172, align 8, !noalias !12
-  %2164 = fadd <8 x double> %2163, %2162
-  store <8 x double> %2164, ptr %172, align 8, !noalias !12
-  %2165 = icmp eq i64 %2157, 0
-  br i1 %2165, label %1638, label %1555
+2217:                                             ; preds = %1493
+  %2218 = zext i8 %1458 to i64
+  %2219 = and i64 %1468, %2218
+  %2220 = load i64, ptr %1462, align 8, !noalias !12
+  %2221 = sitofp i64 %2220 to double
+  %2222 = insertelement <8 x double> poison, double %2221, i64 0
+  %2223 = shufflevector <8 x double> %2222, <8 x double> poison, <8 x i32> zeroinitializer
+  %2224 = select <8 x i1> %1457, <8 x double> %2223, <8 x double> zeroinitializer
+  %2225 = load <8 x double>, ptr %172, align 8, !noalias !12
+  %2226 = fadd <8 x double> %2225, %2224
+  store <8 x double> %2226, ptr %172, align 8, !noalias !12
+  %2227 = icmp eq i64 %2219, 0
+  br i1 %2227, label %1700, label %1617
 
-2166:                                             ; preds = %1555
-  %2167 = add nsw i64 %1557, -1
-  %2168 = add i64 %1556, 1
-  %2169 = shl nuw i64 1, %1556
-  %2170 = and i64 %2157, %2169
-  %2171 = icmp eq i64 %2170, 0
-  br i1 %2171, label %1630, label %1559
+2228:                                             ; preds = %1617
+  %2229 = add nsw i64 %1619, -1
+  %2230 = add i64 %1618, 1
+  %2231 = shl nuw i64 1, %1618
+  %2232 = and i64 %2219, %2231
+  %2233 = icmp eq i64 %2232, 0
+  br i1 %2233, label %1692, label %1621
 
-2172:                                             ; preds = %2038
-  %2173 = add nsw i64 %2040, -1
-  %2174 = add i64 %2039, 1
-  %2175 = shl i64 %2039, 6
-  %2176 = getelementptr i8, ptr %93, i64 %2175
-  %2177 = load <8 x double>, ptr %2176, align 8, !noalias !12
-  %2178 = getelementptr i8, ptr %88, i64 %2175
-  %2179 = load <8 x double>, ptr %2178, align 8, !noalias !12
-  %2180 = select <8 x i1> %1742, <8 x double> %2177, <8 x double> %2179
-  store <8 x double> %2180, ptr %2178, align 8, !noalias !12
-  %2181 = add nsw i64 %245, %2039
-  %2182 = shl i64 %2181, 6
-  %2183 = getelementptr i8, ptr %116, i64 %2182
-  %2184 = load <8 x double>, ptr %2183, align 8, !noalias !12
-  %2185 = getelementptr i8, ptr %116, i64 %2175
-  %2186 = load <8 x double>, ptr %2185, align 8, !noalias !12
-  %2187 = select <8 x i1> %1742, <8 x double> %2184, <8 x double> %2186
-  store <8 x double> %2187, ptr %2185, align 8, !noalias !12
-  br label %2038
+2234:                                             ; preds = %2100
+  %2235 = add nsw i64 %2102, -1
+  %2236 = add i64 %2101, 1
+  %2237 = shl i64 %2101, 6
+  %2238 = getelementptr i8, ptr %93, i64 %2237
+  %2239 = load <8 x double>, ptr %2238, align 8, !noalias !12
+  %2240 = getelementptr i8, ptr %88, i64 %2237
+  %2241 = load <8 x double>, ptr %2240, align 8, !noalias !12
+  %2242 = select <8 x i1> %1804, <8 x double> %2239, <8 x double> %2241
+  store <8 x double> %2242, ptr %2240, align 8, !noalias !12
+  %2243 = add nsw i64 %245, %2101
+  %2244 = shl i64 %2243, 6
+  %2245 = getelementptr i8, ptr %116, i64 %2244
+  %2246 = load <8 x double>, ptr %2245, align 8, !noalias !12
+  %2247 = getelementptr i8, ptr %116, i64 %2237
+  %2248 = load <8 x double>, ptr %2247, align 8, !noalias !12
+  %2249 = select <8 x i1> %1804, <8 x double> %2246, <8 x double> %2248
+  store <8 x double> %2249, ptr %2247, align 8, !noalias !12
+  br label %2100
 
-2188:                                             ; preds = %2049
-  %2189 = add nsw i64 %2051, -1
-  %2190 = add i64 %2050, 1
-  %2191 = shl nuw i64 1, %2050
-  %2192 = and i64 %2191, %2047
-  %2193 = icmp eq i64 %2192, 0
-  br i1 %2193, label %2124, label %2053
+2250:                                             ; preds = %2111
+  %2251 = add nsw i64 %2113, -1
+  %2252 = add i64 %2112, 1
+  %2253 = shl nuw i64 1, %2112
+  %2254 = and i64 %2253, %2109
+  %2255 = icmp eq i64 %2254, 0
+  br i1 %2255, label %2186, label %2115
 
-2194:                                             ; preds = %1554, %2154, %2145, %1225, %2141, %1012, %495
-  %2195 = phi i64 [ 0, %1554 ], [ 0, %2141 ], [ 1, %495 ], [ 0, %1012 ], [ 0, %2154 ], [ 0, %1225 ], [ 0, %2145 ]
-  ret i64 %2195
+2256:                                             ; preds = %1616, %2216, %2207, %1228, %2203, %1015, %495
+  %2257 = phi i64 [ 0, %1616 ], [ 0, %2203 ], [ 1, %495 ], [ 0, %1015 ], [ 0, %2216 ], [ 0, %1228 ], [ 0, %2207 ]
+  ret i64 %2257
 }
 
 
@@ -3504,90 +3578,95 @@ attributes #4 = { nounwind willreturn }
 !94 = distinct !{!94, !95}
 !95 = distinct !{!95}
 !96 = distinct !{!96, !95}
-!97 = !{!98, !100, !102, !94, !96, !13, !15}
+!97 = !{!98, !100, !94, !96, !13, !15}
 !98 = distinct !{!98, !99}
 !99 = distinct !{!99}
-!100 = distinct !{!100, !101}
-!101 = distinct !{!101}
-!102 = distinct !{!102, !101}
-!103 = !{!104, !106, !108, !94, !96, !13, !15}
-!104 = distinct !{!104, !105}
-!105 = distinct !{!105}
-!106 = distinct !{!106, !107}
-!107 = distinct !{!107}
-!108 = distinct !{!108, !107}
-!109 = !{!110, !112, !94, !96, !13, !15}
-!110 = distinct !{!110, !111}
-!111 = distinct !{!111}
-!112 = distinct !{!112, !111}
-!113 = !{!114, !116, !13, !15}
-!114 = distinct !{!114, !115}
-!115 = distinct !{!115}
-!116 = distinct !{!116, !115}
-!117 = !{!118, !120, !13, !15}
-!118 = distinct !{!118, !119}
-!119 = distinct !{!119}
-!120 = distinct !{!120, !119}
-!121 = !{!122, !124, !126, !118, !120, !13, !15}
-!122 = distinct !{!122, !123}
-!123 = distinct !{!123}
+!100 = distinct !{!100, !99}
+!101 = !{!102, !98, !100, !94, !96, !13, !15}
+!102 = distinct !{!102, !103}
+!103 = distinct !{!103}
+!104 = !{!105, !107, !94, !96, !13, !15}
+!105 = distinct !{!105, !106}
+!106 = distinct !{!106}
+!107 = distinct !{!107, !106}
+!108 = !{!109, !105, !107, !94, !96, !13, !15}
+!109 = distinct !{!109, !110}
+!110 = distinct !{!110}
+!111 = !{!112, !114, !94, !96, !13, !15}
+!112 = distinct !{!112, !113}
+!113 = distinct !{!113}
+!114 = distinct !{!114, !113}
+!115 = !{!116, !118, !13, !15}
+!116 = distinct !{!116, !117}
+!117 = distinct !{!117}
+!118 = distinct !{!118, !117}
+!119 = !{!120, !122, !13, !15}
+!120 = distinct !{!120, !121}
+!121 = distinct !{!121}
+!122 = distinct !{!122, !121}
+!123 = !{!124, !126, !120, !122, !13, !15}
 !124 = distinct !{!124, !125}
 !125 = distinct !{!125}
 !126 = distinct !{!126, !125}
-!127 = !{!128, !118, !120, !13, !15}
+!127 = !{!128, !120, !122, !13, !15}
 !128 = distinct !{!128, !129}
 !129 = distinct !{!129}
-!130 = !{!131, !133, !13, !15}
+!130 = !{!131, !120, !122, !13, !15}
 !131 = distinct !{!131, !132}
 !132 = distinct !{!132}
-!133 = distinct !{!133, !132}
-!134 = !{!135, !137, !13, !15}
-!135 = distinct !{!135, !136}
-!136 = distinct !{!136}
-!137 = distinct !{!137, !136}
-!138 = !{!139, !141, !135, !137, !13, !15}
-!139 = distinct !{!139, !140}
-!140 = distinct !{!140}
-!141 = distinct !{!141, !140}
-!142 = !{!143, !145, !147, !139, !141, !135, !137, !13, !15}
-!143 = distinct !{!143, !144}
-!144 = distinct !{!144}
-!145 = distinct !{!145, !146}
-!146 = distinct !{!146}
-!147 = distinct !{!147, !146}
-!148 = !{!149, !151, !153, !135, !137, !13, !15}
-!149 = distinct !{!149, !150}
-!150 = distinct !{!150}
-!151 = distinct !{!151, !152}
-!152 = distinct !{!152}
-!153 = distinct !{!153, !152}
-!154 = !{!155, !157, !135, !137, !13, !15}
-!155 = distinct !{!155, !156}
-!156 = distinct !{!156}
-!157 = distinct !{!157, !156}
-!158 = !{!159, !161, !13, !15}
-!159 = distinct !{!159, !160}
-!160 = distinct !{!160}
-!161 = distinct !{!161, !160}
-!162 = !{!163, !165, !13, !15}
-!163 = distinct !{!163, !164}
-!164 = distinct !{!164}
-!165 = distinct !{!165, !164}
-!166 = !{!167, !169, !163, !165, !13, !15}
-!167 = distinct !{!167, !168}
-!168 = distinct !{!168}
-!169 = distinct !{!169, !168}
-!170 = !{!171, !173, !13, !15}
-!171 = distinct !{!171, !172}
-!172 = distinct !{!172}
-!173 = distinct !{!173, !172}
-!174 = !{!175, !13, !15}
-!175 = distinct !{!175, !176}
-!176 = distinct !{!176}
-!177 = !{!178, !13, !15}
-!178 = distinct !{!178, !179}
-!179 = distinct !{!179}
-!180 = !{!181, !183, !13, !15}
-!181 = distinct !{!181, !182}
-!182 = distinct !{!182}
-!183 = distinct !{!183, !182}
+!133 = !{!134, !136, !13, !15}
+!134 = distinct !{!134, !135}
+!135 = distinct !{!135}
+!136 = distinct !{!136, !135}
+!137 = !{!138, !140, !13, !15}
+!138 = distinct !{!138, !139}
+!139 = distinct !{!139}
+!140 = distinct !{!140, !139}
+!141 = !{!142, !144, !138, !140, !13, !15}
+!142 = distinct !{!142, !143}
+!143 = distinct !{!143}
+!144 = distinct !{!144, !143}
+!145 = !{!146, !148, !142, !144, !138, !140, !13, !15}
+!146 = distinct !{!146, !147}
+!147 = distinct !{!147}
+!148 = distinct !{!148, !147}
+!149 = !{!150, !146, !148, !142, !144, !138, !140, !13, !15}
+!150 = distinct !{!150, !151}
+!151 = distinct !{!151}
+!152 = !{!153, !155, !138, !140, !13, !15}
+!153 = distinct !{!153, !154}
+!154 = distinct !{!154}
+!155 = distinct !{!155, !154}
+!156 = !{!157, !153, !155, !138, !140, !13, !15}
+!157 = distinct !{!157, !158}
+!158 = distinct !{!158}
+!159 = !{!160, !162, !138, !140, !13, !15}
+!160 = distinct !{!160, !161}
+!161 = distinct !{!161}
+!162 = distinct !{!162, !161}
+!163 = !{!164, !166, !13, !15}
+!164 = distinct !{!164, !165}
+!165 = distinct !{!165}
+!166 = distinct !{!166, !165}
+!167 = !{!168, !170, !13, !15}
+!168 = distinct !{!168, !169}
+!169 = distinct !{!169}
+!170 = distinct !{!170, !169}
+!171 = !{!172, !174, !168, !170, !13, !15}
+!172 = distinct !{!172, !173}
+!173 = distinct !{!173}
+!174 = distinct !{!174, !173}
+!175 = !{!176, !178, !13, !15}
+!176 = distinct !{!176, !177}
+!177 = distinct !{!177}
+!178 = distinct !{!178, !177}
+!179 = !{!180, !13, !15}
+!180 = distinct !{!180, !181}
+!181 = distinct !{!181}
+!182 = !{!183, !13, !15}
+!183 = distinct !{!183, !184}
+!184 = distinct !{!184}
+!185 = !{!186, !188, !13, !15}
+!186 = distinct !{!186, !187}
+!187 = distinct !{!187}
+!188 = distinct !{!188, !187}

@@ -14,9 +14,9 @@ from pydy.solvers.run.layout import Memory, Method, NumberRows, Numbers, WordRow
 
 __all__ = ["EVALUATION", "STEPPING", "Evaluation", "LaneProblem", "Lanes", "Queue"]
 
-# LaneProblem.words begins with those of `Problem`, which code for both reads: KERNEL, STATES and
-# BLOCKS, here the number of states too.
-PREPARE, SPECIFIEDS, CONSTANTS = range(3, 6)
+# LaneProblem.words begins with those of `Problem`, which code for both reads: here every state is a
+# block.
+PREPARE, SPECIFIEDS, CONSTANTS = range(5, 8)
 # Queue.state
 HEAD, BUDGET, LIMIT, PLACE, DISTANCE = range(5)
 # Queue.numbers

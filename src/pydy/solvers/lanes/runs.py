@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._backends.llvm.column_lanes import LanesOfColumns
 from pydy._kernel import Kernel
 from pydy.solvers.lanes import layout as at
 from pydy.solvers.lanes.layout import Evaluation, LaneProblem, Lanes, Queue
@@ -43,7 +44,7 @@ class LaneResult:
 
 
 def integrate_samples(
-    kernel: Kernel,
+    kernel: Kernel | LanesOfColumns,
     method: str,
     x: np.ndarray,
     r: np.ndarray,
@@ -53,12 +54,13 @@ def integrate_samples(
     options: Options,
     states: np.ndarray,
     stopped: Callable[[], bool] = lambda: False,
+    controlled: int | None = None,
 ) -> LaneResult:
     """Integrate m samples, `LANES` at a time.
 
     Parameters
     ----------
-    kernel : Kernel
+    kernel : Kernel or LanesOfColumns
         Of `LANES` lanes.
     method : str
         An explicit one.
@@ -72,10 +74,15 @@ def integrate_samples(
         and the next sample's follow.
     stopped : callable
         Asked now and then; True ends the work with KeyboardInterrupt.
+    controlled : int, optional
+        How many components, which come first, the error is controlled of; all by default.
     """
     step_lanes = function_of("step_lanes")
     m, n = x.shape
     length = LANES * n
+    controlled = controlled or n
+    rtol, atol = np.ones(n), np.ones(n)
+    rtol[:controlled], atol[:controlled] = options.rtol, np.maximum(options.atol, LEAST_TOLERANCE)
     arrays = method_arrays(method, length)
     stages, depth = len(arrays.nodes), int(arrays.shape[layout.DEPTH])
     vectors = lined_up(6 + stages + depth, length)
@@ -89,8 +96,8 @@ def integrate_samples(
         errors=vectors[4:6].ravel(),
         stages=vectors[6 : 6 + stages].ravel(),
         interpolant=vectors[6 + stages :].ravel(),
-        rtol=np.broadcast_to(np.asarray(options.rtol, dtype=float), (n,)).copy(),
-        atol=np.broadcast_to(np.maximum(options.atol, LEAST_TOLERANCE), (n,)).copy(),
+        rtol=rtol,
+        atol=atol,
     )
     lanes = Lanes(**{name: lined_up(LANES) for name in Lanes._fields})._replace(
         samples=np.full(LANES, at.VACANT), place=np.zeros(LANES, dtype=np.int64)
@@ -105,7 +112,7 @@ def integrate_samples(
         counts=np.zeros((m, 4), dtype=np.int64),
         reached=np.full(m, times[0]),
     )
-    problem = _problem(kernel, sampled)
+    problem = _problem(kernel, sampled, controlled)
     table = table_of(*map(rows_of, (arrays, problem, memory, lanes, queue)))
     budget = 1000
     while True:
@@ -150,7 +157,9 @@ def evaluate_samples(
     return out
 
 
-def _problem(kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]]) -> LaneProblem:
+def _problem(
+    kernel: Kernel | LanesOfColumns, sampled: Sequence[tuple[np.ndarray, Any]], controlled: int = 0
+) -> LaneProblem:
     program, addresses = kernel.program, kernel.addresses
     assert addresses is not None
     assert kernel.lanes == LANES
@@ -161,7 +170,7 @@ def _problem(kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]]) -> LaneP
         return lined_up(max(1, items) * LANES)
 
     return LaneProblem(
-        words=np.array([addresses[0], n, n, addresses[1], *inputs]),
+        words=np.array([addresses[0], n, n, controlled, controlled, addresses[1], *inputs]),
         clock=lined_up(LANES),
         r=room(program.num_specifieds),
         p=room(program.num_constants),

@@ -63,6 +63,7 @@ from pydy.solvers.loop.vectors import (
 )
 from pydy.solvers.outcome import FINISHED, NOT_FINITE, SINGULAR, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.run.layout import (
+    CONTROLLED,
     DENSE_STAGES,
     DEPTH,
     END_IN_ESTIMATE,
@@ -158,12 +159,13 @@ def _fill(problem, memory, lanes, queue):
 def _first_size(method, problem, memory, largest, t):
     """Guess the first step, with one further evaluation."""
     n, length = problem.words[STATES], memory.x.size
-    trial, slope = first_trial(memory, n, largest, t)
+    controlled = problem.words[CONTROLLED]
+    trial, slope = first_trial(memory, controlled, largest, t)
     for i in range(n):
         store(memory.trial, i, load(memory.x, i) + trial * load(memory.stages, i))
     out = address_of(memory.stages, length)
     failed = rates_of_lanes(problem, t + trial, address_of(memory.trial, 0), out)
-    size = first_size(method, memory, n, t, largest, trial, slope)
+    size = first_size(method, memory, controlled, t, largest, trial, slope)
     return where(mask_of(failed), SLIVER * trial, size)
 
 

@@ -33,6 +33,7 @@ from pydy.solvers.run.layout import (
     ACTIVE,
     BUDGET,
     CALLBACK,
+    CONTROLLED,
     END_IN_ESTIMATE,
     ESTIMATES,
     EVALUATIONS,
@@ -64,14 +65,15 @@ __all__ = ["advance"]
 def _first_size(method, problem, memory, run, t):
     """Guess the first step, with one further evaluation."""
     n, length, largest = problem.words[STATES], memory.x.size, run.state[LARGEST]
-    trial, slope = first_trial(memory, n, largest, t)
+    controlled = problem.words[CONTROLLED]
+    trial, slope = first_trial(memory, controlled, largest, t)
     for i in range(n):
         memory.trial[i] = memory.x[i] + trial * memory.stages[i]
     run.counts[EVALUATIONS] += 1
     out = address_of(memory.stages, length)
     if rates(problem, t + trial, address_of(memory.trial, 0), out) != 0:
         return SLIVER * trial
-    return first_size(method, memory, n, t, largest, trial, slope)
+    return first_size(method, memory, controlled, t, largest, trial, slope)
 
 
 @entry("int64(int64, int64, int64)")

@@ -9,6 +9,8 @@ from pydy.solvers.loop.rates import rates
 from pydy.solvers.loop.vectors import item, number, root, store, where
 from pydy.solvers.run.layout import (
     BLOCKS,
+    CONTROLLED,
+    CONTROLLED_BLOCKS,
     DENSE_STAGES,
     DEPTH,
     ESTIMATES,
@@ -38,11 +40,11 @@ def copy_vector(source, target):
 @inlined(always=True)
 def combine_row(method, problem, memory, row, y, x):
     """Compute y = x + h · (one row of the tableau · stages); y and x are addresses."""
-    _combine(method, problem, memory, row, y, x, 1)
+    _combine(method, problem.words[BLOCKS], memory, row, y, x, 1)
 
 
 @inlined(always=True)
-def _combine(method, problem, memory, row, y, x, latest):
+def _combine(method, blocks, memory, row, y, x, latest):
     """Compute the terms of a row of the tableau, with its last one or without it (1 or 0)."""
     first = method.rows[row]
     combine(
@@ -54,7 +56,7 @@ def _combine(method, problem, memory, row, y, x, latest):
         address_of(method.weights, first),
         method.rows[row + 1] - first - 1,
         latest,
-        problem.words[BLOCKS],
+        blocks,
     )
 
 
@@ -65,8 +67,9 @@ def _combine_latest(method, problem, memory, row, y, h):
     The latest stage comes last and number by number: a kernel has just written it so, and what is
     written in parts can be read as a whole only much later. It counts where vectors are short.
     """
-    short = problem.words[BLOCKS] == 1
-    _combine(method, problem, memory, row, y, address_of(memory.x, 0), 0 if short else 1)
+    blocks = problem.words[BLOCKS]
+    short = blocks == 1
+    _combine(method, blocks, memory, row, y, address_of(memory.x, 0), 0 if short else 1)
     if short:
         last = method.rows[row + 1] - 1
         weight, source = h * method.weights[last], method.offsets[last]
@@ -93,19 +96,33 @@ def take_step(method, problem, memory, run, t, h):
 
 
 @inlined(always=True)
+def _not_finite(memory, first, last, like):
+    """Return zero, or NaN if some components of the new state are not finite."""
+    a, b, c, d = number(0.0, like), number(0.0, like), number(0.0, like), number(0.0, like)
+    for i in range(first, last - 3, 4):  # four sums at a time: one would wait for each addition
+        a, b = a + 0.0 * item(memory.new, i, like), b + 0.0 * item(memory.new, i + 1, like)
+        c, d = c + 0.0 * item(memory.new, i + 2, like), d + 0.0 * item(memory.new, i + 3, like)
+    for i in range(last - (last - first) % 4, last):
+        a = a + 0.0 * item(memory.new, i, like)
+    return a + b + (c + d)
+
+
+@inlined(always=True)
 def error_of_step(method, problem, memory, like):
     """Return the norm of the step's error: 1 is just good enough. `like` is a float or a block."""
-    length, n = memory.x.size, problem.words[STATES]
+    length, n, blocks = memory.x.size, problem.words[CONTROLLED], problem.words[CONTROLLED_BLOCKS]
     estimates, row = method.shape[ESTIMATES], method.shape[STAGES] + 1
     zero = address_of(memory.zero, 0)
     for k in range(estimates):
-        combine_row(method, problem, memory, row + k, address_of(memory.errors, k * length), zero)
+        out = address_of(memory.errors, k * length)
+        _combine(method, blocks, memory, row + k, out, zero, 1)
     further = memory.errors[length:]
     first, second = number(0.0, like), number(0.0, like)
     for i in range(n):
         weight = 1.0 / unit(memory, i, item(memory.x, i, like), item(memory.new, i, like))
         e, d = item(memory.errors, i, like) * weight, item(further, i, like) * weight
         first, second = first + e * e, second + d * d
+    first = first + _not_finite(memory, n, problem.words[STATES], like)
     if estimates == 2:
         return where(first == 0.0, 0.0, first / root((first + 0.01 * second) * float(n)))
     return root(first / float(n))

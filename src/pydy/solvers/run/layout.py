@@ -41,8 +41,8 @@ PairRows = Annotated[np.ndarray, np.complex128, 2]
 STAGES, ESTIMATES, DENSE_STAGES, DEPTH, END_IN_ESTIMATE = range(5)
 # Method.control
 EXPONENT, ALPHA, BETA, SAFETY, SHRINK, GROW = range(6)
-# Problem.words
-KERNEL, STATES, BLOCKS = range(3)
+# Problem.words; of the last two, how many states, which come first, the error is controlled of
+KERNEL, STATES, BLOCKS, CONTROLLED, CONTROLLED_BLOCKS = range(5)
 # Progress.state
 TIME, SIZE, LARGEST, LAST_ERROR, LAST_SIZE, GROWTH, FOUND = range(7)
 # Progress.counts

@@ -72,7 +72,7 @@ def kernel_problem(call: KernelCall, n: int) -> Problem:
     kernel, c = bind_constants(call.kernel, call.p)
     tables, knots, cubics = tables_of(call.sampled)
     return Problem(
-        words=np.array([kernel, n, blocks(n)]),
+        words=np.array([kernel, n, blocks(n), n, blocks(n)]),
         clock=np.zeros(1),
         r=_inputs(call),
         c=c,
@@ -178,7 +178,7 @@ def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Pro
     r, tables = np.zeros(1), tables_of(())
     if call is not None and call.inputs is None:
         r, tables = _inputs(call), tables_of(call.sampled)
-    words = np.array([callback.address, n, blocks(n)])
+    words = np.array([callback.address, n, blocks(n), n, blocks(n)])
     return Problem(words, np.zeros(1), r, np.zeros(1), *tables)
 
 

@@ -95,6 +95,10 @@ class Workspace:
         native = getattr(f, "native", None)
         self.call: KernelCall | None = None if native is None else native(args)
         self.problem = self._bind(f, args)
+        beside = options.sensitivities
+        if beside is not None and beside.leads(method == IMPLICIT):
+            words = self.problem.words
+            words[at.CONTROLLED], words[at.CONTROLLED_BLOCKS] = beside.states, blocks(beside.states)
         self.method, self.memory = self._reserve()
         self.seen = np.zeros(0)
         self.constraints = self._hold()
@@ -206,7 +210,9 @@ class Workspace:
                 f"`rtol` and `atol` must be numbers or have the shape ({n},), got the shapes "
                 f"{np.shape(options.rtol)} and {np.shape(options.atol)}."
             ) from None
-        return (rtol, atol) if beside is None else beside.tolerances(rtol, atol)
+        if beside is None:
+            return rtol, atol
+        return beside.tolerances(rtol, atol, implicit=self.name == IMPLICIT)
 
     def _hold(self) -> Constraints:
         wanted = self.options.constraints
