@@ -10,7 +10,17 @@ ROOT = Path(__file__).parents[1]
 # Parts of public packages that are not public themselves.
 INTERNAL = {f"pydy.codegen.{name}" for name in ("arguments", "docstring", "right_hand_side")} | {
     f"pydy.ensemble.{name}"
-    for name in ("engine", "file_names", "identity", "labels", "model", "samples", "store", "work")
+    for name in (
+        "columns",
+        "engine",
+        "file_names",
+        "identity",
+        "labels",
+        "model",
+        "samples",
+        "store",
+        "work",
+    )
 }
 
 
