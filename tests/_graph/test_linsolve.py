@@ -210,6 +210,21 @@ def test_scaling_rows_and_columns_by_powers_of_two_scales_the_solution_exactly(w
     np.testing.assert_allclose(y * scale, x, rtol=1e-12)
 
 
+@both_engines
+@pytest.mark.parametrize("column", range(4))
+def test_the_guard_does_not_depend_on_the_units_of_an_unknown(engine, column):
+    # A residual that is small beside the largest unknown may be all of another one.
+    rng = np.random.default_rng(5)
+    n = 4
+    matrix, right = rng.normal(size=(4000, n, n)), rng.normal(size=(4000, n))
+    matrix[:, :, column] *= 2.0**20
+    x, failed = solve(matrix, right, "lu", engine)
+    assert not failed.any()
+    residual = (matrix @ x[:, :, None])[:, :, 0] - right
+    scale = (np.abs(matrix) @ np.abs(x)[:, :, None])[:, :, 0] + np.abs(right)
+    assert (np.abs(residual) <= 64 * n * 2.0**-53 * scale).all()
+
+
 @every_way
 @both_engines
 def test_several_right_hand_sides_share_one_factorisation(way, engine):

@@ -71,9 +71,8 @@ LONGEST_BODY_POLYNOMIAL = 64
 MOST_SPEEDS_OF_A_BODY = 6
 # A pivot below this share of its row leaves the decision, singular or not, to partial pivoting.
 SMALL_PIVOT = 1e-9
-# Backward error of a solution that is taken, in units of n·eps of each row's largest entry.
-# Measured by every entry, four in a hundred states of a bicycle were beyond 4, six in a thousand
-# beyond 32 (by rows three to six), and a fallback holds up all lanes of a batch.
+# Backward error of a solution that is taken, in units of n·eps. Four in a hundred states of a
+# bicycle are beyond 4, six in a thousand beyond 32, and a fallback holds up all lanes of a batch.
 BACKWARD_ERROR = 32
 # Share of its column that a pivot chosen beforehand has at every sampled state.
 PIVOT_SHARE = 0.01

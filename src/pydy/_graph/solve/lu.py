@@ -97,15 +97,14 @@ def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], lis
 class UnrolledLU:
     """L U with pivots chosen beforehand, guarded by the backward error of each solution.
 
-    A solution x is taken when no pivot is small and every residual ``(b − A x)ᵢ`` is within
-    rounding of ``maxⱼ |aᵢⱼ| · maxⱼ |xⱼ| + |bᵢ|``: x is then the exact solution of a system that
-    differs from the given one by so many roundings of each row's largest entry (Oettli & Prager,
-    Numerische Mathematik 6, 1964, 405–409). Partial pivoting, which decides otherwise, promises no
-    more; to compare with ``|A| |x|`` costs as much as the residual. Further columns are taken with
-    the first, unless its solution is zero and tells nothing: what spoils a solution is the growth
-    of the factors, which they have in common (Higham, Accuracy and Stability of Numerical
-    Algorithms, 2nd ed., theorem 9.3). The factors of a matrix that is triangular in the order of
-    its pivots are its own entries: there, substitution is always accurate (ibid., theorem 8.5).
+    A solution x is taken when no pivot is small and every residual ``b − A x`` is within rounding
+    of ``|A| |x| + |b|``: x is then the exact solution of a system that differs from the given one
+    by so many roundings in each entry (Oettli & Prager, Numerische Mathematik 6, 1964, 405–409).
+    Otherwise partial pivoting decides. Further columns are taken with the first, unless its
+    solution is zero and tells nothing: what spoils a solution is the growth of the factors, which
+    they have in common (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., theorem
+    9.3). The factors of a matrix that is triangular in the order of its pivots are its own entries:
+    there, substitution is always accurate (ibid., theorem 8.5).
     """
 
     def __init__(
@@ -120,7 +119,6 @@ class UnrolledLU:
         cell = [[entries[i * n + j] for j in columns] for i in rows]
         one, small = tape.const(1.0), tape.const(SMALL_PIVOT)
         sizes = [self._largest([c for c in row if c != zero]) for row in cell]
-        self.sizes = dict(zip(rows, sizes, strict=True))
         self.lower: list[list[int]] = [[zero] * n for _ in range(n)]
         self.inverse: list[int] = []
         self.sound = tape.make("bool", True)
@@ -202,15 +200,15 @@ class UnrolledLU:
         """Return whether the residual of every row is a matter of rounding."""
         n, tape, zero = self.n, self.tape, self.zero
         tolerance = tape.const(BACKWARD_ERROR * n * SINGULAR)
-        longest = self._largest([value for value in x if value != zero])
+        sizes = [self._size(value) for value in x]
         sound = self.sound
         for i in range(n):
-            residual = column[i]
-            bound = tape.add(tape.mul(self.sizes[i], longest), self._size(column[i]))
+            residual, bound = column[i], self._size(column[i])
             for j in range(n):
                 entry = self.entries[i * n + j]
                 if zero not in (entry, x[j]):
                     residual = tape.sub(residual, tape.mul(entry, x[j]))
+                    bound = tape.add(bound, tape.mul(self._size(entry), sizes[j]))
             condition = tape.make("le", self._size(residual), tape.mul(tolerance, bound))
             sound = self._both(sound, condition)
         return sound
