@@ -1,8 +1,8 @@
-"""System: a multibody model with its numbers, ready to evaluate and to simulate.
+"""System: a multibody model with its numerical values, ready to evaluate and simulate.
 
-The class here is the friendly layer only: it keeps what the user set, checks it when it is set and
-again when it is used (a dictionary may have been edited in place), and hands ordered arrays to
-compiled code.
+This class is only the user-facing layer: it stores the values that the user sets, checks them when
+they are set and again when they are used (a dictionary may have been edited in place), and passes
+ordered arrays to compiled code.
 """
 
 from __future__ import annotations
@@ -71,19 +71,19 @@ __all__ = ["System"]
 
 
 class System:
-    """A multibody system: its equations of motion and the numbers to evaluate them with.
+    """A multibody system: its equations of motion and numerical values for them.
 
-    All arguments but `eom_method` are attributes too and can be changed at any time.
+    The arguments from `constants` to `noncontributing_forces` are also attributes, which can be
+    changed at any time.
 
     Parameters
     ----------
     eom_method : KanesMethod, LagrangesMethod or System of sympy.physics.mechanics, or Definition
-        A KanesMethod either with ``kanes_equations()`` called, or with bodies and loads, from which
-        the equations of motion are then formed, in a fraction of the time. Those of a
-        LagrangesMethod are formed from its Lagrangian and its constraints; its speeds are the
-        derivatives of the coordinates. A System of SymPy, before or after
-        ``form_eoms()``, is read with its joints; `pydy.mechanics.Definition` has the same content
-        without a method object.
+        A KanesMethod after ``kanes_equations()``, or with bodies and loads, from which the
+        equations of motion are then formed, in a fraction of the time. The equations for a
+        LagrangesMethod are formed from its Lagrangian and constraints; its speeds are the
+        derivatives of the coordinates. A System of SymPy, before or after ``form_eoms()``, is read
+        with its joints; `pydy.mechanics.Definition` has the same content without a method object.
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional
@@ -95,9 +95,9 @@ class System:
     initial_conditions : dict, optional
         Maps states to numbers; those without a value are 0.0.
     times : array_like, shape (n,), optional
-        When the states are wanted: ascending, not negative.
+        Times at which the states are computed: ascending, not negative.
     outputs : dict, optional
-        Maps names to expressions that are evaluated beside the equations. See `outputs`.
+        Maps names to expressions that are evaluated together with the equations. See `outputs`.
     noncontributing_forces : iterable of functions of time, optional
         Names, in the KanesMethod's loads, of the forces that its auxiliary speeds bring into
         evidence; they are then computed as outputs.
@@ -106,17 +106,17 @@ class System:
     specifieds_symbols : iterable of functions of time, optional
         Skips the search for specifieds in the equations.
     equations : {'graph', 'method'}, optional
-        Where the equations of motion come from: formed from the bodies and loads, or from the
-        Lagrangian; or those that ``kanes_equations()`` or ``form_lagranges_equations()`` derived.
-        By default they are formed. Where a KanesMethod has derived its own, those are used if the
-        formed ones give other numbers or take no fewer operations.
+        Which equations of motion are used: ``'graph'`` forms them from the bodies and loads, or
+        from the Lagrangian; ``'method'`` uses those derived by ``kanes_equations()`` or
+        ``form_lagranges_equations()``. By default they are formed; if a KanesMethod has derived its
+        own, these are used unless the formed ones have the same values and fewer operations.
 
     Raises
     ------
     TypeError
-        `eom_method` is none of these.
+        `eom_method` is none of these types.
     ValueError
-        A value or a symbol does not fit; the message names the argument.
+        A value or a symbol is not valid; the message names the argument.
 
     Examples
     --------
@@ -230,10 +230,11 @@ class System:
 
     @property
     def model(self) -> CompiledModel:
-        """What the definition compiles to, to look inside: arrays' layout, blocks, machine code.
+        """The compiled definition, for inspection: layout of arrays, output blocks, machine code.
 
-        ``print(system.model)`` tells what is compiled so far, ``system.model.assembly`` holds the
-        equations as a graph. It is not changed by what is set later: there is then another one.
+        ``print(system.model)`` shows what has been compiled so far; ``system.model.assembly``
+        contains the equations as a graph. A model never changes: after a change of the System's
+        definition, this attribute is another model.
 
         Examples
         --------
@@ -246,7 +247,7 @@ class System:
 
     @property
     def eom_method(self) -> Any:
-        """The KanesMethod that the equations come from. Read-only."""
+        """The method object that the equations come from. Read-only."""
         return method_of(self._eom_method)
 
     @property
@@ -276,7 +277,7 @@ class System:
 
     @property
     def specifieds_symbols(self) -> SymbolSet:
-        """Set of the specifieds: functions of time that are not given by the equations."""
+        """Set of the specifieds: functions of time that the equations do not determine."""
         return SymbolSet(self._definition.specifieds)
 
     @property
@@ -287,9 +288,9 @@ class System:
 
     @property
     def kinetic_energy(self) -> Any:
-        """The kinetic energy of the method's bodies: an expression in states and symbols.
+        """The kinetic energy of the method's bodies, as an expression in states and symbols.
 
-        It is not simplified. Auxiliary speeds are zero in it.
+        The expression is not simplified. Auxiliary speeds are set to zero.
 
         Raises
         ------
@@ -306,15 +307,15 @@ class System:
 
     @property
     def potential_energy(self) -> Any:
-        """The potential energy: an expression in coordinates, constants, specifieds and time.
+        """The potential energy, as an expression in coordinates, constants, specifieds and time.
 
-        It is found from the loads: forces that are constant in the inertial frame, such as gravity;
-        equal and opposite forces along the line between two points that depend on their distance
-        alone; and loads whose work is a closed form that SymPy integrates along the coordinates,
-        such as those of springs, -K sin 2q, or a Piecewise contact.
-        Parts of loads that depend on speeds, time or specifieds (dampers, motors) have none: what
-        they do changes the total energy. Where a load depends on the configuration in another
-        way, the bodies' own `potential_energy` is taken if the power of the loads agrees with it.
+        It is derived from the loads: forces that are constant in the inertial frame, such as
+        gravity; equal and opposite forces along the line between two points that depend on their
+        distance alone; and loads whose work is a closed form that SymPy integrates along the
+        coordinates, such as those of springs, -K sin 2q, or a Piecewise contact. Parts of loads
+        that depend on speeds, time or specifieds (dampers, motors) have no potential energy: their
+        work changes the total energy. If a load depends on the configuration in another way, the
+        bodies' own `potential_energy` is used if the power of the loads agrees with it.
 
         Set it when it cannot be found, for all loads together; None means to find it again.
 
@@ -342,17 +343,17 @@ class System:
 
     @property
     def constraint_forces(self) -> Multipliers:
-        """Multipliers of the constraints: a dictionary of symbols to expressions.
+        """Multipliers of the constraints: a dictionary that maps symbols to expressions.
 
-        ``lambda0`` belongs to the first row of `constraints`, and so on. With a row c, its
-        multiplier adds lambda ∂c'/∂u to the equation of each speed u: a force in the direction in
-        which c grows. Its unit times that of c is that of work (holonomic), or of power
-        (nonholonomic). A row whose rate no velocity constraint implies, such as the norm of a
-        quaternion, has no multiplier.
+        ``lambda0`` belongs to the first row of `constraints`, and so on. The multiplier lambda of a
+        row c adds lambda ∂c'/∂u to the equation of each speed u: a force in the direction in which
+        c increases. Its unit times that of c is the unit of work (holonomic) or of power
+        (nonholonomic). A row whose rate is not implied by any velocity constraint, such as the norm
+        of a quaternion, has no multiplier.
 
-        The expressions depend on states, derivatives of the speeds, constants and specifieds.
-        They may be written into outputs, events and scenes; outputs of their names are
-        ``system.outputs = system.constraint_forces``. Keys may be names.
+        The expressions depend on states, derivatives of the speeds, constants and specifieds. They
+        can be used in outputs, events and scenes; ``system.outputs = system.constraint_forces``
+        makes each an output with its own name. Names can be used as keys.
 
         Raises
         ------
@@ -385,45 +386,46 @@ class System:
     def reaction(
         self, bodies: Any, point: Any = None, *, frame: Any = None, loads: Iterable[Any] = ()
     ) -> Reaction:
-        """Return the force and torque that hold some bodies: of a joint, a bearing, a contact.
+        """Return the force and torque of a joint, bearing or contact on a group of bodies.
 
-        They are what Newton's and Euler's laws ask for beyond the loads on these bodies: the
-        resultant, about a point, of all that acts on them from outside, without the loads.
+        They follow from the Newton–Euler equations: the resultant, about a point, of everything
+        that acts on these bodies from outside, except the loads.
 
         Parameters
         ----------
         bodies : RigidBody, Particle, str, or list of them, or Joint
-            All bodies on one side of the cut; those beyond a joint, for its reaction on them. A
-            joint of a `sympy.physics.mechanics.System`, or its name, stands for its child and all
-            beyond. A load is counted if the point or the frame it acts on moves with one of them,
-            and with no body outside. Massless points and frames whose loads are to be counted, and
-            hinges, may be in the list too.
+            All bodies on one side of the cut; for the reaction of a joint on the bodies beyond it,
+            those bodies. A joint of a `sympy.physics.mechanics.System`, or its name, stands for its
+            child and all bodies beyond. A load is included if the point or frame it acts on moves
+            with one of the bodies and with no body outside. The list may also contain hinges, and
+            massless points and frames whose loads are to be included.
         point : Point
-            Where the force acts, and about which the torque is taken; by default a joint's own.
+            Where the force acts, and about which the torque is taken; by default the joint's own
+            point.
         frame : ReferenceFrame, optional
-            For the components; the inertial one by default.
+            Frame of the components; by default the inertial frame.
         loads : iterable of loads, optional
-            What else acts on these bodies from outside, elsewhere than at `point`: the reaction of
+            Other loads that act on these bodies from outside, not at `point`: the reaction of
             another joint or contact, from multipliers or from another call. Pairs of a Point and a
             force, or of a ReferenceFrame and a torque.
 
         Returns
         -------
         Reaction
-            ``force`` and ``torque``, SymPy vectors, to be projected, added, drawn as arrows; its
-            method ``outputs(name)`` gives the six components for `outputs`.
+            ``force`` and ``torque``, SymPy vectors, which can be projected, added, or drawn as
+            arrows. The method ``outputs(name)`` returns the six components for `outputs`.
 
         Raises
         ------
         TypeError, ValueError
-            An argument does not fit, a position is not known, the method knows no bodies, or it is
-            a LagrangesMethod: a Lagrangian does not tell what acts on which body.
+            An argument is not valid, a position is not known, the method has no bodies, or it is a
+            LagrangesMethod: a Lagrangian does not contain which load acts on which body.
 
         Notes
         -----
-        Masses and inertias on which the motion does not depend may occur, such as the products of
-        inertia that a RigidBody names itself. They are then constants of the System, 1.0 by
-        default as all others: set them.
+        The result may contain masses and inertias that do not affect the motion, such as the
+        products of inertia that a RigidBody names itself. They become constants of the System when
+        the reaction is used, and are 1.0 by default like all others: set them.
 
         Examples
         --------
@@ -460,7 +462,7 @@ class System:
     )
     num_velocity_constraints = property(
         lambda self: len(self._equations.velocity),
-        doc="Number of motion constraints, differentiated holonomic ones included.",
+        doc="Number of velocity constraints, including differentiated holonomic ones.",
     )
     num_nonholonomic_constraints = property(
         lambda self: len(self._equations.nonholonomic),
@@ -476,7 +478,7 @@ class System:
 
     @property
     def constants(self) -> dict[Any, Any]:
-        """Dictionary of the constants' values, as the user gave them; all others are 1.0."""
+        """Dictionary of the constants' values that the user has set; all others are 1.0."""
         return self._constants
 
     @constants.setter
@@ -497,12 +499,12 @@ class System:
 
             system.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
 
-        One number for a tuple holds for each. Expressions are compiled into the code. Symbols that
-        occur only in them become constants of the system, functions of time specifieds. Where the
-        equations hold derivatives of a function of time, they follow from its expression; with any
-        other value they need values of their own.
+        A single number for a tuple applies to each of its specifieds. Expressions are compiled into
+        the code. Symbols that occur only in them become constants of the system, and functions of
+        time become specifieds. If the equations contain derivatives of a function of time, they are
+        computed from its expression; with any other kind of value, they need values of their own.
 
-        In the second, which is faster with functions, all are given together::
+        In the second format, which is faster for functions, all are given together::
 
             system.specifieds = {'symbols': (a, b, c), 'values': lambda x, t: np.ones(3)}
 
@@ -531,7 +533,7 @@ class System:
 
     @property
     def times(self) -> np.ndarray:
-        """Array of the times at which the states are wanted, shape (n,)."""
+        """Array of the times at which the states are computed, shape (n,)."""
         return self._times
 
     @times.setter
@@ -540,20 +542,20 @@ class System:
 
     @property
     def outputs(self) -> dict[Any, Any]:
-        """Dictionary of what is evaluated beside the equations.
+        """Dictionary of the expressions that are evaluated together with the equations.
 
-        Keys are names (symbols or functions of time) or tuples of names; values are as many
-        expressions. Three forms are possible::
+        Keys are names (symbols or functions of time) or tuples of names; values are the same number
+        of expressions. Three forms are possible::
 
             outputs[p] = k*x                                    a function of the states
             outputs[(f1, f2)] = (k*x, c*v)                      several
             outputs[(m1, m2)] = (m1 - 4*m2 + k*v.diff(t) + 2,   linear equations, zero when
                                  m1 + 3*m2 - w.diff(t))         satisfied
 
-        Expressions may contain the derivatives of the speeds. Equations that contain their own
-        names and such derivatives make each name's time integral an auxiliary state. The residuals
-        of the constraints, and the noncontributing forces when they are named, follow the user's
-        own outputs.
+        Expressions may contain the derivatives of the speeds. For equations that contain their own
+        names and such derivatives, the time integral of each name becomes an auxiliary state. The
+        user's outputs are followed by the residuals of the constraints, and by the noncontributing
+        forces if there are any.
         """
         return self._outputs
 
@@ -572,16 +574,17 @@ class System:
 
     @property
     def ode_solver(self) -> Callable[..., Any]:
-        """Function that integrates, with the signature of `scipy.integrate.odeint`.
+        """Solver: a function with the signature of `scipy.integrate.odeint`.
 
         It may be set to ``'odeint'`` or ``'lsoda'``, the default; to the name of a native solver,
         such as ``'dop853'`` for `pydy.solvers.dop853`; or to `scipy.integrate.solve_ivp` or the
         name of one of its methods: ``'RK45'``, ``'RK23'``, ``'DOP853'``, ``'Radau'``, ``'BDF'``,
-        ``'LSODA'``. Upper case counts: ``'DOP853'`` is SciPy's, ``'dop853'`` the native one.
-        Tolerances that you do not give are the solver's own; those of ``solve_ivp`` are coarse.
+        ``'LSODA'``. Names are case-sensitive: ``'DOP853'`` is SciPy's, ``'dop853'`` the native one.
+        Tolerances that you do not pass are the solver's defaults; those of ``solve_ivp`` are
+        coarse.
 
-        ``x_history = ode_solver(f, x0, t, args=(r, p), **options)`` with ``f(x, t, r, p)``, which
-        returns the derivatives as a fresh array.
+        It is called as ``x_history = ode_solver(f, x0, t, args=(r, p), **options)``, where
+        ``f(x, t, r, p)`` returns the derivatives in a new array.
 
         Examples
         --------
@@ -603,9 +606,9 @@ class System:
 
     @property
     def evaluate_ode_function(self) -> Any:
-        """Function that computes the derivatives, or None before it has been generated.
+        """Function that computes the derivatives; None before it is generated.
 
-        See ``help(system.evaluate_ode_function)`` for the order of its arguments' entries.
+        ``help(system.evaluate_ode_function)`` shows the order of the entries of its arguments.
         """
         if self._generated is None:
             return None
@@ -619,7 +622,8 @@ class System:
         **kwargs
             Options of `pydy.codegen.ode_function_generators.generate_ode_function`:
             `linear_sys_solver`, `constants_arg_type`, `specifieds_arg_type`, `time_first`,
-            `generator` and the generator's own. They are kept for later generations.
+            `generator` and the generator's own options. They are also used when code is generated
+            again later.
 
         Returns
         -------
@@ -629,7 +633,7 @@ class System:
         Raises
         ------
         TypeError
-            An option that the System decides itself.
+            An option that the System sets itself.
         NotImplementedError
             The generator is unknown.
 
@@ -660,7 +664,8 @@ class System:
             States, in the order of `states`; the initial conditions by default. A dictionary gives
             some of them instead, by symbol or name.
         t : float or array_like, shape (m,), optional
-            Time; by default the first of `times`, or all of them for m states, or zero.
+            Time; by default the first of `times` (all of them for m states), or zero if `times` is
+            empty.
         r : dict, array_like, shape (s,) or (m, s), or callable, optional
             Specifieds for this call instead of the System's.
         p : dict or array_like, shape (k,), optional
@@ -673,7 +678,7 @@ class System:
         Raises
         ------
         ValueError
-            Shapes that do not fit.
+            A shape is not valid.
         SingularMatrixError
             The mass matrix is singular; a subclass of `numpy.linalg.LinAlgError`.
 
@@ -727,7 +732,7 @@ class System:
         Raises
         ------
         ValueError
-            The method knows no bodies, or the potential energy is not known; see
+            The method has no bodies, or the potential energy cannot be determined; see
             `potential_energy`.
 
         Examples
@@ -816,32 +821,33 @@ class System:
         r: Any = None,
         p: Any = None,
     ) -> np.ndarray:
-        """Return exact partial derivatives, from differentiating the expression graph.
+        """Return exact partial derivatives, computed by differentiating the expression graph.
 
-        Where a specified is given as an expression, derivatives by states and constants go through
-        it; those by specifieds are by a small addition to each one's value. Functions, samples and
-        numbers, and an `r` that gives all specifieds, are held.
+        If a specified is given as an expression, derivatives with respect to states and constants
+        include it; those with respect to the specified are for an addition to its value. Specifieds
+        given as functions, samples or numbers, or all specifieds if `r` is passed, are held
+        constant.
 
         Parameters
         ----------
         x, t, r, p
             As in `evaluate_ode`.
         wrt : {'states', 'specifieds', 'constants'}, symbol or name, or a list, optional
-            With respect to what, in the order of the arrays x, r and p; a list may hold states,
-            specifieds, constants and groups of these together.
+            The variables, in the order of the arrays x, r and p; a list may contain states,
+            specifieds, constants and groups of these.
         of : {'ode', 'outputs', 'holonomic', 'velocity'}, output, expression, or list, optional
-            Of the state derivatives, all outputs, the residuals of constraints, or of any outputs
-            and expressions of states, specifieds and constants.
+            What is differentiated: the state derivatives, all outputs, residuals of constraints, or
+            any outputs and expressions of states, specifieds and constants.
 
         Returns
         -------
         ndarray, shape (o, k) or (m, o, k)
-            A column for each variable, also for a single one.
+            One column for each variable, even if there is only one.
 
         Raises
         ------
         ValueError
-            An option that is none of the above, or a name that is none of the system's.
+            An option is none of the above, or the system has no variable of that name.
 
         Examples
         --------
@@ -872,7 +878,8 @@ class System:
     ) -> Any:
         """Return the exact gradient of one quantity, by reverse accumulation.
 
-        It costs a small multiple of the quantity itself, however many variables there are.
+        It costs a small multiple of evaluating the quantity itself, regardless of the number of
+        variables.
 
         Parameters
         ----------
@@ -881,7 +888,7 @@ class System:
         x, t, wrt, r, p
             As in `evaluate_jacobian`.
         value : bool, optional
-            Return the quantity too; it is computed on the way.
+            Also return the quantity, which is computed anyway.
 
         Returns
         -------
@@ -891,7 +898,7 @@ class System:
         Raises
         ------
         ValueError
-            A name or symbol is none of the system's.
+            The system has no such name or symbol.
 
         Examples
         --------
@@ -922,8 +929,8 @@ class System:
         Parameters
         ----------
         v : array_like, shape (k,) or (k, d)
-            A direction with a component for each variable of `wrt`, or d of them as columns. For
-            several states also (m, k) or (m, k, d).
+            A direction with one component for each variable of `wrt`, or d of them as columns. For
+            several states, (m, k) or (m, k, d) is also possible.
         x, t, wrt, of, r, p
             As in `evaluate_jacobian`.
 
@@ -955,8 +962,8 @@ class System:
         Parameters
         ----------
         v : array_like, shape (o,) or (o, d)
-            A weight for each row of `of`, or d sets of them as columns. For several states also
-            (m, o) or (m, o, d).
+            A weight for each row of `of`, or d sets of weights as columns. For several states, (m,
+            o) or (m, o, d) is also possible.
         x, t, wrt, of, r, p
             As in `evaluate_jacobian`.
 
@@ -1020,10 +1027,9 @@ class System:
         moving: Iterable[Any] = (),
         bounds: dict[Any, Any] | None = None,
     ) -> Equilibrium:
-        """Find a state in which the system stays, or moves on steadily.
+        """Find a state in which the system remains at rest or moves steadily.
 
-        Numbers that are neither unknown nor given are those of the System; the search starts from
-        its initial conditions.
+        All other values are those of the System; the search starts from its initial conditions.
 
         Parameters
         ----------
@@ -1033,19 +1039,22 @@ class System:
         given : dict, optional
             Values of other states, constants and specifieds for this search.
         moving : iterable of coordinates, optional
-            Those that may change steadily, such as the position of a vehicle along its way.
+            Coordinates that may change at a constant rate, such as the position of a vehicle along
+            its path.
         bounds : dict, optional
-            Pairs of the lowest and the highest value of unknowns.
+            Maps unknowns to pairs of the lowest and the highest value.
 
         Returns
         -------
         Equilibrium
-            `initial_conditions` and the like fit the System's attributes of those names.
+            `initial_conditions`, `constants` and `specifieds` can be assigned to the System's
+            attributes of the same names.
 
         Raises
         ------
         EquilibriumError
-            None was found; the message tells how near the search came and which rows are left.
+            No equilibrium was found; the message says how close the search came and which rows are
+            not satisfied.
         ValueError
             A name is none of the system's.
 
@@ -1069,19 +1078,20 @@ class System:
         inputs: Iterable[Any] | None = None,
         outputs: Iterable[Any] | None = None,
     ) -> LinearModel:
-        """Return the linear model of small motions that keep the constraints.
+        """Return the linear model of small motions that satisfy the constraints.
 
         Parameters
         ----------
         at : array_like, shape (n,) or (m, n), or dict, optional
-            States; the initial conditions by default. With several, such as along a trajectory,
-            each matrix has a first axis for them. A dictionary gives some of the initial conditions
-            instead, by symbol or name.
+            States; the initial conditions by default. For several states, such as along a
+            trajectory, each matrix has an additional first axis. A dictionary replaces some of the
+            initial conditions, by symbol or name.
         t : float or array_like, shape (m,), optional
             As in `evaluate_ode`.
         inputs : iterable of specifieds or names, optional
-            All by default. Where one is given as an expression or as a function, the input is an
-            addition to it: feedback is part of A. Functions are differentiated numerically.
+            All by default. If a specified is given as an expression or a function, the input is an
+            addition to its value, and its feedback is part of A. Functions are differentiated
+            numerically.
         outputs : iterable of states, outputs or names, optional
             All states by default.
 
@@ -1092,7 +1102,7 @@ class System:
         Raises
         ------
         ValueError
-            A name is none of the system's, the configuration is singular, or the equations are not
+            The system has no such name, the configuration is singular, or the equations are not
             finite there.
 
         Warns
@@ -1121,10 +1131,10 @@ class System:
         given: dict[Any, float] | None = None,
         moving: Iterable[Any] = (),
     ) -> EigenvalueSweep:
-        """Return the eigenvalues of the linear models along a parameter, in branches.
+        """Return the eigenvalues of the linear models along a parameter, sorted into branches.
 
-        At each value of the parameter the equilibrium is found that the one before leads to, and
-        the motions near it that keep the constraints are linearised.
+        At each value of the parameter, the equilibrium is found from the previous one, and the
+        motions near it that satisfy the constraints are linearised.
 
         Parameters
         ----------
@@ -1132,7 +1142,8 @@ class System:
             One state, constant or specified, by symbol or name, and its values, ascending or
             descending.
         at : array_like, shape (n,) or (m, n), or dict, optional
-            States to linearise at as they are, instead of equilibria; one, or one for each value.
+            States at which to linearise, without a search for equilibria: one, or one for each
+            value.
         unknowns, given, moving
             As in `find_equilibrium`.
 
@@ -1145,7 +1156,7 @@ class System:
         EquilibriumError
             There is no equilibrium at a value of the parameter.
         ValueError
-            A name is none of the system's, or the values are not in order.
+            The system has no such name, or the values are neither ascending nor descending.
 
         Examples
         --------
@@ -1168,29 +1179,29 @@ class System:
         step: float = 0.02,
         most: int = 500,
     ) -> EquilibriumBranch:
-        """Follow equilibria along a parameter, around folds, and notice bifurcations.
+        """Follow equilibria along a parameter, around folds, and detect bifurcations.
 
         Parameters
         ----------
         over : dict
-            One state, constant or specified, and where to begin and where to end: a list of the
-            first and the last value. An equilibrium is found at the first.
+            One state, constant or specified, mapped to a list of its first and last value. The
+            search starts from an equilibrium at the first value.
         unknowns, given, moving
             As in `find_equilibrium`.
         step : float, optional
-            The longest step along the branch, as a share of the parameter's range.
+            The largest step along the branch, as a fraction of the parameter's range.
         most : int, optional
-            The most points.
+            The maximum number of points.
 
         Returns
         -------
         EquilibriumBranch
-            It ends where the parameter leaves its range, or the branch comes back to its beginning.
+            It ends where the parameter leaves its range, or where the branch returns to its start.
 
         Raises
         ------
         EquilibriumError
-            There is none at the first value.
+            There is no equilibrium at the first value.
         ValueError
             A name is none of the system's.
 
@@ -1218,30 +1229,31 @@ class System:
     ) -> FitResult:
         """Estimate parameters from measured motions by least squares with exact derivatives.
 
-        The search starts from the System's numbers; what is no parameter keeps them.
+        The search starts from the System's values; quantities that are not parameters keep these
+        values.
 
         Parameters
         ----------
         parameters : symbol, name, or iterable of these
-            Constants, those in expressions for specifieds too, specifieds that are numbers, and
-            states for their initial conditions; all trials share them. Initial conditions of single
-            trials are named in `Trial.unknown`.
+            Constants, including those in expressions for specifieds; specifieds that are numbers;
+            and states, for their initial conditions. All trials share these parameters. Unknown
+            initial conditions of single trials are listed in `Trial.unknown`.
         trials : Trial or iterable of Trial
             The measurements.
         bounds : dict, optional
-            Pairs of the lowest and the highest value of parameters.
+            Maps parameters to pairs of the lowest and the highest value.
         priors : dict, optional
-            Pairs of the mean and the standard deviation of what is known of parameters beforehand.
+            Maps parameters to pairs of the mean and the standard deviation of prior knowledge.
         segments : int, optional
-            Into how many pieces each trial is cut, with states of their own that have to meet in
-            the end: multiple shooting, for long or unstable motions.
+            Number of segments into which each trial is divided. Each has its own initial state, and
+            all must meet in the end: multiple shooting, for long or unstable motions.
         most : int, optional
-            The most evaluations.
+            The maximum number of evaluations.
         progress : bool, optional
-            Show a bar; needs tqdm.
+            Show a progress bar; requires tqdm.
         **solver_kwargs
-            Options of the native solver, ``'dop853'`` where `ode_solver` is none; `rtol` and `atol`
-            are 1e-9 by default.
+            Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
+            `atol` are 1e-9 by default.
 
         Returns
         -------
@@ -1250,15 +1262,15 @@ class System:
         Raises
         ------
         ValueError, TypeError
-            A parameter that the system does not have, a specified without derivatives, or data
-            that do not fit.
+            The system has no such parameter, a specified has no derivatives, or the data are not
+            valid.
         FitInterrupted
-            Ctrl-C; it hands over the best estimates so far.
+            The user pressed Ctrl-C; the exception contains the best estimates so far.
 
         Warns
         -----
         PyDyUserWarning
-            The data leave combinations of parameters undetermined, a bound holds a parameter, or
+            The data do not determine some combinations of parameters, a parameter is at a bound, or
             the search did not converge.
 
         Examples
@@ -1286,25 +1298,25 @@ class System:
         integral: Any = None,
         **solver_kwargs: Any,
     ) -> AdjointGradient:
-        """Return a scalar of a simulation and its derivatives by any number of parameters.
+        """Return a scalar of a simulation and its derivatives with respect to many parameters.
 
         The scalar is the value of an expression at the end of the motion, an integral along it, or
-        the sum of both. The motion is integrated once, then the adjoint of its steps goes back
-        through them: the cost hardly depends on how many parameters there are. Few parameters, or
-        many quantities, take `simulate` with `sensitivities`.
+        the sum of both. The motion is integrated once, then the adjoint of its steps is applied
+        from the last to the first: the cost hardly depends on the number of parameters. For few
+        parameters, or many quantities, use `simulate` with `sensitivities`.
 
         Parameters
         ----------
         wrt : {'constants', 'states', 'specifieds'}, symbol, name, or iterable of these
             Constants; states, for their initial conditions; specifieds that are numbers or samples.
         final : output or expression, optional
-            Of states, specifieds, constants and time at the last of the times, or after a terminal
-            event, whose time depends on the parameters too.
+            A function of states, specifieds, constants and time, evaluated at the last of the
+            times, or after a terminal event, whose time also depends on the parameters.
         integral : output or expression, optional
-            Integrated from the first time to the end, as a further state under the error control.
+            Integrated from the first time to the end, as an additional state under error control.
         **solver_kwargs
-            Options of an explicit native solver, ``'dop853'`` where `ode_solver` is none; `events`,
-            `constraints` and `gain` as in `integrate`.
+            Options of an explicit native solver (``'dop853'`` if `ode_solver` is not native);
+            `events`, `constraints` and `gain` as in `integrate`.
 
         Returns
         -------
@@ -1313,14 +1325,14 @@ class System:
         Raises
         ------
         ValueError
-            A parameter that the system does not have, a specified that is a Python function, or a
-            solver that is not explicit.
+            The system has no such parameter, a specified is a Python function, or the solver is not
+            explicit.
         SingularMatrixError, IntegrationError
-            As `integrate`; also where an event that acts is only grazed.
+            As in `integrate`; also if the motion only grazes an event that changes it.
 
         Examples
         --------
-        How far a mass on a spring gets in a second:
+        How far a mass on a spring moves in a second:
 
         >>> from pydy.models import multi_mass_spring_damper
         >>> system = multi_mass_spring_damper()
@@ -1346,22 +1358,22 @@ class System:
         until: Event | None = None,
         **solver_kwargs: Any,
     ) -> PeriodicOrbit:
-        """Find a motion that repeats itself, by shooting, and its Floquet multipliers.
+        """Find a periodic motion by shooting, and its Floquet multipliers.
 
         The search starts from the initial conditions.
 
         Parameters
         ----------
         period : float
-            In s. Where the equations depend on time, the period itself; otherwise where to begin
-            the search for it.
+            In s. If the equations depend on time, the period itself; otherwise the initial guess of
+            the period.
         moving : iterable of coordinates, optional
-            Those that may move on from period to period, such as the position of a vehicle.
+            Coordinates that may advance from period to period, such as the position of a vehicle.
         until : Event, optional
             The period ends when this happens, after its reset: the impact of a walker's foot, say.
         **solver_kwargs
-            Options of the native solver, ``'dop853'`` where `ode_solver` is none; `rtol` and `atol`
-            are 1e-12 by default. Where constraints tie states, they are held by projection.
+            Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
+            `atol` are 1e-12 by default. Constraints are enforced by projection.
 
         Returns
         -------
@@ -1370,11 +1382,11 @@ class System:
         Raises
         ------
         PeriodicOrbitError
-            None was found; the message tells how near the search came.
+            No periodic orbit was found; the message says how close the search came.
 
         Examples
         --------
-        A damped oscillator under a force of sin(t):
+        A damped oscillator driven by a force sin(t):
 
         >>> import numpy as np
         >>> from pydy.models import multi_mass_spring_damper
@@ -1393,14 +1405,14 @@ class System:
         """Set the dependent states' initial conditions so that the constraints are satisfied.
 
         The holonomic constraints are solved for the dependent coordinates with
-        `scipy.optimize.root`, starting from their present values; then the velocity constraints,
+        `scipy.optimize.root`, starting from their current values; then the velocity constraints,
         which are linear, for the dependent speeds.
 
         Parameters
         ----------
         dep_vars : iterable of functions of time, optional
-            One coordinate for each holonomic and one speed for each velocity constraint; by
-            default the dependent ones of the KanesMethod.
+            One coordinate for each holonomic constraint and one speed for each velocity constraint;
+            by default the dependent ones of the KanesMethod.
         use_jac : bool, optional
             Whether the root finder gets the exact Jacobian.
         **root_kwargs
@@ -1409,12 +1421,12 @@ class System:
         Raises
         ------
         ValueError
-            The system has no constraints, or `dep_vars` does not fit their number.
+            The system has no constraints, or `dep_vars` does not match their number.
 
         Warns
         -----
         PyDyUserWarning
-            The root finder did not converge; the results are set all the same.
+            The root finder did not converge; its result is set nevertheless.
         """
         places = check_dependents(self._definition, dep_vars)
         x = solve_dependents(self._now(), places, flag(use_jac, "`use_jac`"), root_kwargs)
@@ -1437,42 +1449,42 @@ class System:
     def integrate(self, **solver_kwargs: Any) -> Any:
         """Integrate the equations over `times` from the initial conditions.
 
-        The function is generated first if it has not been.
+        The function of the derivatives is generated first if necessary.
 
         Parameters
         ----------
         **solver_kwargs
-            Options of the `ode_solver`. These are understood here:
+            Options of the `ode_solver`, and these:
 
             ``constraints='project'``
-                With a native solver: positions and velocities are brought back onto the
-                constraints after every step and at every output.
+                With a native solver: positions and velocities are projected onto the constraints
+                after every step and at every output.
             ``constraints='baumgarte', gain=g``
-                With any solver: constraint forces that let a residual c die out as in
-                c'' + 2 g c' + g² c = 0 are added to the equations.
+                With any solver: constraint forces are added to the equations so that a residual c
+                decays according to c'' + 2 g c' + g² c = 0.
             ``events``
                 With a native solver: a list of `pydy.solvers.Event`.
 
         Returns
         -------
         ndarray, shape (len(times), n)
-            The states, auxiliary ones included, or whatever the solver returns.
+            The states, including auxiliary states, or whatever a custom solver returns.
 
         Raises
         ------
         ValueError
-            There are fewer than two times, or an option makes no sense.
+            There are fewer than two times, or an option is not valid.
         SingularMatrixError
-            The mass matrix became singular; the message tells where.
+            The mass matrix became singular; the message contains time and state.
         IntegrationError
-            The solver, odeint or a native one, could not go on; the error holds what was computed.
-            With ``full_output=True``, what odeint returns is returned as it is.
+            The solver, odeint or a native one, could not continue; the error contains the results
+            so far. With ``full_output=True``, the result of odeint is returned unchanged.
 
         Warns
         -----
         PyDyUserWarning
-            The initial conditions are farther from the constraints than numbers of six digits, and
-            `constraints` does not say what to do about it.
+            The initial conditions violate the constraints by more than rounding to six digits
+            explains, and `constraints` is not set.
         """
         return integrate(self._now(), self._ode_solver, solver_kwargs)
 
@@ -1483,37 +1495,38 @@ class System:
         control_sensitivities: Any = False,
         **solver_kwargs: Any,
     ) -> Trajectory:
-        """Integrate like `integrate`, and return the result with its names.
+        """Integrate like `integrate`, and return a Trajectory with named quantities.
 
         Parameters
         ----------
         sensitivities : symbol, name, group, or iterable of these, optional
-            Parameters by which the states are differentiated along the motion: constants; states,
-            for their initial conditions; specifieds that are numbers or samples; ``'constants'``,
-            ``'states'`` or ``'specifieds'`` for all of a kind. The derivatives are integrated
-            beside the states, through events and constraints, and are the trajectory's
-            `sensitivity`. Dependent initial conditions, as `set_dependent_initial_conditions`
-            solved for them last, follow the others.
+            Parameters with respect to which the states are differentiated along the motion:
+            constants; states, for their initial conditions; specifieds that are numbers or samples;
+            ``'constants'``, ``'states'`` or ``'specifieds'`` for all of a kind. The derivatives are
+            integrated together with the states, through events and constraints, and are the
+            trajectory's `sensitivity`. Dependent initial conditions that
+            `set_dependent_initial_conditions` solved for depend on the others through the
+            constraints.
         control_sensitivities : bool, optional
-            Whether the step control of a native solver looks at them too, and not at the states
-            alone.
+            Whether the step-size control of a native solver includes the sensitivities; by default
+            it considers only the states.
         **solver_kwargs
             Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
             ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
-            ``'dense_output'`` are the trajectory's, and the rest is its `statistics`.
+            ``'dense_output'`` are used by the trajectory, and the rest is its `statistics`.
             `scipy.integrate.odeint` and the solvers of `pydy.solvers` are called with
             ``full_output=True``.
 
         Returns
         -------
         Trajectory
-            The states, the outputs and specifieds along them, and the numbers that were used;
-            later changes of the System do not reach it. It ends where an event ended it.
+            The states, the outputs and specifieds along the motion, and the values that were used;
+            later changes of the System do not affect it. It ends at a terminal event.
 
         Raises
         ------
         ValueError, SingularMatrixError, IntegrationError
-            As `integrate`; the last with ``full_output=True`` too.
+            As in `integrate`; IntegrationError is raised even with ``full_output=True``.
 
         Examples
         --------
@@ -1549,74 +1562,78 @@ class System:
         units: Mapping[Any, str] | None = None,
         **solver_kwargs: Unpack[EnsembleOptions],
     ) -> Any:
-        """Integrate many trajectories of the system, with other numbers for each.
+        """Integrate many trajectories of the system, each with different values.
 
-        Values that are not given here are those of the System. Eight trajectories at a time share
-        the processor's vector registers, and blocks of them its cores. The results are the same to
-        the last bit for any `chunks`, `workers` and scheduler.
+        Values that are not passed are those of the System. Eight trajectories at a time share the
+        processor's vector registers, and blocks of trajectories are distributed over its cores. The
+        results are bitwise identical for any `chunks`, `workers` and scheduler.
 
         Parameters
         ----------
         initial_conditions, constants, specifieds : dict, optional
-            As the attributes of these names; but a value may also be a one-dimensional array, with
-            one entry for each sample, or an `xarray.DataArray` along any dimensions, which are
-            matched by name. Numbers are the same for all samples, and so are specifieds that are
-            functions, expressions or SampledInputs.
+            Like the attributes of the same names, but a value may also be a one-dimensional array
+            with one entry for each sample, or an `xarray.DataArray` along any dimensions, which are
+            matched by name. Numbers, and specifieds that are functions, expressions or
+            SampledInputs, are the same for all samples.
         times : array_like, shape (m,), optional
         ode_solver : {'dop853', 'tsit5', 'vern9', 'rk4', 'radau'} or Solver, optional
         product : bool, optional
-            Whether each one-dimensional array gets a dimension of its own, named after its symbol
-            (``initial_q1`` for an initial condition of ``q1``): the samples are all combinations.
+            Whether each one-dimensional array gets its own dimension, named after its symbol
+            (``initial_q1`` for an initial condition of ``q1``), so that the samples are all
+            combinations.
         sensitivities : symbol, name, group, or iterable of these, optional
-            Parameters by which every trajectory is differentiated, as in `simulate`: the variable
-            ``sensitivity`` along ``quantity``, states and outputs, and ``parameter``.
+            Parameters with respect to which every trajectory is differentiated, as in `simulate`.
+            The variable ``sensitivity`` has the dimensions ``quantity`` (states and outputs) and
+            ``parameter``.
         control_sensitivities : bool, optional
             As in `simulate`.
         reduce : optional
-            What to keep instead of all times: ``'final'``; ``('max', name)`` or ``('min', name)``
-            of a state or output; ``'events'`` or ``('events', number)`` for the first times of each
-            event; a list of these; or a function that takes the Dataset of some samples and returns
-            a Dataset that keeps the sample dimensions.
+            What to return instead of the values at all times: ``'final'``; ``('max', name)`` or
+            ``('min', name)`` of a state or output; ``'events'`` or ``('events', number)`` for the
+            first times of each event; a list of these; or a function that takes the Dataset of some
+            samples and returns a Dataset that keeps the sample dimensions.
         chunks : int, 'auto' or dict of str to int, optional
-            Sizes of blocks of samples. The Dataset is then lazy: Dask arrays, computed by whichever
-            scheduler of Dask is chosen. With `store`, only the sizes.
+            Sizes of blocks of samples. The Dataset is then lazy: it contains Dask arrays, computed
+            by the scheduler that you choose. With `store`, this only sets the sizes.
         store : path, optional
-            Of a Zarr store, to which every finished block is written at once.
+            Path of a Zarr store, to which every finished block is written immediately.
         resume : bool or str, optional
-            Whether `store` may exist: only what is missing there is computed. The functions in
+            Whether `store` may exist; only its missing blocks are then computed. The functions in
             `reduce` and `specifieds` must be those of the first call: they are compared by their
-            code and all that they use. A text compares itself instead: a name of yours for them,
-            given from the first call on, to change when they do.
+            code and everything they use. If `resume` is a string, the strings are compared instead:
+            it is your name for the functions, which you pass from the first call on and change when
+            the functions change.
         workers : int, optional
-            How many threads; all processors by default.
+            Number of threads; by default one for each processor.
         progress : bool, optional
-            Whether a bar counts samples; needs tqdm.
+            Whether to show a progress bar; requires tqdm.
         units : dict of symbols or names to str, optional
-            For the attribute ``units`` of variables.
+            Values of the attribute ``units`` of the variables.
         **solver_kwargs
             Options of the solver, and `events`, `constraints` and `gain` as in `integrate`.
 
         Returns
         -------
         xarray.Dataset
-            One variable for each state and output along the sample dimensions and ``time``; what
-            was varied as coordinates; ``steps``, ``rejected``, ``evaluations``, ``end_time``, and
-            ``status``, whose attribute ``flag_meanings`` tells its values. A sample that fails is
-            NaN from there on, and the others do not notice.
+            One variable for each state and output along the sample dimensions and ``time``; varied
+            quantities as coordinates; ``steps``, ``rejected``, ``evaluations``, ``end_time``, and
+            ``status``, whose attribute ``flag_meanings`` explains its values. A sample that fails
+            is NaN from then on; the others are not affected.
 
         Raises
         ------
         ValueError
-            A value, name or shape that does not fit, before anything is computed.
+            A value, name or shape is not valid; raised before anything is computed.
         ImportError
             A package is missing: ``pip install 'pydy[ensemble]'``.
         EnsembleInterrupted
-            The user interrupted it; the error holds the finished samples, where there is no store.
+            The user interrupted the computation; without a store, the exception contains the
+            finished samples.
 
         Notes
         -----
-        Trajectories are integrated one by one, by the same solvers, where specifieds are Python
-        functions, with `control_sensitivities`, sensitivities by samples, `events` or
+        Trajectories are integrated one by one, by the same solvers, if specifieds are Python
+        functions, with `control_sensitivities`, sensitivities with respect to samples, `events` or
         ``constraints='project'``, and with 'radau'.
 
         Examples
@@ -1655,7 +1672,7 @@ class System:
         if store is not None:
             return ensemble.into(store, resume)
         if resume:
-            raise ValueError("`resume=True` needs `store`, the Zarr store to go on with.")
+            raise ValueError("`resume=True` needs `store`, the Zarr store to resume.")
         return ensemble.run() if chunks is None else ensemble.lazy()
 
     # -- export -----------------------------------------------------------------------------------
