@@ -196,7 +196,7 @@ def _(v):
 
 def _dictionary(value: Any) -> bool:
     """Whether a value is None or a dictionary without entries."""
-    return value is None or value == {}
+    return value is None or (isinstance(value, dict) and not value)
 
 
 @target("scene.units", nothing("symbols", "texts", "arrays", allowed=_dictionary))
