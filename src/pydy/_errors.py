@@ -12,6 +12,7 @@ import warnings
 import numpy as np
 
 __all__ = [
+    "AnalysisInterrupted",
     "EnsembleInterrupted",
     "EquilibriumError",
     "FitInterrupted",
@@ -119,6 +120,28 @@ class IntegrationInterrupted(_Partial, KeyboardInterrupt):
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it, with the attributes of
     `IntegrationError`.
     """
+
+
+class AnalysisInterrupted(KeyboardInterrupt):
+    """The user interrupted an analysis of a System. What was found so far is here.
+
+    A `KeyboardInterrupt`, so that no ``except Exception`` swallows it.
+
+    Attributes
+    ----------
+    results : EquilibriumBranch, EigenvalueSweep or dict
+        Of `follow_equilibria`, the branch up to where it was, with `ended` equal to
+        ``'interrupted'``; of `eigenvalues`, the sweep over the first values; of
+        `find_periodic_orbit`, the ``'period'`` and the ``'initial_conditions'`` of the motion that
+        came nearest to an orbit, to start from again.
+    """
+
+    def __init__(self, message: str, results: object) -> None:
+        super().__init__(message)
+        self.results = results
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (str(self), self.results))
 
 
 class FitInterrupted(KeyboardInterrupt):

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from typing import Any
 
-__all__ = ["require"]
+__all__ = ["progress_of", "require"]
 
 
 def require(module: str, extra: str, purpose: str) -> Any:
@@ -31,3 +33,22 @@ def require(module: str, extra: str, purpose: str) -> Any:
         raise ImportError(
             f"{purpose} needs {package}, which is not installed: pip install 'pydy[{extra}]'."
         ) from error
+
+
+@contextmanager
+def progress_of(wanted: bool, unit: str, total: int | None = None) -> Iterator[Callable[..., None]]:
+    """Show a bar of tqdm, if wanted, until the block ends.
+
+    Yields ``told(number, **shown)``, which moves the bar on and shows what is named beside it.
+    """
+    if not wanted:
+        yield lambda number, **shown: None
+        return
+    with require("tqdm.auto", "ensemble", "`progress=True`").tqdm(total=total, unit=unit) as bar:
+
+        def told(number: int, **shown: str) -> None:
+            if shown:
+                bar.set_postfix(shown, refresh=False)
+            bar.update(number)
+
+        yield told

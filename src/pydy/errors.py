@@ -6,6 +6,7 @@ Each one subclasses the built-in that a caller would catch.
 from __future__ import annotations
 
 from pydy._errors import (
+    AnalysisInterrupted,
     EnsembleInterrupted,
     EquilibriumError,
     FitInterrupted,
@@ -20,6 +21,7 @@ from pydy._errors import (
 )
 
 __all__ = [
+    "AnalysisInterrupted",
     "EnsembleInterrupted",
     "EquilibriumError",
     "FitInterrupted",

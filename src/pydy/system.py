@@ -1130,6 +1130,7 @@ class System:
         unknowns: Iterable[Any] | None = None,
         given: dict[Any, float] | None = None,
         moving: Iterable[Any] = (),
+        progress: bool = False,
     ) -> EigenvalueSweep:
         """Return the eigenvalues of the linear models along a parameter, sorted into branches.
 
@@ -1146,6 +1147,8 @@ class System:
             value.
         unknowns, given, moving
             As in `find_equilibrium`.
+        progress : bool, optional
+            Whether to show a progress bar; requires tqdm.
 
         Returns
         -------
@@ -1153,6 +1156,8 @@ class System:
 
         Raises
         ------
+        AnalysisInterrupted
+            The user interrupted it; the error holds the sweep over the first values.
         EquilibriumError
             There is no equilibrium at a value of the parameter.
         ValueError
@@ -1167,7 +1172,7 @@ class System:
         >>> [(round(c.value, 9), c.eigenvalue, c.oscillatory) for c in sweep.crossings()]
         [(0.0, 1j, True)]
         """
-        return eigenvalues(self._now(), over, at, unknowns, given, moving)
+        return eigenvalues(self._now(), over, at, unknowns, given, moving, progress)
 
     def follow_equilibria(
         self,
@@ -1178,6 +1183,7 @@ class System:
         moving: Iterable[Any] = (),
         step: float = 0.02,
         most: int = 500,
+        progress: bool = False,
     ) -> EquilibriumBranch:
         """Follow equilibria along a parameter, around folds, and detect bifurcations.
 
@@ -1192,6 +1198,8 @@ class System:
             The largest step along the branch, as a fraction of the parameter's range.
         most : int, optional
             The maximum number of points.
+        progress : bool, optional
+            Whether to show a progress bar; requires tqdm.
 
         Returns
         -------
@@ -1200,6 +1208,8 @@ class System:
 
         Raises
         ------
+        AnalysisInterrupted
+            The user interrupted it; the error holds the branch so far.
         EquilibriumError
             There is no equilibrium at the first value.
         ValueError
@@ -1213,7 +1223,7 @@ class System:
         >>> point.kind, abs(round(point.value, 9)), round(point.frequency, 9)
         ('Hopf', 0.0, 1.0)
         """
-        return follow_equilibria(self._now(), over, unknowns, given, moving, step, most)
+        return follow_equilibria(self._now(), over, unknowns, given, moving, step, most, progress)
 
     def fit(
         self,
@@ -1316,7 +1326,8 @@ class System:
             Integrated from the first time to the end, as an additional state under error control.
         **solver_kwargs
             Options of an explicit native solver (``'dop853'`` if `ode_solver` is not native);
-            `events`, `constraints` and `gain` as in `integrate`.
+            `events`, `constraints` and `gain` as in `integrate`. ``progress=True`` shows a bar for
+            the motion, and one for the way back.
 
         Returns
         -------
@@ -1329,6 +1340,9 @@ class System:
             explicit.
         SingularMatrixError, IntegrationError
             As in `integrate`; also if the motion only grazes an event that changes it.
+        IntegrationInterrupted
+            The user interrupted it; the error holds the motion so far, or all of it if it was
+            interrupted on the way back.
 
         Examples
         --------
@@ -1356,6 +1370,7 @@ class System:
         *,
         moving: Iterable[Any] = (),
         until: Event | None = None,
+        progress: bool = False,
         **solver_kwargs: Any,
     ) -> PeriodicOrbit:
         """Find a periodic motion by shooting, and its Floquet multipliers.
@@ -1371,6 +1386,8 @@ class System:
             Coordinates that may advance from period to period, such as the position of a vehicle.
         until : Event, optional
             The period ends when this happens, after its reset: the impact of a walker's foot, say.
+        progress : bool, optional
+            Whether to show a progress bar, with the remaining gap; requires tqdm.
         **solver_kwargs
             Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
             `atol` are 1e-12 by default. Constraints are enforced by projection.
@@ -1383,6 +1400,8 @@ class System:
         ------
         PeriodicOrbitError
             No periodic orbit was found; the message says how close the search came.
+        AnalysisInterrupted
+            The user interrupted it; the error holds the motion that came nearest to an orbit.
 
         Examples
         --------
@@ -1395,7 +1414,7 @@ class System:
         >>> bool(np.allclose(np.abs(orbit.multipliers), np.exp(-np.pi))), orbit.stable
         (True, True)
         """
-        return find_orbit(self, self._now(), period, moving, until, solver_kwargs)
+        return find_orbit(self, self._now(), period, moving, until, progress, solver_kwargs)
 
     # -- simulation -------------------------------------------------------------------------------
 

@@ -10,11 +10,13 @@ from scipy.linalg import expm
 import zoo
 from cases import system_of
 from pydy import System
-from pydy.errors import IntegrationError
+from pydy.errors import IntegrationError, IntegrationInterrupted
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.adjoint import recording
+from pydy.solvers.adjoint.backward import WayBack
+from pydy.solvers.run.integration import Integration
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
@@ -379,3 +381,30 @@ def test_arrays_of_tolerances_hold_for_the_integral_too():
     found = system.adjoint_gradient(["k0"], integral="x0", rtol=[1e-10, 1e-11], atol=[1e-10, 1e-12])
     exact = system.adjoint_gradient(["k0"], integral="x0", **TIGHT)
     assert found["k0"] == pytest.approx(exact["k0"], rel=1e-8)
+
+
+def test_ctrl_c_hands_over_the_motion(monkeypatch, capsys):
+    system = oscillator()
+    system.times = np.linspace(0.0, 1e4, 100_001)
+    run = {"final": "x0", "integral": "x0", "rtol": 1e-8, "atol": 1e-8}
+    system.adjoint_gradient("k0", progress=True, **run)
+    shown = capsys.readouterr().err
+    assert "dop853: 100%" in shown
+    assert "steps back" in shown
+    states = system.simulate(rtol=1e-8, atol=1e-8).states
+
+    def interrupted(*arguments):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(WayBack, "through", interrupted)
+    with pytest.raises(IntegrationInterrupted, match="way back through the motion") as caught:
+        system.adjoint_gradient("k0", **run)
+    assert caught.value.time == 1e4
+    assert caught.value.state.shape == (2,)
+    np.testing.assert_array_equal(caught.value.times, system.times)
+    np.testing.assert_allclose(caught.value.states, states, atol=1e-5)
+    monkeypatch.setattr(Integration, "_slice", interrupted)
+    with pytest.raises(IntegrationInterrupted, match="was interrupted at t") as caught:
+        system.adjoint_gradient("k0", **run)
+    assert caught.value.states.shape == (len(caught.value.times), 2)
+    assert caught.value.state.shape == (2,)

@@ -5,9 +5,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+import pydy.analysis.continuation
 from hoop import bead_on_a_hoop
 from pydy import System
-from pydy.errors import EquilibriumError
+from pydy.errors import AnalysisInterrupted, EquilibriumError
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 
@@ -99,3 +100,37 @@ def test_what_does_not_fit_is_named():
         system.follow_equilibria({"c0": [1.0, 2.0]}, step="short")
     with pytest.raises(EquilibriumError, match="No equilibrium was found"):
         in_a_potential(lambda x, p: p + x**2 + 1).follow_equilibria({"p": [0.0, 1.0]})
+
+
+def test_ctrl_c_hands_over_the_branch_so_far(monkeypatch):
+    system = in_a_potential(lambda x, p: p - x**3 + x)
+    system.initial_conditions = {"x": -2.0}
+    whole = system.follow_equilibria({"p": [-3.0, 3.0]})
+    points = []
+    point = pydy.analysis.continuation._Curve.point
+
+    def interrupted(self, z, before):
+        points.append(z)
+        if len(points) > 120:  # beyond the first fold, which is bisected
+            raise KeyboardInterrupt
+        return point(self, z, before)
+
+    monkeypatch.setattr(pydy.analysis.continuation._Curve, "point", interrupted)
+    with pytest.raises(AnalysisInterrupted, match="equilibria so far") as caught:
+        system.follow_equilibria({"p": [-3.0, 3.0]})
+    assert not isinstance(caught.value, Exception)
+    branch = caught.value.results
+    assert branch.ended == "interrupted"
+    count = len(branch.values)
+    assert 10 < count < len(whole.values)
+    np.testing.assert_array_equal(branch.states, whole.states[:count])
+    np.testing.assert_array_equal(branch.stable, whole.stable[:count])
+    assert branch.special == tuple(p for p in whole.special if p.place < count - 1)
+    assert branch.special
+
+
+def test_a_bar_counts_points(capsys):
+    branch = multi_mass_spring_damper().follow_equilibria({"c0": [1.0, 0.5]}, progress=True)
+    shown = capsys.readouterr().err
+    assert f"{len(branch.values) - 2} points" in shown  # but for the first and the last
+    assert "c0=" in shown

@@ -9,7 +9,7 @@ from scipy.special import ellipk
 
 from gallery import definitions
 from pydy import System
-from pydy.errors import PeriodicOrbitError
+from pydy.errors import AnalysisInterrupted, PeriodicOrbitError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
@@ -220,3 +220,43 @@ def test_what_does_not_fit_is_named(call, message):
     system.initial_conditions = {}
     with pytest.raises(ValueError, match="are an equilibrium, which is no orbit"):
         system.find_periodic_orbit(1.0)
+
+
+def test_ctrl_c_hands_over_what_came_nearest(monkeypatch, capsys):
+    system = on_a_line(lambda x, v, mu: mu * (1 - x**2) * v - x)
+    whole = system.find_periodic_orbit(6.5, progress=True)
+    shown = capsys.readouterr().err
+    assert "flights" in shown
+    assert "gap=" in shown
+    simulate, calls = System.simulate, []
+
+    def interrupted(self, **options):
+        calls.append(1)
+        if len(calls) > 3:
+            raise KeyboardInterrupt
+        return simulate(self, **options)
+
+    monkeypatch.setattr(System, "simulate", interrupted)
+    with pytest.raises(AnalysisInterrupted, match="came nearest") as caught:
+        system.find_periodic_orbit(6.5)
+    found = caught.value.results
+    first = abs(6.5 - whole.period)
+    assert 0.0 < abs(found["period"] - whole.period) < 0.2 * first
+    assert list(found["initial_conditions"]) == list(whole.initial_conditions)
+    monkeypatch.undo()
+    system.initial_conditions = found["initial_conditions"]
+    again = system.find_periodic_orbit(found["period"])
+    assert again.period == pytest.approx(whole.period, rel=1e-10)
+
+
+def test_an_early_ctrl_c_hands_over_where_it_began(monkeypatch):
+    system = on_a_line(lambda x, v, mu: mu * (1 - x**2) * v - x)
+
+    def interrupted(self, **options):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(System, "simulate", interrupted)
+    with pytest.raises(AnalysisInterrupted) as caught:
+        system.find_periodic_orbit(6.5)
+    given = dict(system.initial_conditions)
+    assert caught.value.results == {"period": 6.5, "initial_conditions": given}

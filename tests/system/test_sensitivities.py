@@ -11,10 +11,11 @@ from scipy.linalg import expm
 import zoo
 from cases import system_of
 from pydy import System
-from pydy.errors import IntegrationError
+from pydy.errors import IntegrationError, IntegrationInterrupted
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
+from pydy.solvers.run.integration import Integration
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
@@ -546,3 +547,21 @@ def test_a_dependent_initial_condition_is_no_parameter():
         linkage().simulate(sensitivities=["q2"])
     chosen = linkage(dep_vars=["q1", "q3", "u1", "u3"])
     assert chosen.simulate(sensitivities=["q2"]).sensitivity["q1", "q2"][0] != 0.0
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+def test_ctrl_c_hands_over_the_states_alone(solver, monkeypatch):
+    system = oscillator()
+    system.times, system.ode_solver = np.linspace(0.0, 1e4, 100_001), solver
+    expected = system.simulate().states
+
+    def interrupted(self, budget):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Integration, "_slice", interrupted)  # after a first slice of some steps
+    with pytest.raises(IntegrationInterrupted) as caught:
+        system.simulate(sensitivities=["k0", "x0"])
+    stop = caught.value
+    assert 0 < len(stop.times) < len(system.times)
+    assert stop.state.shape == (2,)
+    np.testing.assert_allclose(stop.states, expected[: len(stop.times)], atol=1e-6)

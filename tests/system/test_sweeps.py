@@ -6,12 +6,13 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.linalg import eigvals
 
+import pydy._system.sweeps
 import pydy.analysis.sweeps
 import zoo
 from cases import system_of
 from hoop import bead_on_a_hoop
 from pydy import System
-from pydy.errors import EquilibriumError
+from pydy.errors import AnalysisInterrupted, EquilibriumError
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
@@ -226,3 +227,52 @@ def test_eigenvalues_of_a_constrained_bead_at_the_bottom_of_a_turning_hoop():
     for rate, values in zip(turns, sweep.eigenvalues, strict=True):
         expected = np.roots([1.0, 0.05 / 0.3, 9.81 / 0.7 - rate**2])
         np.testing.assert_allclose(np.sort_complex(values), np.sort_complex(expected), rtol=1e-9)
+
+
+def hoop_and_rates():
+    system, angle, turn = bead_on_a_hoop()
+    system.specifieds, system.initial_conditions = {turn: 9.0}, {angle: 1.3}
+    return system, {turn: np.linspace(9.0, 5.0, num=41)}
+
+
+def test_ctrl_c_hands_over_the_first_values(monkeypatch):
+    system, over = hoop_and_rates()
+    whole, calls = system.eigenvalues(over), []
+    family, alone = pydy._system.sweeps.Family, pydy._system.sweeps.Family.alone
+
+    def interrupted(self, z):
+        calls.append(z)
+        if len(calls) > 20:
+            raise KeyboardInterrupt
+        return alone(self, z)
+
+    monkeypatch.setattr(family, "_near", lambda self, z, other: False)
+    monkeypatch.setattr(family, "alone", interrupted)
+    with pytest.raises(AnalysisInterrupted, match="20 of 41 values of Omega") as caught:
+        system.eigenvalues(over)
+    sweep = caught.value.results
+    np.testing.assert_array_equal(sweep.values, whole.values[:20])
+    np.testing.assert_allclose(sweep.eigenvalues, whole.eigenvalues[:20], atol=1e-9)
+    np.testing.assert_allclose(sweep.equilibria, whole.equilibria[:20], atol=1e-12)
+
+
+def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):
+    system, over = hoop_and_rates()
+    whole = system.eigenvalues(over)
+    monkeypatch.setattr(pydy._system.sweeps, "_AT_ONCE", 7)
+    parts = system.eigenvalues(over, progress=True)
+    assert "41/41" in capsys.readouterr().err
+    np.testing.assert_allclose(parts.eigenvalues, whole.eigenvalues, atol=1e-9)
+    np.testing.assert_allclose(parts.equilibria, whole.equilibria, atol=1e-12)
+    equilibria, calls = pydy._system.sweeps.Family.equilibria, []
+
+    def interrupted(self, values, start=None):
+        calls.append(values)
+        if len(calls) > 3:
+            raise KeyboardInterrupt
+        return equilibria(self, values, start)
+
+    monkeypatch.setattr(pydy._system.sweeps.Family, "equilibria", interrupted)
+    with pytest.raises(AnalysisInterrupted) as caught:
+        system.eigenvalues(over)
+    np.testing.assert_array_equal(caught.value.results.A, parts.A[:21])

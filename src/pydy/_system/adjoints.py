@@ -9,20 +9,19 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-import sympy as sm
 
-from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._checks import Places, shown
-from pydy._errors import IntegrationError, SingularMatrixError
+from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.backward import event_program
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel, KernelCall
+from pydy._optional import progress_of
 from pydy._system.causes import explain
+from pydy._system.objective import extended, node_of, read_term
 from pydy._system.parameters import Parameter, read_parameters
 from pydy._system.projections import Projections
 from pydy._system.samples import by_samples, marker, mean_spacing
@@ -72,7 +71,7 @@ def adjoint_gradient(
         )
     parameters = read_parameters(definition, plan, wrt, "wrt", dependent)
     final, integral = (
-        None if term is None else _read(definition, term, name)
+        None if term is None else read_term(definition, term, name)
         for term, name in ((final, "final"), (integral, "integral"))
     )
     start = begin(now, solver, options)
@@ -83,15 +82,24 @@ def adjoint_gradient(
     beginning = sensitive.start(now.x, float(start.times[0]), places)[:, : sensitive.count]
     try:
         run = task.run(solver, now.x, start.times, start.options)
-    except (IntegrationError, SingularMatrixError) as error:
-        if getattr(error, "states", None) is not None:
-            error.states = error.states[:, : len(definition.states)]  # type: ignore[union-attr]
-        explain(error, definition, model, plan, now.p)
+    except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
+        if not isinstance(error, SingularMatrixError):
+            n = len(definition.states)
+            error.states, error.state = error.states[:, :n], error.state[:n]
+        if not isinstance(error, IntegrationInterrupted):
+            explain(error, definition, model, plan, now.p)
         raise
-    values, by_state = run.gradient(sensitive, beginning)
     n = len(definition.states)
     reached = run.info["reached"]
     states = run.states[:reached, :n].copy()
+    try:
+        values, by_state = run.gradient(sensitive, beginning)
+    except KeyboardInterrupt as stop:
+        raise IntegrationInterrupted(
+            "The gradient was interrupted on the way back through the motion, which is whole: it "
+            "is in the attributes `times` and `states` of this error.",
+            start.times[:reached].copy(), states, run.end, run.last[:n].copy(), run.info,
+        ) from stop  # fmt: skip
 
     def motion() -> Any:
         times = start.times[:reached].copy()
@@ -100,41 +108,6 @@ def adjoint_gradient(
     counts = {p.symbol: p.count for p in parameters}
     statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
     return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)
-
-
-def _read(definition: Definition, term: Any, argument: str) -> Any:
-    """Return the place of an output, or an expression."""
-    outputs = Places(definition.outputs_symbols, "outputs of the system")
-    place = outputs.get(term, argument)
-    if place is not None:
-        return place
-    if isinstance(term, str):
-        k = definition.places["states"].get(term, argument)
-        term = term if k is None else definition.states[k]
-    if isinstance(term, (int, float)) and not isinstance(term, bool):
-        term = sm.Float(term)
-    scalar = isinstance(term, sm.Expr) and term.is_commutative and not term.is_Matrix
-    if not scalar:
-        raise ValueError(
-            f"`{argument}` must be an output of the system, by symbol or name, or an expression of "
-            f"its states, specifieds, constants and time, got {shown(term)}."
-        )
-    return term
-
-
-def _node(assembly: Assembly, term: Any, argument: str) -> int:
-    """Return an output's node or an expression's, in a graph that may grow."""
-    return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
-
-
-def _extended(term: Any, marked: bool, assembly: Assembly) -> Assembly:
-    """Return the equations with the integral and the marker of samples as their last states."""
-    own = assembly.fork()
-    n, s, c = own.sizes
-    more = [] if term is None else [_node(own, term, "`integral`")]
-    if marked:
-        more.append(own.graph.input("r", s))
-    return replace(own, sizes=(n + len(more), s + marked, c), rates=[*own.rates, *more])
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,7 +140,7 @@ class _Task:
         if self.integral is None and not marked:
             return self.model
         return self.model.changed(
-            ("integral", self.integral, marked), partial(_extended, self.integral, marked)
+            ("integral", self.integral, marked), partial(extended, self.integral, marked)
         )
 
     @cached_property
@@ -267,7 +240,7 @@ class _Task:
 
         def make() -> Program:
             own = assembly.fork()
-            nodes = simplify(own.graph, [_node(own, self.final, "`final`")], own.passes)
+            nodes = simplify(own.graph, [node_of(own, self.final, "`final`")], own.passes)
             return derivative_program(own.graph, nodes, by, "gradient", own.sizes, own.passes)
 
         key = ("gradient at the end", self.final, self.wanted)
@@ -372,6 +345,13 @@ class _Run:
         start : ndarray, shape (n, k)
             The derivatives of the first state by the parameters.
         """
+        steps = len(self.recording.starts)
+        with progress_of(self.options.progress, " steps back", steps) as self._told:
+            by_state = self._all_back()
+        return self._by_parameters() + by_state @ start, by_state
+
+    def _all_back(self) -> np.ndarray:
+        """Go back to the beginning; return the derivatives by the first state."""
         recording, events = self.recording, self.options.events
         if self.stopped:
             self._slope += float(self._adjoint @ self._rates(self.last, self.end))
@@ -390,8 +370,7 @@ class _Run:
             self._jump(events.sources[record.index], record, self._slope if terminal else 0.0)
             self._slope = 0.0 if terminal else self._slope
         self._through(0, last, end)
-        by_state = self._adjoint[: self.n].copy()
-        return self._by_parameters() + by_state @ start, by_state
+        return self._adjoint[: self.n].copy()
 
     def _rates(self, x: np.ndarray, t: float) -> np.ndarray:
         whole = np.append(x[: self.n], np.zeros(len(self.last) - self.n))
@@ -415,7 +394,7 @@ class _Run:
         for k, (start, stop) in reversed(list(enumerate(sweeps))):
             if projections is not None:
                 self._adjoint[:n] = projections.back(k, self._adjoint[:n])
-            sweep = self._back.through(recording, start, stop, self._adjoint)
+            sweep = self._back.through(recording, start, stop, self._adjoint, self._told)
             if not np.isfinite(sweep.adjoint).all():
                 raise _not_finite(recording.starts[start], recording.ends[stop - 1])
             self._adjoint = sweep.adjoint

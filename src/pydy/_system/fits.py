@@ -21,7 +21,7 @@ from pydy._checks import (
 )
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
 from pydy._names import unique_names
-from pydy._optional import require
+from pydy._optional import progress_of
 from pydy._system.balance import located
 from pydy._system.dependents import latest_dependents
 from pydy._system.trials import Data, checked_trial
@@ -283,9 +283,7 @@ def fit(
     if not ((limits[0] <= z) & (z <= limits[1])).all():
         z = np.clip(z, *limits)
     known = _priors(work, priors)
-    bar = None
-    if flag(progress, "`progress`"):
-        bar = require("tqdm", "ensemble", "`progress=True`").tqdm(unit=" evaluations")
+    progress = flag(progress, "`progress`")
     count = 0
 
     def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -297,9 +295,7 @@ def fit(
             if count == 1:
                 raise
             values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))
-        if bar is not None:
-            bar.update()
-            bar.set_postfix(residual=f"{np.sqrt(np.mean(values**2)):.4g}", refresh=False)
+        told(1, residual=f"{np.sqrt(np.mean(values**2)):.4g}")
         more = np.zeros((len(known), len(z)))
         more[np.arange(len(known)), [k for k, _, _ in known]] = [1.0 / s for _, _, s in known]
         pulls = [(z[k] - mean) / s for k, mean, s in known]
@@ -308,16 +304,13 @@ def fit(
     samples = sum(int(np.isfinite(d.values).sum()) for d in work.data)
     size = samples + (len(z) - work.count)
     stages = _STAGES if len(z) > work.count else (0.0,)
-    try:
+    with progress_of(progress, " evaluations") as told:
         for stage in stages:
             work.gaps = stage
             last = stage == stages[-1]
             z, values, J, found = estimate(
                 evaluate, z, limits, work.names, whole(most, "`most`"), told=last
             )
-    finally:
-        if bar is not None:
-            bar.close()
     return _result(work, z, values, J, found, limits, (samples + len(known), count))
 
 

@@ -9,9 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import listed, number
-from pydy._errors import PeriodicOrbitError
+from pydy._checks import flag, listed, number
+from pydy._errors import AnalysisInterrupted, PeriodicOrbitError
 from pydy._names import unique_names
+from pydy._optional import progress_of
 from pydy._system.dependents import latest_dependents
 from pydy._system.snapshot import Snapshot
 from pydy._system.tuning import AT_REST, BEGINNING, ORBIT
@@ -33,6 +34,7 @@ def find_orbit(
     period: Any,
     moving: Iterable[Any],
     until: Any,
+    progress: Any,
     options: dict[str, Any],
 ) -> PeriodicOrbit:
     """Return what `System.find_periodic_orbit` describes."""
@@ -74,8 +76,25 @@ def find_orbit(
         # A state that stays would be followed in steps that are too long for its neighbours.
         return runner.simulate(sensitivities=kept, control_sensitivities=True, **more, **options)
 
+    nearest: dict[str, Any] = {
+        "period": guess,
+        "initial_conditions": dict(system.initial_conditions),
+    }
+    least = np.inf
+
     def fly(z: np.ndarray, length: float) -> Flight:
+        nonlocal least
         begin(z)
+        started = dict(runner.initial_conditions)
+        flight = flown(z, length)
+        gap = float(np.abs(flight.end - z).max(initial=0.0))
+        if gap < least:
+            least = gap
+            nearest.update(period=flight.period, initial_conditions=started)
+        told(1, gap=f"{gap:.3g}")
+        return flight
+
+    def flown(z: np.ndarray, length: float) -> Flight:
         if until is None:
             ride = run([t0, t0 + length])
             end, slopes, instant = ride.states[-1], ride.sensitivity.values[-1], t0 + length
@@ -114,11 +133,19 @@ def find_orbit(
                 "use `find_equilibrium`."
             )
         slope = slope / size
-    z, flight, residual = shoot(fly, start, guess, slope, [names[k] for k in free])
-    begin(z)
-    initial = dict(runner.initial_conditions)
-    runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
-    trajectory = runner.simulate(**options)
+    with progress_of(flag(progress, "`progress`"), " flights") as told:
+        try:
+            z, flight, residual = shoot(fly, start, guess, slope, [names[k] for k in free])
+            begin(z)
+            initial = dict(runner.initial_conditions)
+            runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
+            trajectory = runner.simulate(**options)
+        except KeyboardInterrupt as stop:
+            raise AnalysisInterrupted(
+                "The search for a periodic orbit was interrupted. The period and the initial "
+                "conditions that came nearest to one are in the attribute `results` of this error.",
+                nearest,
+            ) from stop
     moved = np.ptp(trajectory.states[:, free], axis=0)
     sizes = np.maximum(1.0, np.abs(trajectory.states[:, free]).max(axis=0))
     return PeriodicOrbit(

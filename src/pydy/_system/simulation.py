@@ -10,7 +10,7 @@ from scipy.integrate import odeint
 
 from pydy._assembly.model import CompiledModel
 from pydy._checks import flag, real_array
-from pydy._errors import IntegrationError, SingularMatrixError
+from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._system.causes import explain
 from pydy._system.inputs import check_times
 from pydy._system.scipy_ivp import SolveIvp
@@ -163,6 +163,10 @@ def _solve(
                 "This came from the `ode_solver`, called as ode_solver(f, x0, t, args=(r, p), "
                 "**options)."
             )
+        raise
+    except IntegrationInterrupted as stop:
+        if wanted is not None:
+            wanted.cut(stop)
         raise
     except (IntegrationError, SingularMatrixError) as error:
         if wanted is not None:

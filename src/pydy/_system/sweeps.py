@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._checks import check_mapping, number, real_array, whole
-from pydy._errors import EquilibriumError
+from pydy._checks import check_mapping, flag, number, real_array, whole
+from pydy._errors import AnalysisInterrupted, EquilibriumError
 from pydy._names import unique_names
+from pydy._optional import progress_of
 from pydy._system.analysis import Point
 from pydy._system.balance import Balance, located
 from pydy._system.evaluation import samples
@@ -21,6 +22,8 @@ from pydy.analysis.sweeps import EigenvalueSweep, spectra_of
 from pydy.analysis.tuning import FREE, ZERO_ROOT
 
 __all__ = ["Family", "eigenvalues", "follow_equilibria", "parameter_of"]
+
+_AT_ONCE = 256  # values of a sweep between two looks at whether to go on
 
 
 def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
@@ -59,10 +62,14 @@ class Family:
         self.balance = Balance(now, unknowns, given, moving, [parameter])
         self.names = self.balance.wanted.names
 
-    def equilibria(self, values: np.ndarray) -> np.ndarray:
-        """Return the unknowns and the parameter in the last column, for each value."""
+    def equilibria(self, values: np.ndarray, start: np.ndarray | None = None) -> np.ndarray:
+        """Return the unknowns and the parameter in the last column, for each value.
+
+        The search starts from the System's numbers, or from an equilibrium of the same columns.
+        Where Ctrl-C stops it on the way from value to value, the first ones are returned.
+        """
         balance = self.balance
-        z = self.alone(np.append(balance.start[:-1], values[0]))
+        z = self.alone(np.append((balance.start if start is None else start)[:-1], values[0]))
         guess = np.repeat(z[None], len(values), axis=0)
         guess[:, -1] = values
         if guess.shape[1] == 1:
@@ -70,9 +77,13 @@ class Family:
         found, sound = solve_many(balance.residuals, balance.slopes, guess)
         # What is not found from the first value, or lies on another branch, is found from its
         # neighbour.
-        for k in range(1, len(values)):
-            if not (sound[k] and self._near(found[k - 1], found[k])):
-                found[k] = self.alone(np.append(found[k - 1, :-1], values[k]))
+        k = 1
+        try:
+            for k in range(1, len(values)):
+                if not (sound[k] and self._near(found[k - 1], found[k])):
+                    found[k] = self.alone(np.append(found[k - 1, :-1], values[k]))
+        except KeyboardInterrupt:
+            return found[:k]
         return found
 
     def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
@@ -150,6 +161,7 @@ def follow_equilibria(
     moving: Iterable[Any],
     step: float,
     most: int,
+    progress: Any,
 ) -> EquilibriumBranch:
     """Return what `System.follow_equilibria` describes."""
     definition = now.definition
@@ -169,20 +181,23 @@ def follow_equilibria(
         found: np.ndarray = np.linalg.eigvals(A[np.ix_(active, active)]).astype(complex)
         return found
 
-    points, spectra, special, ended = trace(
-        lambda z: balance.residuals(z[None])[0],
-        lambda z: balance.slopes(z[None])[0],
-        spectrum,
-        start,
-        (float(values.min()), float(values.max())),
-        bool(values[-1] > values[0]),
-        longest,
-        whole(most, "`most`", 2),
-        family.names,
-    )
+    most = whole(most, "`most`", 2)
+    with progress_of(flag(progress, "`progress`"), " points") as told:
+        points, spectra, special, ended = trace(
+            lambda z: balance.residuals(z[None])[0],
+            lambda z: balance.slopes(z[None])[0],
+            spectrum,
+            start,
+            (float(values.min()), float(values.max())),
+            bool(values[-1] > values[0]),
+            longest,
+            most,
+            family.names,
+            lambda value: told(1, **{family.names[-1]: f"{value:.6g}"}),
+        )
     z = np.array(points)
     limit = ZERO_ROOT * max(1.0, max(float(np.abs(s).max(initial=0.0)) for s in spectra))
-    return EquilibriumBranch(
+    branch = EquilibriumBranch(
         parameter=family.names[-1],
         values=z[:, -1].copy(),
         unknowns=family.names[:-1],
@@ -192,6 +207,13 @@ def follow_equilibria(
         special=tuple(special),
         ended=ended,
     )
+    if ended == "interrupted":
+        raise AnalysisInterrupted(
+            f"The branch was interrupted at {branch.parameter} = {z[-1, -1]:.10g}. Its "
+            f"{len(z)} equilibria so far are in the attribute `results` of this error.",
+            branch,
+        )
+    return branch
 
 
 def eigenvalues(
@@ -201,6 +223,7 @@ def eigenvalues(
     unknowns: Iterable[Any] | None,
     given: Mapping[Any, Any] | None,
     moving: Iterable[Any],
+    progress: Any,
 ) -> EigenvalueSweep:
     """Return what `System.eigenvalues` describes."""
     definition = now.definition
@@ -223,14 +246,28 @@ def eigenvalues(
         models = family.at
     else:
         family = Family(now, parameter, unknowns, given, moving)
-        z = family.equilibria(values)
+        z = np.empty((0, len(family.names)))
         models = family.models
+    stopped = False
+    with progress_of(flag(progress, "`progress`"), " values", len(values)) as told:
+        try:
+            for first in range(len(z), len(values), _AT_ONCE):
+                part = values[first : first + _AT_ONCE]
+                further = family.equilibria(part, z[-1] if len(z) else None)
+                z = np.vstack([z, further])
+                told(len(further))
+                if len(further) < len(part):
+                    raise KeyboardInterrupt
+        except KeyboardInterrupt:
+            if not len(z):
+                raise
+            stopped = True
     A, x, free = family.matrices(z)
     names = unique_names(definition.states)
     spectra, active = spectra_of(A)
-    return EigenvalueSweep(
+    sweep = EigenvalueSweep(
         parameter=family.names[-1],
-        values=values,
+        values=values[: len(A)],
         eigenvalues=spectra,
         A=A,
         states=tuple(names[k] for k in free),
@@ -238,3 +275,10 @@ def eigenvalues(
         _active=active,
         _models=models,
     )
+    if stopped:
+        raise AnalysisInterrupted(
+            f"The sweep was interrupted after {len(A)} of {len(values)} values of "
+            f"{sweep.parameter}. They are in the attribute `results` of this error.",
+            sweep,
+        )
+    return sweep

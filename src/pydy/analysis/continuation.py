@@ -71,7 +71,8 @@ class EquilibriumBranch:
     special : tuple of SpecialPoint
         In the order in which they were met.
     ended : str
-        Why the branch ends: ``'bounds'``, ``'steps'``, ``'closed'`` or ``'lost'``.
+        Why the branch ends: ``'bounds'``, ``'steps'``, ``'closed'``, ``'lost'`` or
+        ``'interrupted'``.
     """
 
     parameter: str
@@ -181,6 +182,7 @@ def trace(
     step: float,
     most: int,
     names: tuple[str, ...],
+    told: Callable[[float], None],
 ) -> tuple[list[np.ndarray], list[np.ndarray], list[SpecialPoint], str]:
     """Follow F(z) = 0 from a solution.
 
@@ -201,6 +203,8 @@ def trace(
         The most points.
     names : tuple of str
         Of z.
+    told : callable
+        Called with the parameter at each further point.
 
     Returns
     -------
@@ -216,8 +220,28 @@ def trace(
     if point.tangent[-1] * towards[-1] < 0.0:
         raise AssertionError("the tangent points the other way")
     limit = ZERO_ROOT * max(1.0, float(np.abs(point.spectrum).max(initial=0.0)))
-    points, special = [point], []
-    length, ended = step / 4.0, "steps"
+    points: list[_Point] = [point]
+    special: list[SpecialPoint] = []
+    try:
+        ended = _followed(curve, points, special, bounds, step, most, limit, names, told)
+    except KeyboardInterrupt:
+        ended = "interrupted"
+    return [p.z for p in points], [p.spectrum for p in points], special, ended
+
+
+def _followed(
+    curve: _Curve,
+    points: list[_Point],
+    special: list[SpecialPoint],
+    bounds: tuple[float, float],
+    step: float,
+    most: int,
+    limit: float,
+    names: tuple[str, ...],
+    told: Callable[[float], None],
+) -> str:
+    """Add points, and what is special between them, one after the other; return why it ended."""
+    (low, high), length = bounds, step / 4.0
     while len(points) < most:
         point = points[-1]
         found = curve.corrected(point.z + length * curve.scale * point.tangent, point.tangent)
@@ -227,30 +251,28 @@ def trace(
         if found is None or not near:
             length *= 0.5
             if length < SHORTEST_STEP:
-                ended = "lost"
-                break
+                return "lost"
             continue
         z, count = found
         new = curve.point(z, point.tangent)
         if new.tangent @ point.tangent < 0.8 and length > STEEPEST_TURN:
             length *= 0.5
             continue
-        special += _between(curve, point, new, length, limit, names, len(points) - 1)
-        outside = not low <= z[-1] <= high
-        if outside:
+        seen = _between(curve, point, new, length, limit, names, len(points) - 1)
+        if not low <= z[-1] <= high:
             edge = low if z[-1] < low else high
             last = _at(curve, point.z, z, edge)
-            if last is not None:
-                points.append(curve.point(last, point.tangent))
-            special = [p for p in special if low <= p.value <= high]
-            ended = "bounds"
-            break
+            end = [] if last is None else [curve.point(last, point.tangent)]
+            special += [p for p in seen if low <= p.value <= high]
+            points += end
+            return "bounds"
+        special += seen
         points.append(new)
+        told(float(z[-1]))
         if len(points) > 10 and np.linalg.norm((z - points[0].z) / curve.scale) < 0.5 * length:
-            ended = "closed"
-            break
+            return "closed"
         length = min(step, length * (1.5 if count <= 4 else 0.8))
-    return [p.z for p in points], [p.spectrum for p in points], special, ended
+    return "steps"
 
 
 def _at(curve: _Curve, a: np.ndarray, b: np.ndarray, edge: float) -> np.ndarray | None:

@@ -148,7 +148,14 @@ class WayBack:
         self._problem = callback_problem(self._callback, n, call)
         problem.append(self._problem.r)
 
-    def through(self, recording: Recording, first: int, last: int, adjoint: np.ndarray) -> Sweep:
+    def through(
+        self,
+        recording: Recording,
+        first: int,
+        last: int,
+        adjoint: np.ndarray,
+        told: Callable[[int], None],
+    ) -> Sweep:
         """Go back from the end of step `last` − 1 to the beginning of step `first`.
 
         Parameters
@@ -157,6 +164,8 @@ class WayBack:
         first, last : int
         adjoint : ndarray, shape (n,)
             Of the state at the end.
+        told : callable
+            Called with the number of steps, now and then.
         """
         totals = np.zeros(self.further)
         times: list[np.ndarray] = []
@@ -172,6 +181,7 @@ class WayBack:
             adjoint, totals = part.adjoint, totals + part.totals
             times.append(part.times)
             kept.append(part.kept)
+            told(last - start)
             last = start
         none = np.zeros((0, self.kept))
         return Sweep(adjoint, totals, np.concatenate([[], *times]), np.concatenate([none, *kept]))
