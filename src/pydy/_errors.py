@@ -1,7 +1,7 @@
 """The package's own exceptions and warnings.
 
 Each one subclasses the built-in that a caller would catch, so that ``except ValueError`` keeps
-working in scripts that never heard of this module.
+working in scripts that do not know this module.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ __all__ = [
 
 
 class PyDyUserWarning(UserWarning):
-    """Every warning that this package gives to a user is one of these."""
+    """Base class of all warnings that this package gives to users."""
 
 
 def warn_user(message: str) -> None:
-    """Give a warning that points at the line of the user's that called this package."""
+    """Give a warning that points at the user's line that called this package."""
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("pydy."):
         level, frame = level + 1, frame.f_back
@@ -41,7 +41,7 @@ def warn_user(message: str) -> None:
 
 
 class SingularMatrixError(np.linalg.LinAlgError):
-    """A linear solve inside the equations met a singular matrix.
+    """A linear solve inside the equations encountered a singular matrix.
 
     Attributes
     ----------
@@ -61,11 +61,11 @@ class SingularMatrixError(np.linalg.LinAlgError):
 
 
 class UnsupportedFunctionError(NotImplementedError):
-    """An expression holds a function that cannot be translated to numbers."""
+    """An expression contains a function that has no numerical translation."""
 
 
 class GeneratorError(RuntimeError):
-    """A code generator could not build the equations: a compiler is missing or it failed."""
+    """A code generator could not build the equations: a compiler is missing or failed."""
 
 
 class MissingDependencyError(GeneratorError, ImportError):
@@ -73,7 +73,7 @@ class MissingDependencyError(GeneratorError, ImportError):
 
 
 class _Partial(BaseException):
-    """What an integration had computed when it stopped."""
+    """The results of an integration up to where it stopped."""
 
     def __init__(
         self,
@@ -97,14 +97,14 @@ class _Partial(BaseException):
 
 
 class IntegrationError(_Partial, RuntimeError):
-    """An integration could not go on. What was computed is here.
+    """An integration could not continue. The exception contains the results so far.
 
     Attributes
     ----------
     times : numpy.ndarray, shape (m,)
         The requested times that were reached.
     states : numpy.ndarray, shape (m, n)
-        The states at these.
+        The states at these times.
     time : float
         Where it stopped.
     state : numpy.ndarray, shape (n,)
@@ -115,7 +115,7 @@ class IntegrationError(_Partial, RuntimeError):
 
 
 class IntegrationInterrupted(_Partial, KeyboardInterrupt):
-    """The user interrupted an integration. What was computed is here.
+    """The user interrupted an integration. The exception contains the results so far.
 
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it, with the attributes of
     `IntegrationError`.
@@ -145,7 +145,7 @@ class AnalysisInterrupted(KeyboardInterrupt):
 
 
 class FitInterrupted(KeyboardInterrupt):
-    """The user interrupted a fit. The best estimates so far are here.
+    """The user interrupted a fit. The exception contains the best estimates so far.
 
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it.
 
@@ -164,15 +164,14 @@ class FitInterrupted(KeyboardInterrupt):
 
 
 class EnsembleInterrupted(KeyboardInterrupt):
-    """The user interrupted an ensemble. The samples that were finished are here.
+    """The user interrupted an ensemble. The exception contains the finished samples.
 
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it.
 
     Attributes
     ----------
     results : xarray.Dataset
-        What the ensemble would have returned. Samples that are not finished have the status −1 and
-        no numbers.
+        What the ensemble would have returned. Unfinished samples have the status −1 and no values.
     """
 
     def __init__(self, message: str, results: object) -> None:
@@ -184,14 +183,14 @@ class EnsembleInterrupted(KeyboardInterrupt):
 
 
 class PeriodicOrbitError(RuntimeError):
-    """No periodic orbit was found. Where the search ended is here.
+    """No periodic orbit was found. The exception contains the point where the search ended.
 
     Attributes
     ----------
     values : numpy.ndarray, shape (k,)
-        Of the unknown states at the beginning of the period.
+        The unknown states at the start of the period.
     residuals : numpy.ndarray, shape (k,)
-        By how much they change over it.
+        Their changes over the period.
     """
 
     def __init__(self, message: str, values: np.ndarray, residuals: np.ndarray) -> None:
@@ -204,14 +203,14 @@ class PeriodicOrbitError(RuntimeError):
 
 
 class EquilibriumError(RuntimeError):
-    """No equilibrium was found. Where the search ended is here.
+    """No equilibrium was found. The exception contains the point where the search ended.
 
     Attributes
     ----------
     values : numpy.ndarray, shape (k,)
-        Of the unknowns.
+        Values of the unknowns.
     residuals : numpy.ndarray, shape (m,)
-        What should be zero there.
+        The residuals there, which should be zero.
     """
 
     def __init__(self, message: str, values: np.ndarray, residuals: np.ndarray) -> None:

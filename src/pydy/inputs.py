@@ -1,4 +1,4 @@
-"""Sampled data as values of specifieds: measured or computed beforehand, known at some times."""
+"""Sampled data as values of specifieds: measured or computed values at discrete times."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ _SLACK = 1e-9  # of the time that samples span: rounding of times that were comp
 
 
 class SampledInput:
-    """Values at some times, and how to go from one to the next.
+    """Values at sample times, with the interpolation between them.
 
-    Give one as the value of a specified, or of a tuple of specifieds, in
-    `pydy.system.System.specifieds`. It copies what it is made of, and never changes.
+    Use it as the value of a specified, or of a tuple of specifieds, in
+    `pydy.system.System.specifieds`. It copies its arguments and is immutable.
 
     Parameters
     ----------
@@ -28,8 +28,8 @@ class SampledInput:
     values : array_like, shape (m,) or (m, k)
         One value, or k of them, for each time.
     interpolation : {'linear', 'previous', 'pchip'}, optional
-        Between two samples: a straight line; the earlier sample; or the cubic that keeps monotonic
-        data monotonic and has a continuous first derivative [1]_.
+        Between two samples: a straight line; the earlier sample; or the cubic that preserves
+        monotonicity and has a continuous first derivative [1]_.
 
     Attributes
     ----------
@@ -40,18 +40,18 @@ class SampledInput:
         ``breaks[i + 1]``: a cubic polynomial in ``t − breaks[i]``, highest power first, as in
         `numpy.polyval` and `scipy.interpolate.PPoly`.
     first, last : ndarray, shape (k,)
-        What holds up to the first and from the last time on.
+        The values before the first time and after the last time.
 
     Raises
     ------
     ValueError
-        Times that are not strictly ascending, values that are not finite, shapes that do not fit,
-        or another interpolation.
+        The times are not strictly ascending, values are not finite, shapes do not match, or the
+        interpolation is unknown.
 
     Notes
     -----
-    Outside its times a SampledInput holds the end values, because solvers step past the last time
-    and come back. `pydy.system.System.integrate` and the evaluations refuse to be asked for times
+    Outside its times, a SampledInput returns the end values, because solvers step past the last
+    time and return. `pydy.system.System.integrate` and the evaluations raise an error for times
     outside.
 
     References
@@ -100,11 +100,11 @@ class SampledInput:
 
     @property
     def size(self) -> int:
-        """How many quantities there are, k."""
+        """The number of quantities, k."""
         return len(self.last)
 
     def __call__(self, t: Any) -> Any:
-        """Return the values at one time or at several.
+        """Return the values at one or several times.
 
         Parameters
         ----------
@@ -127,7 +127,7 @@ class SampledInput:
         return rows if several else rows[:, 0]
 
     def at(self, t: float) -> list[float]:
-        """Return the k values at one time: what solvers call, with the least ado."""
+        """Return the k values at one time; called by solvers, so with little overhead."""
         knots = self._knots
         if t >= knots[-1]:
             return self.last.tolist()  # type: ignore[no-any-return]
@@ -142,7 +142,7 @@ class SampledInput:
         ]
 
     def slopes_at(self, t: float) -> np.ndarray:
-        """Return the derivatives by time at one time, shape (k,); those after it at a sample."""
+        """Return the time derivatives at one time, shape (k,); at a sample, those after it."""
         if not self.breaks[0] <= t < self.breaks[-1]:
             return np.zeros(self.size)
         i = bisect_right(self._knots, t) - 1
@@ -163,13 +163,13 @@ class SampledInput:
         return found
 
     def of(self, places: list[int]) -> SampledInput:
-        """Return some of the quantities alone."""
+        """Return a SampledInput of some of the quantities."""
         if len(places) == self.size:
             return self
         return SampledInput(self.breaks, self._values[:, places], self.interpolation)
 
     def covers(self, t: np.ndarray) -> bool:
-        """Tell whether all times lie inside, but for rounding."""
+        """Return whether all times lie within the samples, up to rounding."""
         start, end = self._knots[0], self._knots[-1]
         slack = _SLACK * (end - start)
         return not (np.any(t < start - slack) or np.any(t > end + slack))

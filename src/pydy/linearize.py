@@ -1,7 +1,7 @@
-"""Linear models of constrained systems: small motions that keep the constraints.
+"""Linear models of constrained systems: small motions that satisfy the constraints.
 
-The functions take arrays, so that they serve any state matrix, whoever computed it.  A System gives
-both of theirs exactly, ``system.evaluate_jacobian()`` and ``system.evaluate_jacobian(of=...)``.
+The functions take arrays, so that they work with any state matrix. A System provides both arguments
+exactly, ``system.evaluate_jacobian()`` and ``system.evaluate_jacobian(of=...)``.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ def reduce_state_matrix(state_matrix: Any, constraint_jacobian: Any) -> np.ndarr
         steady motion in which only ignorable coordinates change).
     constraint_jacobian : array_like, shape (k, n)
         C: the derivatives of the residuals of the constraints with respect to the states, at the
-        same x: holonomic and velocity constraints, one below the other.  Rows may depend on each
-        other, have any scale, or be none (k = 0).
+        same x: holonomic and velocity constraints, one below the other. Rows may be linearly
+        dependent and have any scale, and there may be none (k = 0).
 
     Returns
     -------
@@ -42,23 +42,23 @@ def reduce_state_matrix(state_matrix: Any, constraint_jacobian: Any) -> np.ndarr
     Raises
     ------
     ValueError
-        The shapes do not fit, a number is not finite, or A leads out of the null space of C, which
-        happens where x is no equilibrium or C does not belong to A.
+        The shapes do not match, a number is not finite, or A maps vectors out of the null space of
+        C, which happens if x is not an equilibrium or C does not belong to A.
 
     Notes
     -----
     The states that satisfy the constraints c(x) = 0 form a manifold, and the null space of C =
-    dc/dx is its tangent space.  A motion that starts on the manifold stays there, so the flow takes
-    a curve on it through the equilibrium into another one.  Differentiated along the curve, this
-    says that the linearised flow exp(A t) takes tangent vectors to tangent vectors: C exp(A t) v =
-    0 for every v with C v = 0.  At t = 0 the derivative of this is C A v = 0.  Hence A maps the
-    tangent space into itself, T (T.T A T) = A T, and the small matrix has those eigenvalues of A,
-    no others, whose motions the mechanism can make.  The remaining eigenvalues of A describe how
-    violations of the constraints would move; they are an artefact of how the equations were
-    written and can even look unstable.
+    dc/dx is its tangent space. A motion that starts on the manifold stays there, so the flow maps a
+    curve on it through the equilibrium to another such curve. Differentiated along the curve, this
+    means that the linearised flow exp(A t) maps tangent vectors to tangent vectors: C exp(A t) v =
+    0 for every v with C v = 0. The derivative of this at t = 0 is C A v = 0. Hence A maps the
+    tangent space into itself, T (T.T A T) = A T, and the eigenvalues of the small matrix are
+    exactly those of A whose motions satisfy the constraints. The remaining eigenvalues of A
+    describe how violations of the constraints would evolve; they are an artefact of how the
+    equations were written and can even seem unstable.
 
-    No choice of independent coordinates is needed, unlike in the usual elimination [1]_, so none
-    can be unlucky.
+    Unlike in the usual elimination [1]_, no choice of independent coordinates is needed, so none
+    can be unsuitable.
 
     References
     ----------
@@ -67,9 +67,9 @@ def reduce_state_matrix(state_matrix: Any, constraint_jacobian: Any) -> np.ndarr
 
     Examples
     --------
-    A pendulum of length 1 under gravity 9, in Cartesian coordinates (x, y, x', y'), hangs at
-    (0, -1) with the rod's force eliminated.  Of four states the constraint x² + y² = 1 and its rate
-    leave two, a swing with the frequency sqrt(9 / 1) = 3:
+    A pendulum of length 1 under gravity 9, in Cartesian coordinates (x, y, x', y'), hangs at (0,
+    -1) with the rod's force eliminated.  The constraint x² + y² = 1 and its rate leave two of the
+    four states, an oscillation with the frequency sqrt(9 / 1) = 3:
 
     >>> import numpy as np
     >>> from pydy.linearize import reduce_state_matrix
@@ -121,18 +121,18 @@ def constrained_eigenvalues(state_matrix: Any, constraint_jacobian: Any) -> np.n
     Returns
     -------
     ndarray of complex, shape (m,)
-        In 1/s, the largest real part first, so that the first one decides on stability; of a
-        conjugate pair the one with the positive imaginary part first.
+        In 1/s, the largest real part first, so that the first one determines stability; of a
+        conjugate pair, the one with the positive imaginary part comes first.
 
     Raises
     ------
     ValueError
-        As `reduce_state_matrix` does.
+        As in `reduce_state_matrix`.
 
     Examples
     --------
     Two unit masses on springs of stiffness 3 and 5 to the wall, welded together by x0 = x1 and its
-    rate v0 = v1, so that each one moves with the mean of both springs' forces:
+    rate v0 = v1, so that each one is accelerated by the mean of both springs' forces:
 
     >>> import numpy as np
     >>> from pydy.linearize import constrained_eigenvalues

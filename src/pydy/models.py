@@ -49,7 +49,7 @@ def multi_mass_spring_damper(
     n : int, optional
         Number of masses.
     apply_gravity : bool, optional
-        Whether each mass has weight, with the constant ``g``.
+        Whether gravity acts on each mass, with the constant ``g``.
     apply_external_forces : bool, optional
         Whether a specified force ``f_i(t)`` pulls each mass down.
     external_force_as_sin_of_t : bool, optional
@@ -111,7 +111,7 @@ def _system(definition: Definition) -> System:
 
 
 def _kanes_method(definition: Definition) -> me.KanesMethod:
-    """Return what scripts expect as `eom_method`: it takes SymPy long, and few ask for it."""
+    """Return the KanesMethod for `eom_method`, on demand: SymPy is slow, and few need it."""
     kane = me.KanesMethod(
         definition.frame,
         q_ind=definition.coordinates,

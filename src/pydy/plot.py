@@ -1,10 +1,10 @@
 """Plots of trajectories and ensembles with matplotlib: one line each, labelled from the symbols.
 
 Each function takes a `Trajectory`, or an `xarray.Dataset` with the dimension ``time`` and any
-number of sample dimensions, of which it draws the median and the band from the 5 % to the 95 %
-quantile. Several of these are compared in one plot: pass a list, or a dictionary from labels to
-results. It draws into the Axes that it is given or into a new figure's, and returns them.
-matplotlib comes with ``pip install 'pydy[plot]'``.
+number of sample dimensions, for which it draws the median and the band from the 5 % to the 95 %
+quantile. To compare several of these in one plot, pass a list, or a dictionary that maps labels to
+results. A function draws into the given Axes, or into a new figure, and returns the Axes. To
+install matplotlib: ``pip install 'pydy[plot]'``.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def plot_coordinates(
     ax : matplotlib Axes, optional
         Where to draw; a new figure by default.
     units : mapping of symbols or str to str, optional
-        Units to show with the labels; other symbols than those that are plotted do not matter.
+        Units to show with the labels; symbols that are not plotted are ignored.
     time_unit : str, optional
         Unit to show with the time.
 
@@ -86,7 +86,7 @@ def plot_coordinates(
     ImportError
         matplotlib is not installed.
     KeyError, ValueError
-        A name that the result does not have, or there is nothing to plot.
+        The result has no quantity of that name, or there is nothing to plot.
 
     Examples
     --------
@@ -134,8 +134,8 @@ def plot_outputs(
 ) -> Any:
     """Plot outputs and noncontributing forces over time.
 
-    The parameters are those of `plot_coordinates`. The residuals of constraints, which are outputs
-    too, have a plot of their own.
+    The parameters are those of `plot_coordinates`. The residuals of constraints, which are also
+    outputs, have a separate plot.
     """
     return _plot(result, ("output", "force"), "outputs", names, ax, units, time_unit)
 
@@ -158,7 +158,7 @@ def plot_quantities(
 def plot_sensitivities(
     result: Any, quantity: Any, parameters: Any = None, *, ax: Any = None, time_unit: str = ""
 ) -> Any:
-    """Plot the derivatives of a state or output by parameters over time.
+    """Plot the derivatives of a state or output with respect to parameters over time.
 
     Parameters
     ----------
@@ -245,9 +245,9 @@ def plot_constraints(
     ax: Any = None,
     time_unit: str = "",
 ) -> Any:
-    """Plot how well the constraints are kept: the sizes of their residuals, on a logarithmic scale.
+    """Plot the magnitudes of the constraint residuals on a logarithmic scale.
 
-    The parameters are those of `plot_coordinates`. A residual that is zero is not drawn.
+    The parameters are those of `plot_coordinates`. Residuals that are zero are not drawn.
     """
     sizes = [
         replace(curve, values=np.where(curve.values == 0.0, np.nan, np.abs(curve.values)))
@@ -311,15 +311,15 @@ def plot_phase(
 ) -> Any:
     """Plot one quantity over another, such as a coordinate's rate over the coordinate.
 
-    Dots mark where the motions start. Of an ensemble at most a hundred motions are drawn, evenly
-    taken.
+    Dots mark the initial states. For an ensemble, at most a hundred evenly spaced motions are
+    drawn.
 
     Parameters
     ----------
     result : Trajectory, xarray.Dataset, or a list or dictionary of these
     x : symbol or str
     y : symbol or str, optional
-        By default the derivative of `x`, which must be a state then.
+        By default the derivative of `x`, which must then be a state.
     ax : matplotlib Axes, optional
     units : mapping of symbols or str to str, optional
         The name of the derivative of ``q1`` is ``"q1'"``.

@@ -1,4 +1,4 @@
-"""Trajectory: the result of a simulation, with its names."""
+"""Trajectory: the result of a simulation, with named quantities."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
 
 
 class Trajectory:
-    """States over time with their names, and what was evaluated along them.
+    """States over time with their names, and the quantities evaluated along them.
 
-    `System.simulate` makes one, `Trajectory.load` reads one from a file. Quantities are found by
-    symbol or by name: ``trajectory[q1]``, ``trajectory['q1']``, ``trajectory['q1(t)']``; a list of
-    them gives the columns of an array, ``trajectory[['q1', 'u1']]``. As an array, a trajectory is
-    its `states`: ``np.asarray(trajectory)``.
+    `System.simulate` returns a Trajectory, and `Trajectory.load` reads one from a file. Quantities
+    are accessed by symbol or by name: ``trajectory[q1]``, ``trajectory['q1']``,
+    ``trajectory['q1(t)']``; a list of them returns an array with one column for each,
+    ``trajectory[['q1', 'u1']]``. ``np.asarray(trajectory)`` returns its `states`.
 
     Parameters
     ----------
@@ -41,16 +41,16 @@ class Trajectory:
     constants : mapping of symbols to floats, optional
     events : iterable of EventRecord, optional
     statistics : dict, optional
-        What the solver says about its work.
+        The solver's own statistics.
     model : Model, optional
         Evaluates derivatives, outputs and energy at other times.
     dense : callable, optional
         The solver's own interpolant: times (k,) to states (k, n).
     sensitivities : (parameters, values), optional
-        Parameters, mapped to their numbers of columns, and the derivatives of the states by them,
-        shape (m, n, k).
+        Parameters, mapped to their numbers of columns, and the derivatives of the states with
+        respect to them, shape (m, n, k).
     sensitivity_model : SensitivityModel, optional
-        Evaluates the derivatives of outputs, and those of sensitivities by time.
+        Evaluates the derivatives of outputs, and the time derivatives of sensitivities.
 
     Attributes
     ----------
@@ -67,7 +67,7 @@ class Trajectory:
     Raises
     ------
     ValueError
-        The shapes do not fit each other.
+        The shapes are not consistent.
 
     Examples
     --------
@@ -178,7 +178,7 @@ class Trajectory:
         return self._columns.latex(key)
 
     def latex_of_rate(self, key: Any) -> str:
-        """Return the LaTeX of a quantity's derivative by time, without dollar signs."""
+        """Return the LaTeX of a quantity's time derivative, without dollar signs."""
         return self._columns.latex_of_rate(key)
 
     def __getitem__(self, key: Any) -> np.ndarray:
@@ -226,14 +226,14 @@ class Trajectory:
 
     @property
     def derivatives(self) -> np.ndarray:
-        """Derivatives of the states, shape (m, n), evaluated when first asked for."""
+        """Derivatives of the states, shape (m, n), evaluated on first use."""
         if self._derivatives is None:
             self._derivatives = self._need_model("derivatives").derivatives(self.times, self.states)
         return self._derivatives
 
     @property
     def energy(self) -> np.ndarray:
-        """Kinetic, potential and total energy, shape (m, 3), evaluated when first asked for.
+        """Kinetic, potential and total energy, shape (m, 3), evaluated on first use.
 
         See `System.evaluate_energy`.
         """
@@ -243,12 +243,12 @@ class Trajectory:
 
     @property
     def sensitivity(self) -> Sensitivity:
-        """Derivatives of states and outputs by parameters: ``trajectory.sensitivity['q1', m1]``.
+        """Derivatives with respect to parameters: ``trajectory.sensitivity['q1', m1]``.
 
         Raises
         ------
         ValueError
-            The trajectory was simulated without.
+            The trajectory was simulated without sensitivities.
         """
         found = self._sensitivity
         if found is None:
@@ -297,11 +297,11 @@ class Trajectory:
     def at(self, times: Any) -> Trajectory:
         """Return the trajectory at other times.
 
-        The states come from the solver's dense output where it gave one. Otherwise they are cubic
+        The states come from the solver's dense output if there is one. Otherwise they are cubic
         Hermite interpolants of the states and their exact derivatives, with an error of fourth
-        order in the distance of `times` (doubling the number of times makes it 16 times smaller);
-        resets at events are nodes on both sides. Outputs and specifieds are evaluated anew; without
-        a model, as after `load`, they are interpolated linearly.
+        order in the spacing of `times` (doubling the number of times makes it 16 times smaller);
+        resets at events are nodes on both sides. Outputs and specifieds are evaluated again;
+        without a model, as after `load`, they are interpolated linearly.
 
         Parameters
         ----------
@@ -315,7 +315,7 @@ class Trajectory:
         Raises
         ------
         ValueError
-            The times descend, or one is before the first or after the last.
+            The times are not ascending, or one is outside the simulated time.
 
         Examples
         --------
@@ -365,7 +365,7 @@ class Trajectory:
     # -- pictures ---------------------------------------------------------------------------------
 
     def plot(self, names: Sequence[Any] | None = None, **options: Any) -> Any:
-        """Plot the states over time, or some quantities.
+        """Plot the states or selected quantities over time.
 
         Parameters
         ----------
@@ -384,7 +384,7 @@ class Trajectory:
         ImportError
             matplotlib is not installed.
         KeyError
-            A name is none of the trajectory's quantities.
+            The trajectory has no quantity of that name.
         """
         from pydy.plot import plot_quantities, plot_states
 
@@ -407,7 +407,7 @@ class Trajectory:
         Raises
         ------
         ValueError
-            The trajectory has no model that could be shown, as after `load`.
+            The trajectory has no model to show, as after `load`.
         """
         return self._need_model("bodies").scene(*visuals, **options).animate(self)
 
@@ -447,8 +447,8 @@ class Trajectory:
     def save(self, path: str | PathLike[str]) -> None:
         """Write the trajectory to a NetCDF file.
 
-        The format is NetCDF 3, which every NetCDF library reads. Derivatives are written too, and
-        energies where they are known, so that what was loaded can be interpolated and plotted.
+        The format is NetCDF 3, which every NetCDF library reads. Derivatives are also written, and
+        energies if they are known, so that a loaded trajectory can be interpolated and plotted.
 
         Parameters
         ----------
@@ -471,7 +471,8 @@ class Trajectory:
     def load(cls, path: str | PathLike[str]) -> Trajectory:
         """Read a trajectory from a file that `save` wrote.
 
-        Names stand in the place of symbols; look quantities up by either. No model is needed.
+        Quantities can be accessed by symbols or names, although only names are stored. No model is
+        needed.
 
         Parameters
         ----------
@@ -484,7 +485,7 @@ class Trajectory:
         TypeError
             `path` is no path.
         ValueError
-            The file is damaged, or holds no trajectory.
+            The file is damaged, or contains no trajectory.
         """
         file = loaded_from(path, EventRecord)
         loaded = cls(**file.arguments)

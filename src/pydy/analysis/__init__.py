@@ -1,6 +1,6 @@
-"""What derivatives answer: where a system balances or repeats itself, and how it moves near there.
+"""Results of analyses: equilibria, periodic motions, linear models, sweeps, gradients and fits.
 
-`System.find_equilibrium`, `System.linearize`, `System.eigenvalues` and the like return these.
+`System.find_equilibrium`, `System.linearize`, `System.eigenvalues` and related methods return them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The gradient of a scalar of a motion by many parameters.
+"""The gradient of a scalar of a motion with respect to many parameters.
 
 `System.adjoint_gradient` returns an `AdjointGradient`.
 """
@@ -21,24 +21,24 @@ __all__ = ["AdjointGradient"]
 class AdjointGradient:
     """A scalar of a motion and its derivatives.
 
-    ``gradient['m1']``, or with the symbol, is the derivative by one parameter; by samples of a
-    specified it is an array with one entry for each.
+    ``gradient['m1']``, or with the symbol, is the derivative with respect to one parameter; for the
+    samples of a specified it is an array with one entry for each.
 
     Attributes
     ----------
     value : float
-        The terms at the end and the integrals together.
+        The sum of the final term and the integral.
     values : ndarray, shape (k,)
-        Its derivatives by all parameters, samples one by one.
+        Its derivatives with respect to all parameters, with one entry for each sample.
     counts : dict
         The parameters, with their numbers of columns.
     by_state : ndarray, shape (n,)
-        Its derivatives by the states at the beginning, each on its own: the adjoint there.
+        Its derivatives with respect to the initial states, each varied independently: the adjoint
+        there.
     time : float
         Where the motion ended: the last of the times, or a terminal event.
     statistics : dict
-        Of the integration, with the number of steps that the gradient went back through as
-        ``'steps'``.
+        Statistics of the integration; ``'steps'`` is the number of steps in the gradient.
     """
 
     value: float
@@ -66,7 +66,7 @@ class AdjointGradient:
         return self._motion()
 
     def __getitem__(self, parameter: Any) -> Any:
-        """Return the derivative by a parameter, given by symbol or name."""
+        """Return the derivative with respect to a parameter, given by symbol or name."""
         start, named = 0, unique_names(list(self.counts))
         for (symbol, count), name in zip(self.counts.items(), named, strict=True):
             if parameter == symbol or name_of(parameter) == name:

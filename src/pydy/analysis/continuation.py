@@ -34,15 +34,15 @@ class SpecialPoint:
     Attributes
     ----------
     kind : {'fold', 'branch point', 'Hopf'}
-        Where the parameter turns back, where another branch crosses, where an oscillation begins.
+        Where the parameter turns back, another branch crosses, or an oscillation begins.
     value : float
         Of the parameter.
     values : dict
         The unknowns, by name.
     frequency : float
-        Of the oscillation in rad/s; 0 for others.
+        Frequency of the oscillation in rad/s; 0 for other kinds.
     place : int
-        It lies between points `place` and `place` + 1 of the branch.
+        The point lies between points `place` and `place` + 1 of the branch.
     """
 
     kind: str
@@ -60,7 +60,7 @@ class EquilibriumBranch:
     ----------
     parameter : str
     values : ndarray, shape (m,)
-        Of the parameter; they turn back at folds.
+        Values of the parameter; they turn back at folds.
     unknowns : tuple of str
     solutions : ndarray, shape (m, k)
         The unknowns.
@@ -69,7 +69,7 @@ class EquilibriumBranch:
     stable : ndarray of bool, shape (m,)
         Whether no eigenvalue of the linear model has a positive real part.
     special : tuple of SpecialPoint
-        In the order in which they were met.
+        In the order along the branch.
     ended : str
         Why the branch ends: ``'bounds'``, ``'steps'``, ``'closed'``, ``'lost'`` or
         ``'interrupted'``.

@@ -1,8 +1,8 @@
-"""States in which a system stays, or moves on steadily: equilibria, relative equilibria, trims.
+"""States of rest or steady motion: equilibria, relative equilibria, trims.
 
 The unknowns are found by least squares on the derivatives of the states and the residuals of the
 constraints, with exact Jacobians: `scipy.optimize.least_squares` finds the neighbourhood, within
-bounds, and Newton's method with the pseudo-inverse goes on until rounding.
+bounds, and Newton's method with the pseudo-inverse continues to rounding accuracy.
 """
 
 from __future__ import annotations
@@ -31,22 +31,22 @@ _POLISH = 20
 
 @dataclass(frozen=True, eq=False)
 class Equilibrium:
-    """Where a system stays.
+    """A state in which a system remains at rest or moves steadily.
 
     Attributes
     ----------
     values : dict
         The unknowns, by symbol.
     initial_conditions, constants, specifieds : dict
-        All states; and the constants and specifieds among the unknowns. They fit the System's
-        attributes of the same names.
+        All states, and the constants and specifieds among the unknowns. They can be assigned to the
+        System's attributes of the same names.
     state : ndarray, shape (n,)
         The states in order.
     residual : float
         The largest residual.
     free : tuple of str
-        What the unknowns may change by without leaving the equilibrium, to first order; empty
-        where it is isolated.
+        Directions in which the unknowns can change without leaving the equilibrium, to first order;
+        empty if it is isolated.
     """
 
     values: dict[Any, float]

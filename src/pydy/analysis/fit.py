@@ -1,7 +1,7 @@
-"""Parameters from measurements: trials, and what a fit of them found.
+"""Parameters from measurements: trials, and the results of a fit.
 
-`System.fit` returns a `FitResult`. The estimates minimise the sum of squares of the residuals,
-each over the standard deviation of its noise, with exact derivatives
+`System.fit` returns a `FitResult`. The estimates minimise the sum of squares of the residuals, each
+divided by the standard deviation of its noise, with exact derivatives
 (`scipy.optimize.least_squares`).
 """
 
@@ -31,22 +31,23 @@ class Trial:
     Parameters
     ----------
     times : array_like, shape (m,)
-        When samples were taken, ascending.
+        Sampling times, ascending.
     measured : dict
-        Maps what was measured to its samples, shape (m,), NaN where one is missing: states and
-        outputs, by symbol or name, and expressions of states, specifieds and constants.
+        Maps measured quantities to their samples, shape (m,), with NaN for missing ones. The
+        quantities are states and outputs, by symbol or name, and expressions of states, specifieds
+        and constants.
     initial_conditions, constants, specifieds : dict, optional
-        What is known of this trial; all else is the System's.
+        Known values for this trial; all others are the System's.
     unknown : iterable of states, optional
-        Whose initial conditions are to be found for this trial alone; the search starts from those
-        above.
+        States whose initial conditions are estimated for this trial only; the search starts from
+        `initial_conditions`.
     noise : float, array_like or dict, optional
-        The standard deviation of the noise: of everything, or of each measured quantity, as a
-        number or a value for each sample. Without it, it is estimated from the residuals.
+        The standard deviation of the noise: of all quantities, or of each measured quantity, as a
+        number or a value for each sample. By default it is estimated from the residuals.
     start : float, optional
         The time of the initial conditions; the first of the times by default.
     name : str, optional
-        For results and messages.
+        Name used in results and messages.
     """
 
     times: Any
@@ -67,27 +68,28 @@ class FitResult:
     Attributes
     ----------
     names : tuple of str
-        Of the parameters; initial conditions of a trial are named such as ``'q1 of trial 0'``.
+        Names of the parameters; initial conditions of a trial are named like ``'q1 of trial 0'``.
     estimates : ndarray, shape (k,)
     covariance : ndarray, shape (k, k)
         Of the estimates. Directions that the data do not determine have an infinite variance.
     constants, initial_conditions : dict
-        Those among the parameters that all trials share; they fit the System's attributes.
+        The parameters that all trials share; they can be assigned to the System's attributes.
     undetermined : tuple of str
         Combinations of parameters, as relative changes, that the data do not determine.
     at_bounds : tuple of str
-        Parameters that a bound holds.
+        Parameters that lie at a bound.
     residuals : list of dict
-        For each trial: arrays of measurement less model, by name of what was measured.
+        For each trial: measurement minus model, by name of the measured quantity.
     times : list of ndarray
         The sampling times of each trial.
     noise : float
-        The standard deviation of a residual over that of its noise as given: near 1 where model
-        and noise are right. Where no noise was given, that of the noise.
+        The standard deviation of the residuals divided by the given standard deviation of the
+        noise: near 1 if model and noise are right. If no noise was given, the estimated standard
+        deviation of the noise.
     degrees : int
-        Of freedom: samples and priors less parameters.
+        Degrees of freedom: samples plus priors minus parameters.
     evaluations : int
-        How many times all trials were simulated.
+        Number of simulations of all trials.
     success : bool
         Whether the search converged.
     message : str

@@ -1,4 +1,4 @@
-"""Linear models of the motions that keep the constraints.
+"""Linear models of the motions that satisfy the constraints.
 
 Of the states that satisfy the constraints c(x) = 0 some can be chosen as independent. With the
 Jacobian J of c every small motion on the constraints is δx = T δz with J T = 0, where the rows of T
@@ -32,12 +32,12 @@ class LinearModel:
     Attributes
     ----------
     A, B, C, D : ndarray
-        Shapes (n, n), (n, s), (o, n) and (o, s); with a first axis for several states.
+        Shapes (n, n), (n, s), (o, n) and (o, s), with an additional first axis for several states.
     states, inputs, outputs : tuple of str
         Names; the states are the independent ones.
     rates : ndarray, shape (n,) or (m, n)
-        The derivatives of the independent states where the model was taken: zero, but for
-        coordinates that move steadily, at an equilibrium.
+        The derivatives of the independent states at the point of linearisation; at an equilibrium
+        they are zero, except for coordinates that move steadily.
 
     Examples
     --------
@@ -83,7 +83,7 @@ class LinearModel:
         )
 
     def frequency_response(self, frequencies: Any) -> np.ndarray:
-        """Return the outputs' complex amplitudes for inputs of amplitude one.
+        """Return the complex amplitudes of the outputs for inputs of amplitude one.
 
         Parameters
         ----------

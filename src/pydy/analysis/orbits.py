@@ -1,9 +1,9 @@
 """Periodic motions by shooting, and their stability by Floquet multipliers.
 
-A motion is periodic where its state after a period is the state it began with. Newton's method
-solves for the state, and for the period where the equations do not depend on time, with the
-monodromy matrix ∂x(T)/∂x(0) from the sensitivities. The eigenvalues of that matrix, the Floquet
-multipliers, tell how small deviations grow from one period to the next.
+A motion is periodic if its state after a period is its initial state. Newton's method solves for
+the state, and for the period if the equations do not depend on time, with the monodromy matrix
+∂x(T)/∂x(0) from the sensitivities. The eigenvalues of that matrix, the Floquet multipliers,
+describe how small deviations grow from one period to the next.
 """
 
 from __future__ import annotations
@@ -27,26 +27,26 @@ _SHORTEST = 0.1
 
 @dataclass(frozen=True, eq=False)
 class PeriodicOrbit:
-    """A motion that repeats itself.
+    """A periodic motion.
 
     Attributes
     ----------
     period : float
         In s.
     initial_conditions : dict
-        All states at its beginning; they fit the System's attribute.
+        All states at its start; they can be assigned to the System's attribute.
     states : tuple of str
-        The independent states, but for those that move on steadily.
+        The independent states, except for those that advance steadily.
     monodromy : ndarray, shape (k, k)
-        The derivatives of these states after a period by those at its beginning; where an event
-        ends the period, of the state after the event.
+        The derivatives of these states after a period with respect to those at its start; if an
+        event ends the period, those of the state after the event.
     residual : float
         The largest change of a state over a period.
     autonomous : bool
-        Whether the equations leave the beginning of the period open: one multiplier is then 1.
+        Whether the equations do not determine the start of the period: one multiplier is then 1.
     equilibrium : bool
-        Whether nothing moves: the search came to a fixed point, which comes back after any time.
-        The multipliers are those of small motions around it.
+        Whether nothing moves: the search converged to a fixed point, which is periodic with any
+        period. The multipliers are those of small motions around it.
     trajectory : Trajectory
         Over one period.
     """
@@ -70,7 +70,7 @@ class PeriodicOrbit:
 
     @property
     def stable(self) -> bool:
-        """Whether no multiplier but the one of an autonomous system is larger than 1."""
+        """Whether no multiplier exceeds 1, except the trivial one of an autonomous system."""
         values = self.multipliers
         if self.autonomous and values.size:
             values = np.delete(values, np.abs(values - 1.0).argmin())

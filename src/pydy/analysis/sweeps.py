@@ -1,4 +1,4 @@
-"""Eigenvalues along a parameter: branches that are followed, and where they cross the axis."""
+"""Eigenvalues along a parameter: branches, and where they cross the imaginary axis."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ class Crossing:
     eigenvalue : complex
     branch : int
     oscillatory : bool
-        Whether the motion there is an oscillation, or one that creeps.
+        Whether the motion there oscillates; otherwise it is monotonic.
     stabilizing : bool
-        Whether the real part becomes negative as the parameter goes on.
+        Whether the real part becomes negative as the parameter advances.
     """
 
     value: float
@@ -77,14 +77,14 @@ class EigenvalueSweep:
 
     @property
     def stable(self) -> np.ndarray:
-        """Where no real part is positive, shape (m,); rounding errors of zero do not count."""
+        """Whether no real part is positive, shape (m,); rounding errors of zero are ignored."""
         largest: np.ndarray = self.eigenvalues.real.max(axis=1)
         flags: np.ndarray = largest <= self._nothing
         return flags
 
     @property
     def neutral(self) -> tuple[str, ...]:
-        """States that no other state depends on: each stands for an eigenvalue of zero."""
+        """States on which no other state depends: each has an eigenvalue of zero."""
         return tuple(name for k, name in enumerate(self.states) if k not in self._active)
 
     @property
@@ -94,8 +94,8 @@ class EigenvalueSweep:
     def crossings(self) -> tuple[Crossing, ...]:
         """Return where branches cross the imaginary axis, ascending in the parameter.
 
-        Each is found to rounding, from linear models at values in between. Of a conjugate pair
-        only one is listed.
+        Each crossing is accurate to rounding, computed from linear models at values in between.
+        Only one of a conjugate pair is listed.
         """
         real, limit = self.eigenvalues.real, self._nothing
         found = []

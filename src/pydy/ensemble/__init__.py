@@ -1,5 +1,5 @@
-"""Many trajectories of one model: `pydy.system.System.integrate_ensemble` and what is behind it.
+"""Many trajectories of one model: the implementation of `System.integrate_ensemble`.
 
-Nothing here knows a System: a `Model` of Programs, names and options, `Samples` of numbers, and an
-engine that brings them together in blocks, on threads or as Dask's tasks.
+This package is independent of System: a `Model` of Programs, names and options, `Samples` of
+numbers, and an engine that runs them in blocks, in threads or as Dask tasks.
 """

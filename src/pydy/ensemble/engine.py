@@ -1,4 +1,4 @@
-"""Blocks of an ensemble on threads, as tasks of Dask, and into a Zarr store."""
+"""Blocks of an ensemble in threads, as Dask tasks, and written to a Zarr store."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Ensemble:
     attrs : dict
         Of the Dataset.
     workers : int or None
-        How many threads; None for as many as there are processors.
+        Number of threads; None for one for each processor.
     progress : bool
     """
 
@@ -101,7 +101,7 @@ class Ensemble:
         return self._dataset(whole)
 
     def _interrupted(self, whole: dict[str, Variable], left: Sequence[Block]) -> BaseException:
-        """Return the error that hands over what is finished."""
+        """Return the error with the finished samples."""
         for block in left:
             for name, v in whole.items():
                 nothing = np.nan if v.values.dtype.kind in "fc" else np.zeros((), v.values.dtype)
@@ -209,14 +209,14 @@ class Ensemble:
     def into(self, path: Any, resume: bool | str) -> Any:
         """Write a Zarr store block by block, and return it as a Dataset.
 
-        Blocks that the store has are not computed again. Tasks of Dask do it where a scheduler of
-        Dask is chosen or a client is connected, threads otherwise.
+        Blocks that are in the store are not computed again. The others are computed by Dask tasks
+        if a Dask scheduler is chosen or a client is connected, and by threads otherwise.
 
         Parameters
         ----------
         path : path
         resume : bool or str
-            Whether the store may exist; a text also names the user's functions.
+            Whether the store may exist; a string also names the user's functions.
         """
         require("xarray", "ensemble", "System.integrate_ensemble")
         require("zarr", "ensemble", "`store`")
@@ -289,8 +289,8 @@ def _compute(work: Work, samples: Samples, forms: dict[str, Form]) -> dict[str, 
 def _compute_and_write(work: Work, samples: Samples, path: str, block: Block, run: str) -> None:
     """Do one block and write it: the task of a store.
 
-    Threads of Dask go on after a Ctrl-C, and the process waits for them: those of this process see
-    that their run has ended.
+    Dask's threads continue after Ctrl-C, and the process waits for them: those of this process
+    check whether their run has ended.
     """
     stores.write(path, block, work(samples, lambda: run in _ENDED))
 

@@ -1,9 +1,9 @@
-r"""Names of variables as names of folders, which arrays of a store are.
+r"""Directory names for variables: each array of a store is a directory.
 
-Zarr reads ``\`` as ``/`` and makes folders of what lies between. Windows knows neither some
-characters nor files called ``aux``; there and on macOS, ``q`` and ``Q`` are the same file. So that
-a store can be written anywhere and carried anywhere, the names of its arrays avoid all of that on
-every system.
+Zarr reads ``\`` as ``/`` and creates a directory for each part. Windows allows neither some
+characters nor files called ``aux``; there and on macOS, ``q`` and ``Q`` are the same file. The
+names of arrays avoid all of this on every system, so that a store can be written anywhere and
+copied anywhere.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _OF_ZARR = "zarr.json"
 
 
 def file_names(names: Iterable[str]) -> dict[str, str]:
-    r"""Return a name for each name, the same where that serves everywhere.
+    r"""Return a file name for each name; the same one if it is valid everywhere.
 
     Examples
     --------

@@ -1,8 +1,8 @@
-"""What tells a function of the user's from another one, in this process or the next.
+"""The identity of a user's function, in this process or the next.
 
-A function is its code, its defaults, and what it closes over and finds among its globals, other
-functions included. All of it is read, never called, so that an identity is either complete or
-refused: nothing of it depends on a name alone, an address or the order of a set.
+A function is identified by its code, its defaults, its closure and the globals that it uses,
+including other functions. All of these are read, never called. An identity is either complete or
+refused: it never depends on a name alone, an address or the order of a set.
 """
 
 from __future__ import annotations
@@ -51,17 +51,17 @@ _CACHED = type(lru_cache(len))
 
 
 class UnidentifiedError(ValueError):
-    """Something of which it cannot be told whether it is the same in another process."""
+    """It cannot be determined whether a value is the same in another process."""
 
 
 def fingerprint(thing: Any) -> str:
-    """Return a digest of a value, of the functions in it too.
+    """Return a digest of a value, including the functions in it.
 
     Raises
     ------
     UnidentifiedError
-        It holds something that cannot be read: an open file, a module that is not installed, or
-        an object that other processes would find by its name alone.
+        The value contains something that cannot be read: an open file, a module that is not
+        installed, or an object that other processes would find by its name alone.
     """
     return _Reader().digest(thing)
 

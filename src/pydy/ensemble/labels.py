@@ -36,7 +36,7 @@ class Variable:
 
 @dataclass(frozen=True)
 class Form:
-    """What the results of all samples have in common.
+    """The form that the results of all samples share.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Form:
 def check_forms(
     found: Mapping[str, Variable], expected: Mapping[str, Form], samples: Sequence[Any]
 ) -> None:
-    """Refuse results that do not fit those of other samples: assigning would broadcast them.
+    """Raise if results do not match those of other samples: assigning would broadcast them.
 
     Parameters
     ----------

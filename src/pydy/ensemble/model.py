@@ -1,4 +1,4 @@
-"""What an ensemble integrates: Programs, names and options, which travel to wherever it is done."""
+"""The model that an ensemble integrates, in a form that can be sent to other processes."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ class Model:
     options : Options
     times : ndarray
     sampled : tuple of (columns, SampledInput)
-        The places in r that are samples in time, alike for all members of the ensemble.
+        The entries of r that are samples in time, the same for all members of the ensemble.
     functions : tuple of (columns, function)
-        Those that Python functions ``g(x, t)`` give; this costs a call each time.
+        The entries of r given by Python functions ``g(x, t)``, which are called at each evaluation.
     jacobian : Program or None
         ∂f/∂x, for an implicit method.
     sensitivities : EnsembleSensitivities or None
@@ -68,7 +68,7 @@ class Model:
 
 @dataclass(eq=False)
 class Results:
-    """What became of m samples.
+    """The results of m samples.
 
     Attributes
     ----------

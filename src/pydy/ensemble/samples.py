@@ -19,7 +19,7 @@ Block = tuple[slice, ...]
 
 @dataclass(frozen=True, eq=False)
 class Coordinate:
-    """Values that tell samples from each other, for the labels of results.
+    """Values that distinguish samples, for the labels of results.
 
     Attributes
     ----------
@@ -60,7 +60,7 @@ class Samples:
 
     @property
     def size(self) -> int:
-        """How many samples there are."""
+        """The number of samples."""
         return prod(self.shape)
 
     def of(self, block: Block) -> Samples:

@@ -1,7 +1,7 @@
 """The Zarr store of an ensemble: one chunk for each block, so that any process may write its own.
 
-A block is there when its `status` is, which is written last, and all its chunks decode; anything
-else may be half written or damaged, and is written again.
+A block is complete if its `status`, which is written last, exists and all its chunks can be
+decoded; anything else may be incomplete or damaged, and is written again.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ _SETTING = Lock()  # zarr's configuration belongs to all threads
 
 
 def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "") -> str:
-    """Return what tells one ensemble from another: equations, options, numbers, functions, blocks.
+    """Return the identity of an ensemble: equations, options, numbers, functions, blocks.
 
     Parameters
     ----------
@@ -82,12 +82,12 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
 
 
 def check(path: str, token: str, resume: bool) -> bool:
-    """Tell whether there is a store to go on with.
+    """Return whether there is a store to resume.
 
     Raises
     ------
     ValueError
-        Something else is there, or an array of the store is lost.
+        The path contains something else, or an array of the store is lost.
     """
     if not Path(path).exists():
         return False
@@ -220,7 +220,7 @@ def write_coordinates(path: str, samples: Samples, times: Any) -> None:
 
 
 def missing(path: str, blocks: Sequence[Block]) -> list[Block]:
-    """Return the blocks that the store does not have, or does not have as they were written."""
+    """Return the blocks that are missing from the store or damaged."""
     zarr = require("zarr", "ensemble", "`store`")
     group = zarr.open_group(path, mode="r")
     status = group["status"]

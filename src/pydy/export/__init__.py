@@ -1,6 +1,6 @@
 """Models as files for other programs: C, functional mock-up units, JavaScript, Python.
 
-`System.export` is what users call; `write` takes a `Model`, which holds Programs and names.
+Users call `System.export`; `write` takes a `Model`, which contains Programs and names.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A model as a functional mock-up unit: FMI 3.0 or 2.0, Model Exchange and Co-Simulation.
 
-The unit holds the model's C, an interface in C around it, and the library that a C compiler makes
-of both for this platform. Nothing of Python is needed where it is used.
+The unit contains the model's C code, an interface in C, and the library compiled from both for this
+platform. No Python is needed to use it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What is exported: the Programs of a model and the names and numbers that go with them."""
+"""The exported model: its Programs, with their names and numbers."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ class Variable:
     Attributes
     ----------
     name : str
-        As the user knows it.
+        Name as the user wrote it.
     identifier : str
-        As source code calls it: ASCII letters, digits and underscores; unique in the model.
+        Name in source code: ASCII letters, digits and underscores; unique in the model.
     value : float
         The initial condition, start value or default.
     """
@@ -36,7 +36,7 @@ class Variable:
 
 @dataclass(frozen=True)
 class EventData:
-    """What is known of events beside their Programs.
+    """Properties of events other than their Programs.
 
     Attributes
     ----------
@@ -72,9 +72,9 @@ class Model:
         event, 'projection' (see `pydy.solvers.run.constraints`).
     events : EventData
     start, stop : float
-        The time span that importers should take by default.
+        The default time span for importers.
     constraints : mapping of str to int
-        Sizes for the projection; empty where nothing is projected.
+        Sizes for the projection; empty without projection.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""A model as Python functions that need NumPy, or JAX, and nothing of pydy."""
+"""A model as Python functions that need NumPy or JAX, but not pydy."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """A Program as straight-line JavaScript.
 
-The expressions are those of C, which JavaScript reads alike once the functions of C's library have
-the names that they have there: `PRELUDE` gives them. Numbers are 64-bit floats in both.
+The expressions are those of C, which are also valid JavaScript once functions with the names of the
+C library are defined, as by `PRELUDE`. Numbers are 64-bit floats in both.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ LONGEST = 4000
 def javascript_of(program: Program, name: str) -> str:
     """Return a Program as the two functions ``NAME_prepare(p, c)`` and ``NAME(t, x, r, c, out)``.
 
-    The second returns whether a linear solve met a singular matrix. `c` holds
+    The second returns whether a linear solve encountered a singular matrix. `c` holds
     ``len(program.carried)`` numbers.
     """
     return "\n".join([*_prepare(program, name), *_run(program, name), ""])

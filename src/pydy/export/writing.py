@@ -1,4 +1,4 @@
-"""Write a model to files; the suffix says of which kind."""
+"""Write a model to files; the suffix selects the format."""
 
 from __future__ import annotations
 
@@ -39,8 +39,8 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
     fmi : {'3.0', '2.0'}, optional
         For ``.fmu``.
     binary : bool, optional
-        For ``.fmu``: whether it holds the binary of this platform, which needs a C compiler, beside
-        the sources.
+        For ``.fmu``: whether to include, besides the sources, the binary for this platform, which
+        needs a C compiler.
 
     Returns
     -------
@@ -49,9 +49,9 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
     Raises
     ------
     ValueError
-        Another suffix, or another value of an option.
+        An unknown suffix, or an invalid value of an option.
     TypeError
-        An option that the kind does not have.
+        The format has no such option.
     """
     check_options(path, options)
     files = _WRITERS[path.suffix.lower()](model, path, **options)
@@ -59,7 +59,7 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
 
 
 def check_options(path: Path, options: dict[str, Any]) -> None:
-    """Refuse what `write` would refuse, before the work."""
+    """Raise the errors of `write` before any work is done."""
     kind = path.suffix.lower()
     if kind not in KINDS:
         raise ValueError(

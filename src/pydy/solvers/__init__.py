@@ -1,4 +1,4 @@
-"""Integration in machine code: solvers that take a compiled right-hand side by its address.
+"""Integration in machine code: solvers that call a compiled right-hand side by its address.
 
 =============  ===============================================================================
 `dop853`       explicit, order 8: the first choice for smooth motion at tolerances below 1e-6
@@ -8,8 +8,8 @@
 `radau`        implicit, order 5: for stiff systems
 =============  ===============================================================================
 
-They have the signature of `scipy.integrate.odeint`, so that ``system.ode_solver = 'dop853'`` is all
-it takes. Their loops are compiled for the processor when one of them first runs.
+They have the signature of `scipy.integrate.odeint`; select one by ``system.ode_solver = 'dop853'``.
+Their loops are compiled for the processor when one of them first runs.
 """
 
 from __future__ import annotations

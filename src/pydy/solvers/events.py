@@ -1,4 +1,4 @@
-"""Events: what a user says of them, and what happened."""
+"""Events: their definition by the user, and their compiled form."""
 
 from __future__ import annotations
 
@@ -19,38 +19,39 @@ __all__ = ["CompiledEvents", "Event", "EventRecord", "crowd", "forcing_time"]
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happens where an expression crosses zero.
+    """An event that happens where an expression crosses zero.
 
     Parameters
     ----------
     expression : sympy.Expr
-        In states, specifieds, constants, time, and the time derivatives of the coordinates.
+        A function of states, specifieds, constants, time, and the time derivatives of the
+        coordinates.
     direction : {0, 1, -1}, optional
         1: only from negative to positive; −1: only from positive to negative; 0: both.
     terminal : bool, optional
         Whether the integration ends there.
     reset : dict, optional
-        Maps states to expressions: their values after the event, in terms of those before it.
-        States that are not named keep theirs.
+        Maps states to expressions: their values after the event, as functions of those before it.
+        Other states keep their values.
     name : str, optional
-        What to call it; by default its expression.
+        Name of the event; by default its expression.
 
     Raises
     ------
     TypeError
-        `expression` or an entry of `reset` is no expression, or `terminal` is neither True nor
+        `expression` or an entry of `reset` is not an expression, or `terminal` is neither True nor
         False.
     ValueError
-        Another direction, or `expression` is an inequality.
+        `direction` is none of these, or `expression` is an inequality.
 
     Notes
     -----
     Signs are compared at the ends of four parts of each step: an expression that only touches zero,
-    or crosses and returns within such a part, is not seen.
+    or crosses and returns within such a part, is not detected.
 
     An expression that is exactly zero at the first or the last time is an event there. At the first
-    it is recorded only, whatever `reset` and `terminal` say: the initial conditions are the state
-    after it, as for a ball that is let go at an apex.
+    time it is only recorded, regardless of `reset` and `terminal`: the initial conditions are the
+    state after it, as for a ball that is released at an apex.
 
     Examples
     --------
@@ -97,7 +98,7 @@ class Event:
 
 
 def _check_expression(value: Any, what: str) -> None:
-    """Refuse what is no scalar expression, told by its attributes: solvers never import SymPy."""
+    """Raise unless it is a scalar expression, judged by attributes: solvers never import SymPy."""
     number = isinstance(value, Real) and not isinstance(value, bool | np.bool_ | np.timedelta64)
     symbolic = isinstance(getattr(value, "free_symbols", None), set)
     scalar = symbolic and getattr(value, "is_commutative", False)

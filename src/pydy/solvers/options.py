@@ -24,7 +24,7 @@ _DEFAULT = 1.49012e-8  # odeint's: the square root of the rounding unit
 
 
 class StepOptions(TypedDict, total=False):
-    """Options that decide the size and number of steps, for type checkers; see `Options`."""
+    """Options for the size and number of steps, for type checkers; see `Options`."""
 
     rtol: ArrayLike
     atol: ArrayLike
@@ -35,7 +35,7 @@ class StepOptions(TypedDict, total=False):
 
 
 class SolverOptions(StepOptions, total=False):
-    """Options of a solver that is called directly, but for `full_output`; see `Options`."""
+    """Options of a solver called directly, except `full_output`; see `Options`."""
 
     progress: bool
     events: CompiledEvents | None
@@ -45,7 +45,7 @@ class SolverOptions(StepOptions, total=False):
 
 @dataclass(frozen=True)
 class Options:
-    """What a user may say to a solver.
+    """The options of a solver.
 
     Attributes
     ----------
@@ -55,7 +55,7 @@ class Options:
         The size of the first step; found automatically by default.
     max_step : float
     max_steps : int
-        Accepted and rejected ones together.
+        Accepted and rejected steps together.
     step : float, optional
         The size of steps of a method without error control. Each interval between two times is
         divided into equal steps not larger than this.
@@ -96,9 +96,9 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
     Raises
     ------
     TypeError
-        An option that the method does not have.
+        The method has no such option.
     ValueError
-        A value that makes no sense.
+        A value is not valid.
     """
     foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
     names = _NAMES - foreign
@@ -130,7 +130,7 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
 
 
 def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
-    """Refuse an option that a solver does not have, naming the one that may be meant."""
+    """Raise for an option that a solver does not have, and suggest the nearest one."""
     names = sorted(names)
     unknown = [name for name in given if name not in names]
     if unknown:

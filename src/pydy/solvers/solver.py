@@ -1,4 +1,4 @@
-"""The solvers as users see them: objects with odeint's signature."""
+"""The public solvers: objects with odeint's signature."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Solver:
     ----------
     name : str
     adaptive : bool
-        Whether it chooses its step size.
+        Whether it controls its step size.
 
     Examples
     --------
@@ -65,9 +65,9 @@ class Solver:
 
     @classmethod
     def from_tableau(cls, tableau: Tableau) -> Solver:
-        """Return a solver that steps by an explicit Runge–Kutta method of your own.
+        """Return a solver for your own explicit Runge–Kutta method.
 
-        The compiled loops are those of the other explicit methods: nothing is compiled for it.
+        It uses the compiled loops of the other explicit methods: nothing else is compiled.
 
         Parameters
         ----------
@@ -130,25 +130,25 @@ class Solver:
         Parameters
         ----------
         f : callable
-            A function that `System` or `generate_ode_function` made runs without Python; any other
+            A function made by `System` or `generate_ode_function` runs without Python; any other
             function is called back.
         x0 : array_like, shape (n,)
         t : array_like, shape (m,)
-            When the states are wanted, ascending; the first is when the state is `x0`. Equal times
-            may follow each other.
+            Times at which the states are returned, ascending; the state at the first one is `x0`.
+            Equal times may follow each other.
         args : tuple, optional
             Further arguments of `f`.
         rtol, atol : float or array_like, shape (n,), optional
             The error allowed in a step is ``atol + rtol * abs(x)``.
         first_step, max_step : float, optional
         max_steps : int, optional
-            Accepted and rejected ones together, 10 million by default.
+            Accepted and rejected steps together, 10 million by default.
         step : float
-            For `rk4` only, in place of the tolerances: the size of a step. Each interval between
-            two times is divided into equal steps not larger than this.
+            Only for `rk4`, instead of tolerances: the step size. Each interval between two times is
+            divided into equal steps not larger than this.
         full_output : bool, optional
         progress : bool, optional
-            Show a bar in simulated time.
+            Show a progress bar of simulated time.
         events, constraints
             Made by `System.integrate` from its arguments of these names.
 
@@ -165,13 +165,13 @@ class Solver:
         Raises
         ------
         TypeError
-            An unknown option, or one of the wrong kind.
+            An option is unknown or has the wrong type.
         ValueError
-            A value that does not fit.
+            A value is not valid.
         IntegrationError
-            It could not go on; the error holds what was computed.
+            The integration could not continue; the error contains the results so far.
         IntegrationInterrupted
-            The user interrupted it; this too holds what was computed.
+            The user interrupted it; the exception contains the results so far.
         """
         key = (self.name, *options.items(), *map(type, options.values()))
         prepared = _taken(f, key, x0, t, args)
@@ -192,10 +192,10 @@ class Solver:
         args: Any = (),
         **options: Unpack[SolverOptions],
     ) -> Prepared:
-        """Get an integration ready that is to be run many times, from different initial states.
+        """Prepare an integration that is run many times from different initial states.
 
-        Arguments are checked and memory is reserved here, once: what is left of a short integration
-        is then a few microseconds. Parameters are those of a call.
+        Arguments are checked and memory is allocated once, here: a short integration then takes
+        only a few microseconds. The parameters are those of a call.
 
         Returns
         -------
@@ -272,7 +272,7 @@ def _like(array: Any, known: np.ndarray) -> bool:
 class Prepared:
     """An integration that is ready to run; see `Solver.prepare`.
 
-    It has one memory: use one of them in each thread.
+    It has a single workspace: use a separate one in each thread.
 
     Attributes
     ----------
@@ -293,7 +293,7 @@ class Prepared:
         Raises
         ------
         ValueError
-            An `x0` that does not fit, or is not finite.
+            `x0` has the wrong shape or is not finite.
         IntegrationError, IntegrationInterrupted
             As for a call of the solver.
         """
