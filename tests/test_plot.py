@@ -71,7 +71,7 @@ def test_some_can_be_chosen_by_symbol_or_name():
     ax = plot_coordinates(trajectory, [trajectory.coordinates_symbols[2], "q1"])
     assert_drawn(ax, trajectory.states[:, [2, 0]].T)
     assert_drawn(plot_coordinates(trajectory, "q2"), [trajectory["q2"]])
-    with pytest.raises(KeyError, match="`nothing` is none of the trajectory's quantities"):
+    with pytest.raises(KeyError, match="`nothing` is not one of the trajectory's quantities"):
         plot_coordinates(trajectory, ["nothing"])
 
 
@@ -169,7 +169,7 @@ def test_a_dataset_of_several_sample_dimensions_with_failures():
     assert labels(ax) == ["q"]
     with pytest.raises(ValueError, match=r"no variables whose attribute 'role'.*of q"):
         plot_coordinates(dataset)
-    with pytest.raises(KeyError, match="`p` is none of the dataset's variables: q"):
+    with pytest.raises(KeyError, match="`p` is not one of the dataset's variables: q"):
         plot_coordinates(dataset, ["p"])
     with pytest.raises(ValueError, match="kinetic_energy is missing"):
         plot_energy(dataset)

@@ -60,7 +60,9 @@ def test_quantities_are_found_by_symbol_and_by_name():
     np.testing.assert_array_equal(trajectory[energy], trajectory.outputs[:, 0])
     assert q in trajectory
     assert "nothing" not in trajectory
-    with pytest.raises(KeyError, match="`nothing` is none of the trajectory's quantities: q, u, E"):
+    with pytest.raises(
+        KeyError, match="`nothing` is not one of the trajectory's quantities: q, u, E"
+    ):
         trajectory["nothing"]
     with pytest.raises(KeyError, match=r"q, u, E. Did you mean `q`"):
         trajectory["Q"]
@@ -264,7 +266,7 @@ def test_a_file_keeps_events_and_odd_names(tmp_path):
     (event,) = loaded.events
     assert (event.name, event.time) == ("hit", 0.5)
     np.testing.assert_array_equal(event.after, [-1.5, 0.0])
-    with pytest.raises(ValueError, match="holds no derivatives"):
+    with pytest.raises(ValueError, match="contains no derivatives"):
         loaded.at([0.5])
 
 
@@ -400,7 +402,7 @@ def test_a_printed_symbol_and_a_list_find_quantities():
     np.testing.assert_array_equal(trajectory["u(t)"], trajectory["u"])
     np.testing.assert_array_equal(trajectory[["u(t)", "q"]], trajectory.states[:, ::-1])
     assert trajectory[[]].shape == (11, 0)
-    with pytest.raises(KeyError, match="`v` is none of the trajectory's quantities: q, u"):
+    with pytest.raises(KeyError, match="`v` is not one of the trajectory's quantities: q, u"):
         trajectory[["q", "v"]]
 
 
@@ -436,5 +438,5 @@ def test_a_trajectory_animates_the_bodies_of_its_model():
     scene = trajectory.animate(title="Cart")
     np.testing.assert_allclose(scene.poses, system.scene().animate(trajectory).poses)
     bare = Trajectory([0.0], [[1.0]], {"coordinate": ["q"]})
-    with pytest.raises(ValueError, match="holds no bodies and has no model"):
+    with pytest.raises(ValueError, match="contains no bodies, and has no model"):
         bare.animate()

@@ -283,7 +283,7 @@ class Places:
         Raises
         ------
         ValueError
-            It is none of the symbols; the message tells those of the same name.
+            It is not one of the symbols; the message tells those of the same name.
         """
         place = self.get(key, argument)
         if place is None:

@@ -142,7 +142,7 @@ def name_in(result: Any, key: Any) -> str:
     for name in (key if isinstance(key, str) else str(key), name_of(key)):
         if name in result.data_vars:
             return name
-    raise KeyError(f"`{key}` is none of the dataset's variables: {', '.join(result.data_vars)}.")
+    raise KeyError(f"`{key}` is not one of the dataset's variables: {', '.join(result.data_vars)}.")
 
 
 def samples_over_time(variable: Any) -> np.ndarray:

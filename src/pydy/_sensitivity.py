@@ -119,5 +119,7 @@ def _place(places: Mapping[Any, Any], key: Any, what: str, names: Sequence[str])
     if place is None:
         place = places.get(name_of(key))
     if place is None:
-        raise KeyError(f"`{key}` is none of the {what} of the sensitivities: {', '.join(names)}.")
+        raise KeyError(
+            f"`{key}` is not one of the {what} of the sensitivities: {', '.join(names)}."
+        )
     return place

@@ -114,7 +114,7 @@ class System:
     Raises
     ------
     TypeError
-        `eom_method` is none of these types.
+        `eom_method` is not one of these types.
     ValueError
         A value or a symbol is not valid; the message names the argument.
 
@@ -847,7 +847,7 @@ class System:
         Raises
         ------
         ValueError
-            An option is none of the above, or the system has no variable of that name.
+            An option is not one of the above, or the system has no variable of that name.
 
         Examples
         --------
@@ -1056,7 +1056,7 @@ class System:
             No equilibrium was found; the message says how close the search came and which rows are
             not satisfied.
         ValueError
-            A name is none of the system's.
+            A name is not one of the system's.
 
         Examples
         --------
@@ -1213,7 +1213,7 @@ class System:
         EquilibriumError
             There is no equilibrium at the first value.
         ValueError
-            A name is none of the system's.
+            A name is not one of the system's.
 
         Examples
         --------

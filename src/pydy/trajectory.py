@@ -253,7 +253,7 @@ class Trajectory:
         found = self._sensitivity
         if found is None:
             raise ValueError(
-                "The trajectory holds no sensitivities. Name the parameters when you simulate: "
+                "The trajectory contains no sensitivities. Name the parameters when you simulate: "
                 "system.simulate(sensitivities=[…])."
             )
         return found
@@ -281,16 +281,16 @@ class Trajectory:
             return np.empty((len(self.times), 0, values.shape[2]))
         if model is None:
             raise ValueError(
-                "The trajectory has no model that could give the sensitivities of outputs at "
-                "other times than those that were saved. Take what `System.simulate` returned."
+                "The trajectory has no model to compute the sensitivities of outputs at times that "
+                "were not saved. Use the Trajectory that `System.simulate` returned."
             )
         return model.outputs(self.times, self.states, values)
 
     def _need_model(self, what: str) -> Model:
         if self._model is None:
             raise ValueError(
-                f"The trajectory holds no {what} and has no model that could give them: it was "
-                "made or saved without. Take the trajectory that `System.simulate` returned."
+                f"The trajectory contains no {what}, and has no model to compute them: it was "
+                "created or saved without. Use the Trajectory that `System.simulate` returned."
             )
         return self._model
 

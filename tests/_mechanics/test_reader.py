@@ -53,7 +53,7 @@ def test_a_place_in_a_frame_without_orientation_is_named():
 
 
 def test_a_load_that_is_none_is_refused():
-    with pytest.raises(TypeError, match=r"load 3 is none of the loads .* `to_loads\(\)`"):
+    with pytest.raises(TypeError, match=r"load 3 is not one of the loads .* `to_loads\(\)`"):
         read_loads([3])
 
 

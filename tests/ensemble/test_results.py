@@ -187,8 +187,8 @@ def halves(dataset):
 
 
 DIFFERENT = [
-    (lambda d: d[["x0", "v0"] if halves(d) else ["x0"]], "`v0` is there for some samples only"),
-    (lambda d: d[["x0"] if halves(d) else ["x0", "v0"]], "`v0` is there for some samples only"),
+    (lambda d: d[["x0", "v0"] if halves(d) else ["x0"]], "`v0` exists for some samples only"),
+    (lambda d: d[["x0"] if halves(d) else ["x0", "v0"]], "`v0` exists for some samples only"),
     (
         lambda d: d.x0[:, : 2 if halves(d) else 1].rename(time="k").to_dataset(),
         r"`x0` is float64 along \{'k': 2\} for some, float64 along \{'k': 1\} for others",

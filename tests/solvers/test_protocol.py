@@ -220,13 +220,13 @@ WRONG = [
     (
         {"events": [Event(K)]},
         TypeError,
-        r"`events` cannot be handed to a solver as they are, .* Call system.integrate\(events=…\)",
+        r"`events` cannot be passed directly to a solver, .* Call system.integrate\(events=…\)",
     ),
-    ({"events": 5}, TypeError, r"`events` cannot be handed to a solver as they are, got 5"),
+    ({"events": 5}, TypeError, r"`events` cannot be passed directly to a solver, got 5"),
     (
         {"constraints": "project"},
         TypeError,
-        r"`constraints` cannot be handed to a solver .* got .project.: .*\(constraints=…\)",
+        r"`constraints` cannot be passed directly to a solver, got .project.: .*\(constraints=…\)",
     ),
 ]
 

@@ -197,7 +197,7 @@ def test_a_load_at_a_hinge_counts_when_the_hinge_is_listed():
 
 
 BAD = [
-    ({"bodies": "nobody"}, ValueError, "`bodies` has 'nobody', which is none of the system's"),
+    ({"bodies": "nobody"}, ValueError, "`bodies` has 'nobody', which is not one of the system's"),
     ({"bodies": 3}, TypeError, "`bodies` must be a RigidBody or Particle, its name, or a list"),
     ({"bodies": []}, ValueError, "`bodies` must hold one body of the system or more: bob"),
     ({"point": "P"}, TypeError, "`point` must be a Point, got 'P'"),
@@ -271,7 +271,7 @@ def test_a_joint_stands_for_all_beyond_it():
 
 def test_a_joint_of_another_system_is_refused():
     (system, _), (_, (other, _)) = arm(), arm()
-    with pytest.raises(ValueError, match=r"joint shoulder is none of the joints of .*elbow"):
+    with pytest.raises(ValueError, match=r"joint shoulder is not one of the joints of .*elbow"):
         System(system).reaction(other)
 
 

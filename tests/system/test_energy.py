@@ -354,7 +354,7 @@ def test_a_potential_energy_that_is_set_is_taken(name):
     system.potential_energy = sm.expand(model.energy - kinetic.xreplace(still)).simplify()
     is_conserved(system)
     system.potential_energy = None
-    with pytest.raises(ValueError, match="cannot be told"):
+    with pytest.raises(ValueError, match="Cannot determine the potential energy"):
         system.potential_energy
 
 

@@ -409,7 +409,7 @@ def test_fixed_steps_stay_the_same_after_an_event():
 
 @pytest.mark.parametrize("expression", [sm.Integer(1), G - 3, M * G])
 def test_an_expression_that_is_constant_is_an_integration_error(expression):
-    with pytest.raises(IntegrationError, match="cannot look for the event `never`, whose expressi"):
+    with pytest.raises(IntegrationError, match="cannot detect the event `never`, whose expressi"):
         run(ball(), [Event(expression, name="never")])
 
 

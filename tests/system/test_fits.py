@@ -282,10 +282,10 @@ def test_residuals_are_plotted(oscillator):
 
     result = oscillator.fit(["k0", "c0"], [let_go(swing()), let_go(swing(x0=0.5), x0=0.5)])
     axes = result.plot_residuals()
-    assert [ax.get_ylabel() for ax in axes] == ["measured less model"] * 2
+    assert [ax.get_ylabel() for ax in axes] == ["measured minus model"] * 2
     plt.close("all")
     assert str(result).startswith("Fit of k0 = 4 +-")
-    with pytest.raises(KeyError, match="'bogus' is none"):
+    with pytest.raises(KeyError, match="'bogus' is not one"):
         result["bogus"]
     with pytest.raises(ValueError, match="`level` must lie between 0 and 1"):
         result.confidence_intervals(95)

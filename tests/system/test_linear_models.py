@@ -69,7 +69,7 @@ def test_many_states_give_a_stack_of_models():
         one = system.linearize(x[k])
         close(many.A[k], one.A)
         np.testing.assert_allclose(many.eigenvalues[k], one.eigenvalues, atol=1e-6)
-    with pytest.raises(ValueError, match="takes one linear model"):
+    with pytest.raises(ValueError, match="needs a single linear model"):
         many.to_state_space()
 
 

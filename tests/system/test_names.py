@@ -256,7 +256,7 @@ def test_outputs_of_one_name_keep_their_columns():
 def test_a_trajectory_does_not_mix_up_symbols():
     system = two_masses(sm.Symbol("b"), HEAVY, times=[0.0, 1.0])
     trajectory = system.simulate()
-    with pytest.raises(KeyError, match=r"x\(t\) \(real\)` is none .* assumptions differ"):
+    with pytest.raises(KeyError, match=r"x\(t\) \(real\)` is not one .* assumptions differ"):
         trajectory[me.dynamicsymbols("x", real=True)]
     assert trajectory["x"].shape == (2,)
 

@@ -228,10 +228,10 @@ def test_sensitivities_have_names():
     assert found["x0"].shape == (11, 2)
     assert np.array_equal(found["x0", sm.Symbol("m0")], found.values[:, 0, 0])
     with pytest.raises(
-        KeyError, match="`k0` is none of the parameters of the sensitivities: m0, x0"
+        KeyError, match="`k0` is not one of the parameters of the sensitivities: m0, x0"
     ):
         found["x0", "k0"]
-    with pytest.raises(KeyError, match="`y` is none of the states and outputs"):
+    with pytest.raises(KeyError, match="`y` is not one of the states and outputs"):
         found["y", "m0"]
 
 

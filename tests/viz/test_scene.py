@@ -190,7 +190,9 @@ def test_series_come_from_the_trajectory_or_are_evaluated_or_are_given(trajector
     assert series["power"] == pytest.approx(scene.times**2)
     assert series["2*u"] == pytest.approx(2 * np.cos(scene.times))
     assert series["extra"] == pytest.approx(-scene.times)
-    with pytest.raises(ValueError, match="`series` has 'heat', which is none of the trajectory's"):
+    with pytest.raises(
+        ValueError, match="`series` has 'heat', which is not one of the trajectory's"
+    ):
         swing(series=["heat"]).animate(trajectory)
 
 

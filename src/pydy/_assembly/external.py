@@ -23,7 +23,7 @@ def resolve_solver(solver: Any) -> LinearSolver | str | None:
     Raises
     ------
     ValueError
-        It is none of them.
+        It is not one of them.
     """
     if solver is None or (isinstance(solver, str) and solver == "builtin"):
         return None

@@ -221,7 +221,7 @@ class CompiledModel:
         return SingularMatrixError(
             f"The mass matrix is singular at t = {t!r} with the state {state}. Check that no mass "
             "or inertia is zero, that no constraint is redundant there, and that the "
-            "configuration is not a singular one.",
+            "configuration is not singular.",
             float(t),
             np.array(x, dtype=float),
         )

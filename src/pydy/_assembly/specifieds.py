@@ -227,7 +227,7 @@ def _refuse_unknown(formula: _Formula, found: Mapping[Any, Any], definition: Def
             )
         if symbol not in known:
             raise ValueError(
-                f"`specifieds` for {formula.symbol} holds `{symbol}`, which is none of the "
+                f"`specifieds` for {formula.symbol} holds `{symbol}`, which is not one of the "
                 "system's states, specifieds, constants or time. In `system.specifieds`, rather "
                 "than in `r`, it would become a constant or specified of the system."
             )

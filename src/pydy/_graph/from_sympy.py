@@ -323,8 +323,8 @@ class SymPyReader:
             return self.graph.const(value)
         if isinstance(expr, (sm.Symbol, AppliedUndef, sm.Derivative)):
             raise ValueError(
-                f"`{expr}` occurs in {self.what}, but no argument provides it: it is none of the "
-                "coordinates, speeds, constants or specifieds. Add it to one of them."
+                f"`{expr}` occurs in {self.what}, but no argument provides it: it is not one of "
+                "the coordinates, speeds, constants or specifieds. Add it to one of them."
             )
         if expr.is_number:
             raise ValueError(

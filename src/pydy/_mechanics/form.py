@@ -118,7 +118,7 @@ class Formed:
                 elif (group, k) in needed:
                     raise ValueError(
                         f"`{symbol}` occurs in the bodies, loads or kinematics, but no argument "
-                        "provides it: it is none of the coordinates, speeds, constants or "
+                        "provides it: it is not one of the coordinates, speeds, constants or "
                         "specifieds. Add it to one of them."
                     )
                 else:

@@ -109,9 +109,9 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
             continue
         if not isinstance(load, tuple) or len(load) != 2:
             raise TypeError(
-                f"The load {load!r} is none of the loads that System knows: give a pair of a Point "
-                "and a force Vector, a pair of a ReferenceFrame and a torque Vector, a Force, a "
-                "Torque, or an actuator with `to_loads()`."
+                f"The load {load!r} is not one of the loads that System knows: give a pair of a "
+                "Point and a force Vector, a pair of a ReferenceFrame and a torque Vector, a "
+                "Force, a Torque, or an actuator with `to_loads()`."
             )
         where, vector = load
         if not isinstance(where, (Point, ReferenceFrame)):

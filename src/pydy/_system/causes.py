@@ -51,7 +51,7 @@ def cause_of(
     r: np.ndarray,
     p: np.ndarray,
 ) -> str | None:
-    """Return what is singular at a state, in words, or None if it is none of the usual.
+    """Return what is singular at a state, in words, or None if it is not one of the usual.
 
     Parameters
     ----------

@@ -52,9 +52,7 @@ class EnergyModel:
         """The kinetic energy, or an error where the method knows no bodies."""
         energy = self.equations.kinetic_energy
         if energy is None:
-            raise ValueError(
-                "The system's energy cannot be told: its `eom_method` was given no bodies."
-            )
+            raise ValueError("Cannot compute the system's energy: its `eom_method` has no bodies.")
         return energy
 
     @cached_property
@@ -65,8 +63,8 @@ class EnergyModel:
         found = find_potential(self.equations)
         if found.unknown:
             raise ValueError(
-                "The potential energy cannot be told, because it is not clear whether these "
-                f"loads have one: {'; '.join(found.unknown[:5])}. {found.advice} Or say it "
+                "Cannot determine the potential energy, because it is not clear whether these "
+                f"loads have one: {'; '.join(found.unknown[:5])}. {found.advice} Or set it "
                 "yourself: `system.potential_energy = ...`, an expression for all loads together."
             )
         return found.expression

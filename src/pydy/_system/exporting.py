@@ -198,7 +198,7 @@ def _input_places(
         place = known.get(key, "inputs")
         if place is None:
             raise ValueError(
-                f"`inputs` has `{key}`, which is none of the specifieds of the system: "
+                f"`inputs` has `{key}`, which is not one of the specifieds of the system: "
                 f"{', '.join(map(str, definition.specifieds)) or 'there are none'}."
             )
         wanted.add(place)

@@ -131,7 +131,7 @@ def _beyond(equations: Equations, forces: ConstraintForces, joint: Any) -> list[
     joints = equations.mechanism.joints if equations.mechanism is not None else ()
     if not any(joint is other for other in joints):
         raise ValueError(
-            f"The joint {joint.name} is none of the joints of `eom_method`: "
+            f"The joint {joint.name} is not one of the joints of `eom_method`: "
             f"{describe([other.name for other in joints])}. Give all bodies beyond it instead."
         )
     points = [joint.child.masscenter]
@@ -162,7 +162,7 @@ def _member(forces: ConstraintForces, item: Any) -> Any:
     if len(named) == 1:
         return named[0]
     raise ValueError(
-        f"`bodies` has {shown(item)}, which is none of the system's bodies: "
+        f"`bodies` has {shown(item)}, which is not one of the system's bodies: "
         f"{describe(list(bodies))}. Give the RigidBody or Particle, or its name; or a joint alone."
     )
 

@@ -62,7 +62,7 @@ def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Targe
     Raises
     ------
     ValueError
-        It is none of these, or several where one is needed.
+        It is not one of these, or several where one is needed.
     """
     if isinstance(of, str) and of in BLOCKS and not scalar:
         names = row_names(definition, BLOCKS[of])

@@ -81,13 +81,13 @@ class Columns:
             symbols = own is not None and str not in (type(own), type(key))
             if symbols and own != key and str(own) == str(key):
                 raise KeyError(
-                    f"`{written_out(key)}` is none of the trajectory's quantities: "
+                    f"`{written_out(key)}` is not one of the trajectory's quantities: "
                     f"`{written_out(own)}` is another symbol, because its assumptions differ. "
                     "Use that one, or its name."
                 )
         if k is None:
             raise KeyError(
-                f"`{key}` is none of the trajectory's quantities: {', '.join(self.names)}. "
+                f"`{key}` is not one of the trajectory's quantities: {', '.join(self.names)}. "
                 f"{nearest(str(key), self.names, or_all=False)}".rstrip()
             )
         return k

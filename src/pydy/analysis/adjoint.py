@@ -75,7 +75,7 @@ class AdjointGradient:
             start += count
         if parameter in self.names:  # one sample
             return float(self.values[self.names.index(parameter)])
-        raise KeyError(f"`{parameter}` is none of the parameters: {', '.join(self.names)}.")
+        raise KeyError(f"`{parameter}` is not one of the parameters: {', '.join(self.names)}.")
 
     def __str__(self) -> str:
         shown = [f"{n} {v:.6g}" for n, v in zip(self.names[:12], self.values, strict=False)]

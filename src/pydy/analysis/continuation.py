@@ -94,7 +94,7 @@ class EquilibriumBranch:
     def __getitem__(self, name: str) -> np.ndarray:
         """Return an unknown along the branch."""
         if name not in self.unknowns:
-            raise KeyError(f"The unknowns are {', '.join(self.unknowns)}; {name!r} is none.")
+            raise KeyError(f"The unknowns are {', '.join(self.unknowns)}; {name!r} is not one.")
         column: np.ndarray = self.solutions[:, self.unknowns.index(name)]
         return column
 

@@ -163,7 +163,7 @@ def _accepted(
     if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
         raise EquilibriumError(
             "No equilibrium was found: the equations are not finite near "
-            f"{_named(unknowns, z)}. Give initial conditions nearer to one.",
+            f"{_named(unknowns, z)}. Choose initial conditions closer to one.",
             z,
             values,
         )
@@ -181,7 +181,7 @@ def _accepted(
         why = f" ({' '.join(message.split())})" if message else ""
         raise EquilibriumError(
             f"No equilibrium was found. Nearest, at {_named(unknowns, z)}: {left}.{bound} "
-            "Start nearer to one, name more unknowns, or name the coordinates that keep moving in "
+            "Start closer to an equilibrium, add unknowns, or list coordinates that keep moving in "
             f"`moving`.{why}",
             z,
             values,

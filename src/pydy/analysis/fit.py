@@ -114,7 +114,7 @@ class FitResult:
     def __getitem__(self, name: str) -> float:
         """Return an estimate by name."""
         if name not in self.names:
-            raise KeyError(f"The parameters are {', '.join(self.names)}; {name!r} is none.")
+            raise KeyError(f"The parameters are {', '.join(self.names)}; {name!r} is not one.")
         return float(self.estimates[self.names.index(name)])
 
     @property
@@ -214,8 +214,9 @@ def estimate(
         ) from stop
     if told and found.status == 0:
         warn_user(
-            f"The fit did not converge in {most} evaluations; the estimates are its last. Start "
-            "nearer to the parameters, bound them, or use `segments` for long or unstable motions."
+            f"The fit did not converge in {most} evaluations; the estimates are the last ones. "
+            "Start closer to the solution, set `bounds`, or use `segments` for long or unstable "
+            "motions."
         )
     return found.x, residuals, jacobian, found
 

@@ -131,8 +131,8 @@ class LinearModel:
     def _one(self, what: str) -> tuple[np.ndarray, ...]:
         if self.A.ndim != 2:
             raise ValueError(
-                f"{what}() takes one linear model, but this one holds {len(self.A)}, one for each "
-                "state that `at` gave. Linearize at one of them."
+                f"{what}() needs a single linear model, but there are {len(self.A)}, one for each "
+                "state in `at`. Linearize at one state."
             )
         return self.A, self.B, self.C, self.D
 
@@ -176,7 +176,7 @@ def independent_places(
 def _singular(k: int) -> ValueError:
     return ValueError(
         f"The constraints cannot be solved for the dependent states at state {k} of `at`: the "
-        "configuration is singular there. Linearize beside it."
+        "configuration is singular there. Linearize at a nearby state."
     )
 
 

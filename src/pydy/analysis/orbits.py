@@ -186,8 +186,8 @@ def _lost(
     at = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names, z, strict=True))
     return PeriodicOrbitError(
         f"No periodic orbit was found. Nearest, at {at} with the period {period:.6g} s, these "
-        f"change over it: {left}. Start nearer to one, or name coordinates that move on steadily "
-        "in `moving`.",
+        f"change over it: {left}. Start closer to an orbit, or list coordinates that advance "
+        "steadily in `moving`.",
         z,
         gap,
     )

@@ -103,7 +103,7 @@ def plot_residuals(
         for name, column in columns.items():
             ax.plot(instants, column, ".", markersize=3, label=name)
         ax.set_xlabel("time")
-        ax.set_ylabel("measured less model")
+        ax.set_ylabel("measured minus model")
         ax.legend()
     return axes
 

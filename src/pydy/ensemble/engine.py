@@ -255,9 +255,9 @@ class Ensemble:
             return stores.token_of(self.work, self.samples, self.sizes, name)
         except UnidentifiedError as error:
             reason = (
-                "it cannot be told whether the functions of `reduce` and `specifieds` stay the "
-                f"same: {error}. Give them a name of yours, resume='name', from the first call on, "
-                "and another one when they change."
+                "it cannot be determined whether the functions of `reduce` and `specifieds` are "
+                f"the same: {error}. Name them yourself, resume='name', from the first call on, "
+                "and change the name when they change."
             )
             if resume:
                 raise ValueError(f"`resume=True` needs more: {reason}") from error

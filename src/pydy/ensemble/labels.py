@@ -73,7 +73,7 @@ def check_forms(
     rule = "`reduce` must return the same variables for all blocks of samples"
     for name in dict.fromkeys((*expected, *found)):
         if name not in found or name not in expected:
-            raise ValueError(f"{rule}: `{name}` is there for some samples only.")
+            raise ValueError(f"{rule}: `{name}` exists for some samples only.")
         v, form = found[name], expected[name]
         own = Form.of(v.dims, v.values.shape, v.values.dtype, len(samples))
         if list(own.sizes.items()) != list(form.sizes.items()) or not np.can_cast(

@@ -45,7 +45,7 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
     Raises
     ------
     UnidentifiedError
-        A function without a name cannot be told from others.
+        A function without a name cannot be identified.
     """
     model = work.model
     events, constraints = model.options.events, model.options.constraints
@@ -93,7 +93,7 @@ def check(path: str, token: str, resume: bool) -> bool:
         return False
     if not resume:
         raise ValueError(
-            f"`store` must be a path where nothing is yet, got '{path}'. Pass resume=True to "
+            f"`store` must be a new path, got '{path}'. Pass resume=True to "
             "compute only what is missing there, or remove it."
         )
     zarr = require("zarr", "ensemble", "`store`")
@@ -105,9 +105,9 @@ def check(path: str, token: str, resume: bool) -> bool:
     if attrs.get(_TOKEN) != token:
         raise ValueError(
             f"`store` '{path}' was written by another ensemble: its equations, numbers, options, "
-            "`reduce`, `chunks` or functions differ, or it is no store of an ensemble. Give "
-            "another path. If only functions differ, and not in what they return, give them a name "
-            "of yours in both calls, resume='name', in place of True."
+            "`reduce`, `chunks` or functions differ, or it is not the store of an ensemble. Pass "
+            "another path. If only the code of functions differs, but not their results, name them "
+            "yourself in both calls, resume='name', instead of True."
         )
     if not attrs.get(_READY):
         return False

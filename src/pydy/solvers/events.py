@@ -42,7 +42,7 @@ class Event:
         `expression` or an entry of `reset` is not an expression, or `terminal` is neither True nor
         False.
     ValueError
-        `direction` is none of these, or `expression` is an inequality.
+        `direction` has another value, or `expression` is an inequality.
 
     Notes
     -----
@@ -75,7 +75,7 @@ class Event:
             lower = getattr(expression, "lts", expression.rhs)
             raise ValueError(
                 f"`expression` must cross zero, but `{expression}` is only true or false. Pass "
-                f"`{upper - lower}`; with direction=1 it counts where it becomes positive."
+                f"`{upper - lower}`; with direction=1 the event is where it becomes positive."
             )
         _check_expression(expression, "`expression`")
         number = isinstance(self.direction, Real) and not isinstance(self.direction, bool)

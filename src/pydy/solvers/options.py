@@ -155,7 +155,7 @@ def _check_kinds(given: Mapping[str, Any]) -> None:
         value = given.get(name)
         if not isinstance(value, kind | None):
             raise TypeError(
-                f"`{name}` cannot be handed to a solver as they are, got {value!r}: they have to "
-                f"be compiled with the equations. Call system.{method}({name}=…), with "
+                f"`{name}` cannot be passed directly to a solver, got {value!r}: they must be "
+                f"compiled with the equations. Call system.{method}({name}=…), with "
                 "`system.ode_solver` set to this solver."
             )

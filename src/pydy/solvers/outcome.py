@@ -1,4 +1,4 @@
-"""How an integration ended: a code, its name, and the words made from it.
+"""How an integration ended: a code, its name, and the message made from it.
 
 Compiled code returns these codes; ``info['code']`` and the `status` of an ensemble hold them. Texts
 are made from codes and are never read back.
@@ -47,7 +47,7 @@ class Outcome(NamedTuple):
     name : str
         One word, for flags.
     text : str
-        What the solver did; details go to the places in braces.
+        What the solver did; details are inserted in the braces.
     remedy : str
     """
 
@@ -67,15 +67,14 @@ OUTCOMES = {
     STEP_UNDERFLOW: Outcome(
         "step_underflow",
         "needs ever smaller steps{size}",
-        "The motion is not smooth there or runs away. Look for a jump in the loads, which an "
-        "Event can carry the state over, loosen `rtol` and `atol`, or try 'radau' if the system "
-        "is stiff.",
+        "The motion is not smooth there, or it diverges. Look for a jump in the loads, which an "
+        "Event can handle, loosen `rtol` and `atol`, or try 'radau' if the system is stiff.",
     ),
     SINGULAR: Outcome(
         "singular",
         "met a singular mass matrix{size}",
         "Check that no mass or inertia is zero, that no constraint is redundant there, and that "
-        "the configuration is not a singular one.",
+        "the configuration is not singular.",
     ),
     NOT_FINITE: Outcome(
         "not_finite",
@@ -87,17 +86,17 @@ OUTCOMES = {
     CONSTRAINTS_NOT_MET: Outcome(
         "constraints_not_met",
         "could not bring the state back onto the constraints after a step of {step:.3g}",
-        "Check that the constraints can be met together there, or limit `max_step`.",
+        "Check that all constraints can be satisfied there, or limit `max_step`.",
     ),
     NO_CONVERGENCE: Outcome(
         "no_convergence",
         "could not solve for its stages{size}",
-        "Check that loads are continuous there; an Event can carry the state over a jump.",
+        "Check that loads are continuous there; an Event can handle a jump.",
     ),
     EVENTS_ACCUMULATE: Outcome(
         "events_accumulate",
         "events `{event}` accumulate",
-        "Make the reset end the motion it ends in reality, or the event terminal.",
+        "Make the event terminal, or let its reset stop the motion as it stops in reality.",
     ),
     START_OFF_CONSTRAINTS: Outcome(
         "start_off_constraints",
@@ -107,16 +106,16 @@ OUTCOMES = {
     INTERRUPTED: Outcome(
         "interrupted",
         "was interrupted",
-        "What was computed is in the attributes of this error.",
+        "The results so far are in the attributes of this error.",
     ),
     TOLERANCE_TOO_SMALL: Outcome(
         "tolerance_too_small",
         "cannot start with rtol = {rtol:.3g} and atol = {atol:.3g}",
-        "Double precision carries about {epsilon:.1e}: ask for rtol of {least:.1e} or more.",
+        "The precision of floats is about {epsilon:.1e}: use an rtol of at least {least:.1e}.",
     ),
     EVENT_CONSTANT: Outcome(
         "event_constant",
-        "cannot look for the event `{event}`, whose expression is constant,",
+        "cannot detect the event `{event}`, whose expression is constant,",
         "It must depend on the states, on specifieds or on time.",
     ),
     RESET_NOT_FINITE: Outcome(
@@ -128,19 +127,20 @@ OUTCOMES = {
         "singular_configuration",
         "stopped at a singular configuration of the constraints, where a combination of these rows "
         "vanishes ({rows}): it {what},",
-        "Several motions may continue from there, and the constraints do not tell which. Another "
-        "step size or tolerance may pass it; other constraints may have no such configuration.",
+        "Several motions may continue from there, and the constraints do not determine which. "
+        "Another step size or tolerance may pass it; a different formulation of the constraints "
+        "may have no such configuration.",
     ),
     SPEEDS_NOT_GIVEN: Outcome(
         "speeds_not_given",
-        "stopped where the constraints do not give the dependent speeds: it {what},",
-        "Choose other dependent coordinates and speeds, or hand System a "
+        "stopped where the constraints do not determine the dependent speeds: it {what},",
+        "Choose other dependent coordinates and speeds, or pass System a "
         "`pydy.mechanics.Definition` without `dependent_speeds`, which needs no choice.",
     ),
     EVENT_GRAZES: Outcome(
         "event_grazes",
         "met the event `{event}`, which the motion only grazes: by {depth:.2g} beyond zero,",
-        "The time of such an event has no derivative by the parameters, and neither has what "
-        "follows. Leave the event out, start elsewhere, or simulate without `sensitivities`.",
+        "The time of such an event, and the motion after it, have no derivatives with respect to "
+        "the parameters. Omit the event, start elsewhere, or simulate without `sensitivities`.",
     ),
 }

@@ -141,7 +141,7 @@ def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, np.ndarray
             columns[label] = np.asarray(trajectory[expression], dtype=float)
         elif isinstance(expression, str):
             raise ValueError(
-                f"`series` has '{expression}', which is none of the trajectory's quantities. "
+                f"`series` has '{expression}', which is not one of the trajectory's quantities. "
                 "Give an expression, or the name of a state, output or specified."
             )
     return columns

@@ -60,7 +60,7 @@ def hex_colour(colour: Any, what: str = "`colour`") -> str:
     Raises
     ------
     ValueError
-        It is none of these.
+        It is not one of these.
 
     Examples
     --------

@@ -385,9 +385,10 @@ def _sliders(
         if found or not isinstance(key, sm.Symbol) or not slider.sets:
             every = (*system.constants, *system.states, *system.inputs)
             raise ValueError(
-                f"`live` has `{key}`, which is none of the system's constants, states and inputs: "
-                f"{', '.join(map(name_of, every))}. A slider of your own needs a Symbol that the "
-                "system does not have, and `sets`, the initial conditions that follow from it."
+                f"`live` has `{key}`, which is not one of the system's constants, states and "
+                f"inputs: {', '.join(map(name_of, every))}. A slider of your own needs a Symbol "
+                "that the system does not have, and `sets`, the initial conditions that follow "
+                "from it."
                 if not found
                 else f"`sets` of the slider for `{key}` is for symbols of your own, but the system "
                 "has this one."
@@ -476,8 +477,8 @@ def _series(
         else:
             if isinstance(wanted, str):
                 raise ValueError(
-                    f"The series {wanted!r} is none of the system's states, inputs and outputs: a "
-                    "live page cannot compute it. Give an expression."
+                    f"The series {wanted!r} is not one of the system's states, inputs and outputs: "
+                    "a live page cannot compute it. Give an expression."
                 )
             plotted.append(["f", len(formulas)])
             formulas.append((label, wanted))

@@ -241,8 +241,8 @@ class _Poses:
         else:
             remedy = "Give its value in `constants`."
         raise ValueError(
-            f"{start} holds `{symbol}`, for which the trajectory has no value: it is none of "
-            f"its states, specifieds and constants. {remedy}"
+            f"{start} holds `{symbol}`, for which the trajectory has no value: it is not one "
+            f"of its states, specifieds and constants. {remedy}"
         )
 
     def _product(self, a: Matrix3, b: list[int]) -> Matrix3:

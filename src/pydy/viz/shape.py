@@ -147,7 +147,7 @@ def _length(value: Any, what: str) -> Any:
 
 
 def check_axis(value: Any, kind: str) -> None:
-    """Refuse what is none of the three axes."""
+    """Refuse what is not one of the three axes."""
     choice(value, ("x", "y", "z"), f"`axis` of {kind}")
 
 

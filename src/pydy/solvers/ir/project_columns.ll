@@ -1,4 +1,4 @@
-; sources cbeb04bc42e5f927edc1a0501cb68b8d6e71ee9073209cd737f9843d8da06864
+; sources 55a7bab15eec40afd4d6ac11c9da69023f8507fc0bcb6b31908fe77b41079c5a
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

@@ -1,4 +1,4 @@
-; sources 829ce49b39838ead885a4bd3d57b20e0686307f5c5c8c6d1412b7bcf2faf2bd0
+; sources 58ab22c2c4e7460fd1a80fda95df721bb1b3771a61cde504e648716f0fc89433
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #0
