@@ -342,3 +342,65 @@ def test_a_method_that_is_derived_anew_is_looked_at_anew():
     system = System(kane)
     x = np.linspace(0.2, 0.9, 14)
     close(system.evaluate_ode(x), System(kane, equations="method").evaluate_ode(x), 1e-12)
+
+
+@pytest.mark.parametrize("change", ["written over", "of a subclass"])
+def test_equations_that_the_user_changed_after_deriving_them_hold(change):
+    model = derived(CONSTRAINED["track"].__wrapped__())
+    kane = model.kane
+    assert System(kane)._equations.formed is not None
+    if change == "written over":
+        kane._k_d = 2 * kane._k_d
+    else:
+        heavier = property(lambda self: sm.diag(3, 2, 1) * me.KanesMethod.mass_matrix.fget(self))
+        kane.__class__ = type("Heavier", (me.KanesMethod,), {"mass_matrix": heavier})
+    system, own = (numbered(System(kane, equations=way), model) for way in (None, "method"))
+    assert system._equations.formed is None
+    x, t = state(model, 3)
+    close(system.evaluate_ode(x, t), own.evaluate_ode(x, t), 1e-15)
+
+
+def nearly_dependent(free):
+    """Particles in a row whose last one a constraint gives, less and less as e vanishes."""
+    n = free + 1
+    q, u, e = me.dynamicsymbols(f"q:{n}"), me.dynamicsymbols(f"u:{n}"), sm.Symbol("e")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    bodies, loads = [], []
+    for k in range(n):
+        place = origin.locatenew(f"P{k}", q[k] * frame.x + q[k - 1] * frame.y)
+        place.set_vel(frame, u[k] * frame.x + u[k - 1] * frame.y)
+        bodies.append(me.Particle(f"b{k}", place, 1 + sm.Rational(k, 3)))
+        loads.append((place, -q[k] * frame.x + sm.sin(q[k]) * frame.y))
+    row = sum((k + 1) * sm.cos(q[k]) * u[k] for k in range(free)) + e * u[free]
+    kane = me.KanesMethod(
+        frame, q, u[:free],
+        kd_eqs=[a.diff(T) - b for a, b in zip(q, u, strict=True)],
+        u_dependent=u[free:], velocity_constraints=[row],
+    )  # fmt: skip
+    kane.kanes_equations(bodies, loads)
+    return kane, e
+
+
+@pytest.mark.parametrize("free", [2, 3])
+@pytest.mark.parametrize("size", [1.0, 1e-2, 1e-4, 1e-6, 1e-8])
+def test_dependent_speeds_that_hardly_follow_from_the_constraint_cost_no_accuracy(free, size):
+    kane, e = nearly_dependent(free)
+    x = np.linspace(0.3, 0.9, 2 * free + 2)
+    x[-1] = -sum((k + 1) * np.cos(x[k]) * x[free + 1 + k] for k in range(free)) / size
+    numbers = dict(zip((*kane.q, *kane.u), map(sm.Float, x), strict=True))
+    rates = {q.diff(T): numbers[u] for q, u in zip(kane.q, kane.u, strict=True)}
+    values = {**numbers, e: sm.Float(size)}
+    matrix, forcing = (
+        m.xreplace(rates).xreplace({k: sm.Rational(v) for k, v in values.items()}).evalf(40)
+        for m in (kane.mass_matrix, kane.forcing)
+    )
+    expected = np.array(matrix.LUsolve(forcing), dtype=float).ravel()
+    system = System(kane, {e: size})
+    assert system._equations.formed is not None
+    for generator in ("llvm", "lambdify"):
+        system.generate_ode_function(generator=generator)
+        found = system.evaluate_ode(x)[free + 1 :]
+        np.testing.assert_allclose(found, expected, rtol=1e-12 + 2e-15 / size)
+    slopes = (s.evaluate_jacobian(x) for s in (system, System(kane, {e: size}, equations="method")))
+    if size >= 1e-2:
+        close(*slopes, 1e-11)

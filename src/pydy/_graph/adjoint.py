@@ -12,7 +12,7 @@ import math
 from collections.abc import Sequence
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._graph.operations import OPERATIONS, is_symmetric
 
 __all__ = ["adjoints"]
 
@@ -84,10 +84,11 @@ class _Sweep:
         """Hand the adjoint of a node to its operands."""
         g = self.graph
         op, args = g.ops[node], g.args[node]
-        if op == "guard" and self.through_guards:
+        if op == "guard" and (self.through_guards or not is_symmetric(*args[:2])):
             *_, sound, fast = args
             for k, bar in self.vectors.get(node, {}).items():
-                self.add(fast[k], g.call("select", sound, bar, g.const(math.nan)))
+                through = g.call("select", sound, bar, g.const(math.nan))
+                self.add(fast[k], through if self.through_guards else bar)
             return
         if op in ("solve", "guard"):
             self._solve(node)

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._graph.operations import OPERATIONS, is_symmetric
 
 __all__ = ["Rows", "dense", "dense_jacobian", "dense_rows", "directional", "jacobian"]
 
@@ -161,8 +161,11 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
         vectors[node] = _solve_rows(g, node, args[0], args[1], rows)
         return {}
     if op == "guard":
+        n, entries, column, _, fast = args
+        if not is_symmetric(n, entries):
+            vectors[node] = [rows[k] for k in fast]
+            return {}
         # By the system that it solves: how the solution was found does not matter.
-        n, entries, column = args[:3]
         vectors[node] = _solve_rows(g, node, g.make("factor", ("ldl", n, entries)), column, rows)
         return {}
     if op == "item":

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from pydy._graph.modular import PRIME, arbitrary, inverse, residue
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._graph.operations import OPERATIONS, is_symmetric
 from pydy._graph.tuning import SOLVED_MODULO_A_PRIME
 
 __all__ = ["evaluated", "signatures"]
@@ -105,7 +105,8 @@ class _Solutions:
             kind, n, entries = self.graph.args[args[0]]
             column = args[1]
         elif op == "guard":
-            kind, (n, entries, column) = "ldl", args[:3]
+            n, entries, column = args[:3]
+            kind = "ldl" if is_symmetric(n, entries) else "lu"
         else:
             return None
         if n > SOLVED_MODULO_A_PRIME:

@@ -289,7 +289,8 @@ class Graph(Nodes):
         Parameters
         ----------
         matrix : n lists of n nodes
-            Symmetric positive definite.
+            Symmetric positive definite, or not symmetric: then what is found in the other way is
+            differentiated, not the system.
         column : list of n nodes
         sound : node
             A truth value: whether `fast` is to be taken. Else the system is solved.

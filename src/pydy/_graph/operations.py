@@ -311,6 +311,12 @@ _STRUCTURES: dict[str, tuple[Callable[[Args], Nodes], Renamed]] = {
 }
 
 
+def is_symmetric(n: int, entries: Sequence[int]) -> bool:
+    """Return whether a matrix of n rows holds the same nodes on both sides of its diagonal."""
+    rows = range(n)
+    return all(entries[i * n : i * n + i + 1] == entries[i : i * n + i + 1 : n] for i in rows)
+
+
 def operands(op: str, args: Args) -> Nodes:
     """Return the nodes that an operation refers to, in order."""
     structure = _STRUCTURES.get(op)

@@ -20,8 +20,9 @@ from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.gravity import take_gravity_off
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.lumps import lumped
-from pydy._mechanics.multipliers import accelerations_of_held
+from pydy._mechanics.multipliers import accelerations_of_held, solved_soundly
 from pydy._mechanics.reader import Multibody
+from pydy._mechanics.tuning import GUARDED_UP_TO, SOUND_SHARE
 
 __all__ = [
     "Formed",
@@ -333,11 +334,18 @@ def reduced(
         g.sum([(force[i], 1.0), *((g.mul(upper[i][p + k], b[k]), -1.0) for k in range(d))])
         for i in range(p)
     ]
-    free = g.solve(both, [rest], "ldl")[0]
+    sound, within = g.boolean(True), 1 < p <= GUARDED_UP_TO
+    if within:
+        sizes = [g.zero, *(g.sum([(both[i][i], SOUND_SHARE)]) for i in range(1, p))]
+        free, sound = solved_soundly(g, both, rest, sizes)
+    else:
+        free = g.solve(both, [rest], "ldl")[0]
     bound = [
         g.sum([(b[k], 1.0), *((g.mul(a[i][k], free[i]), 1.0) for i in range(p))]) for k in range(d)
     ]
-    return *whole, [*free, *bound]
+    # Where a dependent speed is large beside the independent ones, AᵀM A swallows the rest of the
+    # matrix: the equations of all speeds do not.
+    return *whole, g.guard(*whole, sound, [*free, *bound]) if within else [*free, *bound]
 
 
 def _constraints(

@@ -98,13 +98,14 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
     return base if source == "method" else replace(base, formed=_alike(kane, base, body))
 
 
-# What was found out about a method, with its equations: they may be derived anew.
+# What was found out about a method, with its equations: they may be derived anew, or written over.
 _known: WeakKeyDictionary[KanesMethod, tuple[Any, Formed | None]] = WeakKeyDictionary()
 
 
 def _alike(kane: KanesMethod, base: Equations, body: Multibody) -> Formed | None:
+    now = *base.mass_matrix, *base.forcing
     equations, found = _known.get(kane, (None, None))
-    if equations is not kane._frstar:
+    if equations != now:
         found = formed_alike(base, body)
-        _known[kane] = kane._frstar, found
+        _known[kane] = now, found
     return found

@@ -21,7 +21,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._mechanics.tuning import SHIFT, SOUND_PIVOT
 
-__all__ = ["accelerations_of_held", "multipliers_of"]
+__all__ = ["accelerations_of_held", "multipliers_of", "solved_soundly"]
 
 _STEPS = 6  # after the first: what is 1e-2 of the size is found to rounding
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
@@ -56,7 +56,7 @@ def accelerations_of_held(
         for row, b in zip(rows, drift, strict=True)
     ]
     first = [row[:rank] for row in square[:rank]]
-    some, sound = _eliminated(graph, first, right[:rank], sizes)
+    some, sound = solved_soundly(graph, first, right[:rank], sizes)
     some += [graph.zero] * (len(rows) - rank)
     least = _least(graph, square, right, sizes)
     found = [graph.call("select", sound, a, b) for a, b in zip(some, least, strict=True)]
@@ -76,7 +76,7 @@ def multipliers_of(
     least = _least(graph, square, right, sizes)
     if redundant:
         return least
-    found, sound = _eliminated(graph, square, right, sizes)
+    found, sound = solved_soundly(graph, square, right, sizes)
     return [graph.call("select", sound, a, b) for a, b in zip(found, least, strict=True)]
 
 
@@ -90,10 +90,10 @@ def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> l
     return [[lower[max(i, j)][min(i, j)] for j in range(len(a))] for i in range(len(a))]
 
 
-def _eliminated(
+def solved_soundly(
     graph: Graph, square: Sequence[list[int]], right: list[int], sizes: list[int]
 ) -> tuple[list[int], int]:
-    """Return the solution by LDLᵀ, and whether no pivot is small."""
+    """Return the solution by LDLᵀ, and whether no pivot is small beside its row's size."""
     n, sound = len(right), graph.boolean(True)
     cell, found = [list(row) for row in square], list(right)
     share = [[graph.zero] * n for _ in range(n)]

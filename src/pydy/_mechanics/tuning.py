@@ -12,6 +12,7 @@ __all__ = [
     "CLOSED",
     "FORMS_COUNTED_UP_TO",
     "FULL_STEPS",
+    "GUARDED_UP_TO",
     "NEARLY_DEPENDENT",
     "NEAR_ESTIMATES",
     "OPEN",
@@ -20,6 +21,7 @@ __all__ = [
     "SHIFT",
     "SMALL_PIVOT",
     "SOUND_PIVOT",
+    "SOUND_SHARE",
     "WITHIN_SPAN",
 ]
 
@@ -65,3 +67,10 @@ six steps do not reach rounding; smaller, the factors lose more digits than the 
 
 SOUND_PIVOT = 1e-2
 """A pivot below this share of its row's size has all rows take part: two digits are lost."""
+
+SOUND_SHARE = 0.1
+"""What a size is multiplied with beside `SOUND_PIVOT` where independent speeds are solved for:
+three digits are lost at most, where a wrong choice of dependent speeds would lose all."""
+
+GUARDED_UP_TO = 12
+"""Independent speeds up to which their elimination is written out, with its pivots looked at."""

@@ -11,6 +11,7 @@ from pydy._backends.llvm.ir import Function, literal, vector_type
 from pydy._backends.llvm.plan import Registers
 from pydy._backends.llvm.solve import mask, solver_names
 from pydy._backends.tuning import FALLBACK_STACK, SPARSE
+from pydy._graph.operations import is_symmetric
 from pydy._graph.program import Program
 
 __all__ = ["Solves", "Writer"]
@@ -19,8 +20,7 @@ __all__ = ["Solves", "Writer"]
 def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
     """Return what a guard's fallback needs of a matrix: of a symmetric one the lower triangle."""
     lower = list(chain.from_iterable(entries[i * n : i * n + i + 1] for i in range(n)))
-    upper = list(chain.from_iterable(entries[i : i * n + i + 1 : n] for i in range(n)))
-    return lower if n > 1 and lower == upper else list(entries)
+    return lower if n > 1 and is_symmetric(n, entries) else list(entries)
 
 
 class Writer(Protocol):
