@@ -85,7 +85,7 @@ def test_a_method_without_bodies_has_no_energy():
     point.set_vel(frame, v * frame.x)
     kane.kanes_equations([me.Particle("A", point, 1)], [(point, -x * frame.x)])
     kane._bodylist = None
-    with pytest.raises(ValueError, match="given no bodies"):
+    with pytest.raises(ValueError, match="has no bodies"):
         System(kane).kinetic_energy
 
 

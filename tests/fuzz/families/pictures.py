@@ -27,7 +27,7 @@ for _name in ("coordinates", "speeds", "outputs", "states", "constraints", "ener
         return _plotted(getattr(plot, f"plot_{name}"), v)
 
 
-_missing = "none of the trajectory's"
+_missing = "is not one of the trajectory's"
 
 
 @target("plot.names", nothing("symbols", "texts", allowed=one_of(None)), "`names", _missing)

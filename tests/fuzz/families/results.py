@@ -51,7 +51,7 @@ def named_f_or_no_names(value):
 @target(
     "Trajectory.key",
     nothing("symbols", "texts", allowed=named_f_or_no_names),
-    "none of the trajectory's",
+    "is not one of the trajectory's",
 )
 def _(v):
     return world().o.trajectory[v]
