@@ -31,7 +31,9 @@ class Kernel:
         are contiguous fastest, and return the same order. Native ones also take the array to write
         to, contiguous in the order of x, as a fifth argument.
     gate : callable
-        What `call` gives, once `begin` has been called.
+        ``gate(x, t, r, p, out) -> int`` for one state. There is no checking beyond what keeps it
+        safe: −1 asks the caller to convert its arguments and use `call`, otherwise it is the bit
+        mask of failed lanes. It compiles nothing: before `begin` it answers −1.
     rebuild : callable
         ``rebuild(program, *recipe)`` gives this Kernel again, where it is unpickled.
     recipe : tuple
@@ -43,7 +45,7 @@ class Kernel:
     owner : object
         Keeps the machine code alive.
     begin : callable or None
-        Makes the code of `gate`, at the first call.
+        Makes the code of `gate`, unless there is some.
     """
 
     program: Program
@@ -67,11 +69,7 @@ class Kernel:
 
     @property
     def call(self) -> Call:
-        """``call(x, t, r, p, out) -> int`` for one state; where needed it is compiled now.
-
-        There is no checking beyond what keeps it safe: −1 asks the caller to convert its arguments
-        and call again, otherwise it is the bit mask of failed lanes.
-        """
+        """The `gate`, with code behind it: where needed it is compiled now."""
         if self.begin is not None:
             self.begin()
         return self.gate

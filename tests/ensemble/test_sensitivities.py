@@ -10,13 +10,13 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
+from ball import bouncing_ball
 from cases import system_of
 from ensemble_cases import constant, identical, pendulum, runaway, same_bits
 from pydy.ensemble.engine import Ensemble
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
-from pydy.system import System
 
 FINE = {"rtol": 1e-9, "atol": 1e-9}
 NAMES = ["m1", "q1", "l0"]
@@ -129,29 +129,8 @@ def test_a_specified_that_varies_is_a_parameter():
 # -- events and constraints -----------------------------------------------------------------------
 
 
-def ball():
-    q, u = me.dynamicsymbols("q, u")
-    m, g, e = sm.symbols("m, g, e")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    point = origin.locatenew("P", q * frame.y)
-    point.set_vel(frame, u * frame.y)
-    kane = me.KanesMethod(
-        frame,
-        q_ind=[q],
-        u_ind=[u],
-        kd_eqs=[q.diff() - u],
-        bodies=[me.Particle("ball", point, m)],
-        forcelist=[(point, -m * g * frame.y)],
-    )
-    system = System(kane, outputs={sm.Symbol("used"): e}, ode_solver="dop853")
-    system.constants = {"g": 9.81, "e": 0.8}
-    system.initial_conditions, system.times = {"q": 1.0, "u": 0.5}, np.linspace(0.0, 2.0, 9)
-    return system, Event(q, direction=-1, reset={u: -e * u}, name="bounce")
-
-
 def test_events_move_sensitivities_and_have_them():
-    system, bounce = ball()
+    system, bounce = bouncing_ball(d=0.0)
     wanted, heights = ["e", "g", "q"], [0.5, 1.0]
     run = {"initial_conditions": {"q": heights}, "sensitivities": wanted, "events": [bounce]}
     many = system.integrate_ensemble(**run, **FINE)
@@ -169,7 +148,7 @@ def test_events_move_sensitivities_and_have_them():
 
 
 def test_a_motion_that_grazes_fails_alone():
-    system, _ = ball()
+    system, _ = bouncing_ball(d=0.0)
     q = system.coordinates[0]
     system.initial_conditions = {"q": 0.1}
     apex = 0.1 + 1.0 / (2.0 * 9.81)
@@ -280,7 +259,7 @@ def test_stores_resume_and_know_which_sensitivities_they_hold(reference, tmp_pat
 
 
 def test_work_with_sensitivities_travels_without_sympy(reference, monkeypatch, tmp_path):
-    system, _ = ball()
+    system, _ = bouncing_ball(d=0.0)
     bounce = Event(system.coordinates[0], direction=-1, terminal=True)
     taken = []
     monkeypatch.setattr(Ensemble, "run", lambda self: taken.append(self))

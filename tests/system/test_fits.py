@@ -7,6 +7,7 @@ import sympy.physics.mechanics as me
 from scipy.integrate import solve_ivp
 
 import zoo
+from ball import bouncing_ball
 from cases import system_of
 from pydy.analysis import Trial
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
@@ -223,36 +224,19 @@ def test_a_fit_holds_the_initial_conditions_that_are_not_solved_for():
     np.testing.assert_allclose([result["l"], result["x"]], [0.7, 0.4], rtol=1e-6)
 
 
-def bouncing_ball():
-    h, v = me.dynamicsymbols("h v")
-    m, g, e = sm.symbols("m g e")
-    N, O = me.ReferenceFrame("N"), me.Point("O")
-    O.set_vel(N, 0)
-    P = O.locatenew("P", h * N.z)
-    P.set_vel(N, v * N.z)
-    kane = me.KanesMethod(N, [h], [v], [h.diff() - v])
-    kane.kanes_equations([me.Particle("b", P, m)], [(P, -m * g * N.z)])
-    system = System(kane, initial_conditions={h: 1.0}, times=np.linspace(0.0, 2.0, num=101))
-    system.outputs = {me.dynamicsymbols("lost"): 1 - e**2}
-    system.ode_solver = "dop853"
-    bounce = Event(h, direction=-1, reset={v: -e * v}, name="bounce")
-    return system, h, bounce
-
-
 def test_restitution_is_found_through_bounces():
-    system, h, bounce = bouncing_ball()
-    system.constants = {"g": 9.81, "e": 0.8}
-    heights = system.simulate(events=bounce)[h]
-    system.constants = {"g": 9.6, "e": 0.78}
-    result = system.fit(["e", "g"], Trial(system.times, {h: heights}), events=bounce)
+    system, bounce = bouncing_ball(d=0.0)
+    heights = system.simulate(events=bounce)["q"]
+    system.constants = {"g": 9.6, "e": 0.78, "d": 0.0}
+    result = system.fit(["e", "g"], Trial(system.times, {"q": heights}), events=bounce)
     np.testing.assert_allclose(result.estimates, [0.8, 9.81], rtol=1e-9)
 
 
 def test_an_event_that_ends_a_trial_early_is_told():
-    system, h, _ = bouncing_ball()
-    ending = Event(h, direction=-1, terminal=True)
+    system, _ = bouncing_ball(d=0.0)
+    ending = Event(system.coordinates[0], direction=-1, terminal=True)
     with pytest.raises(ValueError, match=r"An event ended trial 0 at t = .* before the last"):
-        system.fit(["g"], Trial(system.times, {h: np.zeros(101)}), events=ending)
+        system.fit(["g"], Trial(system.times, {"q": np.zeros(9)}), events=ending)
 
 
 def test_ctrl_c_hands_over_the_best_estimates(oscillator, monkeypatch):

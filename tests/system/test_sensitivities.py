@@ -9,6 +9,7 @@ from scipy.integrate import odeint
 from scipy.linalg import expm
 
 import zoo
+from ball import bouncing_ball
 from cases import system_of
 from pydy import System
 from pydy.errors import IntegrationError, IntegrationInterrupted
@@ -312,32 +313,6 @@ def test_integrate_says_where_sensitivities_are_found():
 # -- events ---------------------------------------------------------------------------------------
 
 
-def ball(reset=None, **numbers):
-    """A ball above a floor of height d, thrown upwards, with restitution e."""
-    q, u = me.dynamicsymbols("q, u")
-    m, g = sm.symbols("m, g")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    point = origin.locatenew("P", q * frame.y)
-    point.set_vel(frame, u * frame.y)
-    kane = me.KanesMethod(
-        frame,
-        q_ind=[q],
-        u_ind=[u],
-        kd_eqs=[q.diff() - u],
-        bodies=[me.Particle("ball", point, m)],
-        forcelist=[(point, -m * g * frame.y)],
-    )
-    d, e = sm.symbols("d, e")
-    system = System(kane, outputs={sm.Symbol("used"): e * d}, ode_solver="dop853")
-    system.constants = {"g": 9.81, "e": 0.8, "d": 0.1, **numbers}
-    system.initial_conditions, system.times = {"q": 1.0, "u": 0.5}, np.linspace(0.0, 2.0, 9)
-    bounce = Event(
-        q - d, direction=-1, reset={u: -e * u} if reset is None else reset, name="bounce"
-    )
-    return system, bounce
-
-
 BALL = {"g": 9.81, "e": 0.8, "d": 0.1, "q": 1.0, "u": 0.5}
 
 
@@ -362,7 +337,7 @@ def exact_derivatives(function):
 
 @pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
 def test_a_bouncing_ball_has_exact_sensitivities(solver):
-    system, bounce = ball()
+    system, bounce = bouncing_ball()
     system.ode_solver = solver
     trajectory = system.simulate(sensitivities=list(BALL), events=[bounce], **TIGHT)
     found = trajectory.sensitivity.values
@@ -380,7 +355,7 @@ def test_a_bouncing_ball_has_exact_sensitivities(solver):
 
 
 def test_sensitivities_are_interpolated_on_each_side_of_an_event():
-    system, bounce = ball()
+    system, bounce = bouncing_ball()
     trajectory = system.simulate(sensitivities=["e", "g"], events=[bounce], **TIGHT)
     moment = trajectory.events[0].time
     between = trajectory.at([moment - 1e-3, moment + 1e-3])
@@ -390,7 +365,7 @@ def test_sensitivities_are_interpolated_on_each_side_of_an_event():
 
 
 def test_an_event_without_reset_has_the_sensitivity_of_its_time():
-    system, _ = ball()
+    system, _ = bouncing_ball()
     q, u = system.states
     system.times = np.linspace(0.0, 0.4, 3)
     top, high = Event(u, name="top"), Event(q - 1.01, terminal=True, direction=-1, name="high")
@@ -407,7 +382,7 @@ def test_an_event_without_reset_has_the_sensitivity_of_its_time():
 def test_events_that_depend_on_time_and_on_inputs_have_sensitivities():
     q, u = me.dynamicsymbols("q, u")
     level, start, t = me.dynamicsymbols("h"), sm.Symbol("start"), me.dynamicsymbols._t
-    system, bounce = ball(reset={u: -0.5 * u + start * t * level})
+    system, bounce = bouncing_ball(reset={u: -0.5 * u + start * t * level})
     system.outputs = {sm.Symbol("used"): start * level}
     bounce = Event(q - level, direction=-1, reset=bounce.reset)
 
@@ -428,7 +403,7 @@ def test_events_that_depend_on_time_and_on_inputs_have_sensitivities():
 def test_an_event_that_a_jump_of_an_input_makes_happen_has_a_time_of_its_own():
     q, u = me.dynamicsymbols("q, u")
     level, e = me.dynamicsymbols("h"), sm.Symbol("e")
-    system, _ = ball(reset={u: -0.5 * u + level})
+    system, _ = bouncing_ball(reset={u: -0.5 * u + level})
     system.outputs = {sm.Symbol("used"): e * level}
     # The floor leaps up to the ball at t = 0.3, and knocks it upwards.
     knock = Event(q - level, direction=-1, reset={u: e * level}, name="knock")
@@ -450,7 +425,7 @@ def test_an_event_that_a_jump_of_an_input_makes_happen_has_a_time_of_its_own():
 
 
 def test_an_event_that_grazes_is_named():
-    system, _ = ball()
+    system, _ = bouncing_ball()
     system.initial_conditions = {"q": 0.1, "u": 1.0}
     q = system.coordinates[0]
     apex = 0.1 + 1.0 / (2.0 * 9.81)
@@ -463,7 +438,7 @@ def test_an_event_that_grazes_is_named():
 
 def test_events_with_sensitivities_are_saved(tmp_path):
     pytest.importorskip("xarray")
-    system, bounce = ball()
+    system, bounce = bouncing_ball()
     trajectory = system.simulate(sensitivities=["e", "g"], events=[bounce])
     trajectory.save(tmp_path / "ball.nc")
     loaded = type(trajectory).load(tmp_path / "ball.nc").events[0]

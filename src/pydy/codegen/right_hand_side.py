@@ -16,7 +16,7 @@ from pydy._assembly.model import CompiledModel
 from pydy._backends.registry import refusal, resolve
 from pydy._checks import number, vector
 from pydy._forks import cached_property
-from pydy._kernel import Call, Kernel, KernelCall
+from pydy._kernel import Kernel, KernelCall
 from pydy._names import nearest
 from pydy.codegen.arguments import (
     ConstantsArgument,
@@ -85,15 +85,7 @@ class RightHandSide:
     def function(self) -> Any:
         """Return the function that evaluates, with the fast path inlined in its closure."""
         kernel, slow = self.kernel, self._convert_and_call
-        call: Call
-
-        def first(*arguments: Any) -> int:
-            # Compiled now, and not before: solvers may want the best code only.
-            nonlocal call
-            call = kernel.call
-            return call(*arguments)
-
-        call = first
+        call = kernel.gate  # compiled by `slow`, if ever: solvers may want the best code only
         n, total = len(self.layout.states), len(self.layout.states) + self.num_outputs
         empty, nothing, swapped = np.empty, _NOTHING, self.time_first
         plain_p, plain_r = self.constants.plain, self.specifieds.plain
@@ -204,15 +196,7 @@ def rates_function(model: CompiledModel, plan: SpecifiedsPlan) -> Any:
     """
     kernel = model.compiled("rates")
     empty, n = np.empty, len(model.layout.states)
-    call: Call
-
-    def first(*arguments: Any) -> int:
-        # Compiled now, and not before: native solvers want the best code only.
-        nonlocal call
-        call = kernel.call
-        return call(*arguments)
-
-    call = first
+    call = kernel.gate
 
     def f(x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
         out = empty(n)

@@ -62,19 +62,11 @@ class LLVMBackend:
         Wide kernels are for long work and get the best at once.
         """
         lanes: int = self.options["lanes"]
-        width = self.options.get("width") or width_of(program, lanes)
-        source = jit.Source(
-            f"kernel {program.digest} {lanes} {width}",
-            _Text(program, lanes, width),
-            ("kernel", "prepare", "strided")[: 2 + (lanes > 1)],
-            loops=lanes == 1 and _repeats(program),
-        )
-        calls = bool({*SOLVES, *ANGLES} & set(program.ops))
         recipe = ("llvm", self.options)
         if lanes == 1:
-            entry = Entry(_Tiers(source, calls))
-            return native_kernel(program, entry, 1, compile_program, recipe)
-        code = jit.load(source, shared_routines(width, at_best=True) if calls else None)
+            source, calls = _source(program, 1, 1, loops=_repeats(program)), _calls(program)
+            return native_kernel(program, Entry(_Tiers(source, calls)), 1, compile_program, recipe)
+        code = wide_code(program, lanes, self.options.get("width"))
         entry = Entry()
         entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
         strided = code.addresses["strided"]
@@ -117,12 +109,18 @@ class _Text:
 def wide_code(program: Program, lanes: int, width: int | None = None) -> jit.Code:
     """Return the best code of a Program for several states at once, compiled if need be."""
     width = width or width_of(program, lanes)
-    names = ("kernel", "prepare", "strided")
-    source = jit.Source(
-        f"kernel {program.digest} {lanes} {width}", _Text(program, lanes, width), names
-    )
-    calls = {*SOLVES, *ANGLES} & set(program.ops)
-    return jit.load(source, shared_routines(width, at_best=True) if calls else None)
+    routines = shared_routines(width, at_best=True) if _calls(program) else None
+    return jit.load(_source(program, lanes, width), routines)
+
+
+def _source(program: Program, lanes: int, width: int, loops: bool = False) -> jit.Source:
+    name, text = f"kernel {program.digest} {lanes} {width}", _Text(program, lanes, width)
+    return jit.Source(name, text, ("kernel", "prepare", "strided")[: 2 + (lanes > 1)], loops=loops)
+
+
+def _calls(program: Program) -> bool:
+    """Return whether the shared routines are called."""
+    return bool({*SOLVES, *ANGLES} & set(program.ops))
 
 
 def _read_text(program: bytes, lanes: int, width: int) -> _Text:

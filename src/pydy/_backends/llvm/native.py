@@ -296,6 +296,7 @@ def _gate_text() -> str:
     need(f.let("icmp eq i64 %count, 5"))
     words = field("%self", DATA, "ptr")
     kernel, prepare = f.load("ptr", words), f.load("ptr", words, "1")
+    need(f.let(f"icmp ne ptr {kernel}, null"))  # nothing is compiled yet
     n, s, k = (f.load("i64", words, str(j)) for j in (2, 3, 4))
     x, t, r, p, out = (f.load("ptr", "%args", str(j)) for j in range(5))
     kind, descr = field(out, KIND, "ptr"), field(out, DESCR, "ptr")  # our own np.empty: the pattern
