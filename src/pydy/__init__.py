@@ -1,4 +1,4 @@
-"""Fast simulation of multibody systems whose equations SymPy derives.
+"""Fast simulation of multibody systems described with SymPy.
 
 Start at `System`: ``from pydy import System``. It is imported when it is first asked for, so that a
 worker process that receives compiled code never pays for SymPy.

@@ -67,7 +67,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m pydy",
-        description="Fast simulation of multibody systems whose equations SymPy derives.",
+        description="Fast simulation of multibody systems described with SymPy.",
     )
     parser.add_argument("--version", action="version", version=f"pydy {__version__}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
