@@ -14,9 +14,11 @@ from ball import bouncing_ball
 from cases import system_of
 from ensemble_cases import constant, identical, pendulum, runaway, same_bits
 from pydy.ensemble.engine import Ensemble
+from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
+from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN
 
 FINE = {"rtol": 1e-9, "atol": 1e-9}
 NAMES = ["m1", "q1", "l0"]
@@ -178,6 +180,87 @@ def test_dependent_initial_conditions_follow_in_each_sample(held):
     for k, one in enumerate(singly(system, mass, masses, wanted, **held, **FINE)):
         table = one.sensitivity.table()
         assert np.abs(many.sensitivity[k].values - table).max() < 1e-11 * np.abs(table).max()
+
+
+@pytest.fixture
+def linkage():
+    """A four-bar linkage, and the name of the bar whose length decides what follows."""
+    system = system_of(zoo.fourbar(), times=np.linspace(0.0, 1.0, 3), ode_solver="dop853")
+    system.set_dependent_initial_conditions(use_jac=True, tol=1e-15)
+    return system, constant(system, "lb")
+
+
+def with_one_lost(linkage, length, held, **options):
+    """Nine samples, and nine of which the third does not say how its dependent states follow."""
+    system, bar = linkage
+    run = {"sensitivities": ["la", "q1"], **held, **FINE, **options}
+    lengths = np.full(9, system.constants[bar])
+    expected = system.integrate_ensemble(constants={bar: lengths}, **run)
+    lengths[2] = length
+    run["constants"] = {bar: lengths}
+    return expected, run
+
+
+HELD = [{}, {"constraints": "project"}, {"constraints": "baumgarte", "gain": 5.0}]
+LOST = "In one sample or more, `sensitivities` needs"
+
+
+@pytest.mark.filterwarnings("ignore:The initial conditions of sample 2")
+@pytest.mark.parametrize("held", HELD)
+@pytest.mark.parametrize("length", [0.0, 1e308])
+def test_a_sample_whose_dependent_conditions_are_not_determined_fails_alone(linkage, held, length):
+    """A bar of length zero has no direction; the numbers of one of 1e308 m overflow."""
+    expected, run = with_one_lost(linkage, length, held)
+    with pytest.warns(PyDyUserWarning, match=LOST):
+        many = linkage[0].integrate_ensemble(**run)
+    others = np.arange(9) != 2
+    for name in expected.data_vars:
+        assert same_bits(many[name][others], expected[name][others]), name
+    assert int(many.status[2]) == DEPENDENTS_NOT_GIVEN
+    assert [int(many[name][2]) for name in ("steps", "rejected", "evaluations")] == [0, 0, 0]
+    assert float(many.end_time[2]) == 0.0
+    assert np.isnan(many.sensitivity[2]).all()
+    assert float(many.q1[2, 0]) == linkage[0].initial_conditions[linkage[0].coordinates[0]]
+    assert np.isnan(many.q1[2, 1:]).all()
+
+
+@pytest.mark.filterwarnings("ignore:The initial conditions of sample")
+def test_samples_that_are_all_lost_are_an_ensemble(linkage):
+    system, bar = linkage
+    touch = Event(system.coordinates[0] - 2, name="touch")
+    for events in (None, touch):
+        with pytest.warns(PyDyUserWarning, match=LOST):
+            many = system.integrate_ensemble(
+                constants={bar: [0.0, 0.0]},
+                sensitivities="la",
+                events=events,
+                reduce=["final"] if events is None else ["final", "events"],
+            )
+        assert many.status.values.tolist() == [DEPENDENTS_NOT_GIVEN] * 2
+        assert np.isnan(many.sensitivity).all()
+    assert many.touch_count.values.tolist() == [0, 0]
+
+
+@pytest.mark.filterwarnings("ignore:The initial conditions of sample 2")
+@pytest.mark.filterwarnings(f"ignore:{LOST}")
+@pytest.mark.parametrize("held", HELD[:2])
+def test_lost_samples_are_the_same_in_blocks_stores_and_reductions(linkage, held, tmp_path):
+    pytest.importorskip("dask")
+    pytest.importorskip("zarr")
+    system, _ = linkage
+    _, run = with_one_lost(linkage, 0.0, held)
+    whole = system.integrate_ensemble(**run)
+    identical(system.integrate_ensemble(**run, chunks=2).compute(), whole)
+    written = {**run, "chunks": 2, "store": tmp_path / "s.zarr"}
+    identical(system.integrate_ensemble(**written).load(), whole)
+    for block in (0, 1):
+        (tmp_path / f"s.zarr/status/c/{block}").unlink()
+    identical(system.integrate_ensemble(**written, resume=True).load(), whole)
+    ends = system.integrate_ensemble(**run, reduce=["final", ("max", "q1")])
+    last = whole.isel(time=-1)
+    assert same_bits(ends.sensitivity[:, :-1], last.sensitivity)
+    assert np.isnan(ends.sensitivity[2]).all()
+    assert same_bits(ends.status, whole.status)
 
 
 # -- what is kept, and where ----------------------------------------------------------------------

@@ -80,7 +80,8 @@ def violations(
         size[part] = np.maximum(size[part], size[part].max(initial=0.0) or 1.0)
     found = model.interpreted(_slopes, at).values()
     slopes = np.concatenate([part.reshape(-1, len(x)) for part in found])
-    allowed = DIGITS * (np.abs(slopes) @ size)
+    with np.errstate(over="ignore"):
+        allowed = DIGITS * (np.abs(slopes) @ size)
     far = np.flatnonzero(~(np.abs(residuals) <= allowed))
     if not far.size:
         return ""

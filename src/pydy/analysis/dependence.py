@@ -29,8 +29,11 @@ def follow(
     dependent : sequence of int
     """
     places = list(dependent)
+    if not (np.isfinite(gradient).all() and np.isfinite(moved).all()):
+        return False
     solved, *_ = np.linalg.lstsq(gradient[:, places], -moved, rcond=FREE)
     values[places] += solved
-    size = (np.abs(gradient) @ np.abs(values) + np.abs(moved)).max(axis=0)
-    left = np.abs(gradient[:, places] @ solved + moved)
-    return not bool((left > UNSOLVED_COLUMNS * size).any())
+    with np.errstate(over="ignore", invalid="ignore"):
+        size = (np.abs(gradient) @ np.abs(values) + np.abs(moved)).max(axis=0)
+        left = np.abs(gradient[:, places] @ solved + moved)
+    return bool((left <= UNSOLVED_COLUMNS * size).all() and np.isfinite(size).all())

@@ -12,6 +12,7 @@ from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel
 from pydy.analysis.dependence import follow
+from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 
 __all__ = ["EnsembleSensitivities"]
@@ -88,8 +89,11 @@ class EnsembleSensitivities:
         inputs: Inputs,
         p: np.ndarray,
         kernel: Callable[[Program], Kernel],
-    ) -> np.ndarray:
-        """Return the sensitivities of one sample at the beginning, shape (n, K)."""
+    ) -> tuple[int, np.ndarray]:
+        """Return the sensitivities of one sample at the beginning, shape (n, K).
+
+        Before them comes a code of `outcome`: whether there are any.
+        """
         values = self.start.copy()
         if self.gradients:
             assert self.residuals is not None
@@ -100,8 +104,8 @@ class EnsembleSensitivities:
             whole = np.concatenate([x, values.ravel()])
             moved = kernel(self.residuals).evaluate(at, whole[None], r, p)[0][0]
             if not follow(values, gradient, moved.reshape(len(gradient), -1), self.dependent):
-                raise ValueError(self.unsolved)
-        return values
+                return DEPENDENTS_NOT_GIVEN, values
+        return FINISHED, values
 
     def compiled(
         self, x: np.ndarray, r: np.ndarray, p: np.ndarray, kernel: Callable[[Program], Kernel]

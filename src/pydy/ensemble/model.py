@@ -17,6 +17,7 @@ from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy.ensemble.columns import EnsembleSensitivities
 from pydy.solvers.options import Options
+from pydy.solvers.outcome import FINISHED
 from pydy.solvers.tuning import LANES
 
 __all__ = ["Model", "Results", "evaluate_output_columns", "evaluate_outputs", "run"]
@@ -251,28 +252,61 @@ def _run_with_columns(
     stopped: Callable[[], bool],
     states: np.ndarray | None,
 ) -> Results:
-    """Integrate states with their sensitivities."""
+    """Integrate states with their sensitivities, where these are determined at the beginning."""
+    from pydy._errors import warn_user
+
     (m, n), wanted = x.shape, len(beside.names)
     columns = wanted if model.in_lanes else beside.start.shape[1]
     r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
     t, sampled = float(times[0]), (*model.sampled, *beside.sampled)
     whole = np.empty((n * (1 + columns), m, len(times)))
-    start = np.empty((m, len(whole)))
+    start, codes = np.empty((m, len(whole))), np.zeros(m, dtype=np.int64)
     for k in range(m):
-        values = beside.beginning(x[k], t, Inputs(r[k], sampled), p[k], _single)
+        codes[k], values = beside.beginning(x[k], t, Inputs(r[k], sampled), p[k], _single)
         start[k, :n], start[k, n:] = x[k], values[:, :columns].ravel()
-    if model.in_lanes:
-        results = _run_in_lanes(
-            model, _kernel(beside.lanes, LANES), (start, r, p), sampled, times, stopped, whole, n
-        )
+
+    def integrate(start: np.ndarray, r: np.ndarray, p: np.ndarray, into: np.ndarray) -> Results:
+        if not model.in_lanes:
+            return _run_one_by_one(model, start, r, p, times, stopped, into)
+        kernel = _kernel(beside.lanes, LANES)
+        return _run_in_lanes(model, kernel, (start, r, p), sampled, times, stopped, into, n)
+
+    started = codes == FINISHED
+    if started.all():
+        results = integrate(start, r, p, whole)
     else:
-        results = _run_one_by_one(model, start, r, p, times, stopped, whole)
+        warn_user(f"In one sample or more, {beside.unsolved}")
+        part = np.empty((len(whole), int(started.sum()), len(times)))
+        found = integrate(start[started], r[started], p[started], part)
+        whole[:], whole[:n, :, 0], whole[:, started] = np.nan, x.T, part
+        results = _among(found, started, codes, t)
     table = whole[n:].reshape(n, columns, m, len(times))
     results.states, results.columns = whole[:n], table[:, :wanted]
     if states is not None:
         states[:] = results.states
         results.states = states
     return results
+
+
+def _among(found: Results, started: np.ndarray, codes: np.ndarray, t: float) -> Results:
+    """Return results among those of samples that did not start, which ended with these codes."""
+
+    def placed(values: np.ndarray, others: Any) -> np.ndarray:
+        every = np.full(len(codes), others, dtype=values.dtype)
+        every[started] = values
+        return every
+
+    events, moments = iter(found.events), iter(found.moments)
+    return Results(
+        found.states,
+        placed(found.steps, 0),
+        placed(found.rejected, 0),
+        placed(found.evaluations, 0),
+        placed(found.status, 0) + codes,
+        placed(found.reached, t),
+        events=[next(events, []) if one else [] for one in started],
+        moments=[next(moments, []) if one else [] for one in started],
+    )
 
 
 def _run_one_by_one(

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 __all__ = [
     "CONSTRAINTS_NOT_MET",
+    "DEPENDENTS_NOT_GIVEN",
     "EVENTS_ACCUMULATE",
     "EVENT_CONSTANT",
     "EVENT_GRAZES",
@@ -36,7 +37,7 @@ NOT_COMPUTED = -1
 FINISHED, TOO_MANY_STEPS, STEP_UNDERFLOW, SINGULAR, NOT_FINITE, TERMINATED = range(6)
 CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = range(6, 10)
 INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
-SINGULAR_CONFIGURATION, EVENT_GRAZES, SPEEDS_NOT_GIVEN = 14, 15, 16
+SINGULAR_CONFIGURATION, EVENT_GRAZES, SPEEDS_NOT_GIVEN, DEPENDENTS_NOT_GIVEN = range(14, 18)
 
 
 class Outcome(NamedTuple):
@@ -142,5 +143,12 @@ OUTCOMES = {
         "met the event `{event}`, which the motion only grazes: by {depth:.2g} beyond zero,",
         "The time of such an event, and the motion after it, have no derivatives with respect to "
         "the parameters. Omit the event, start elsewhere, or simulate without `sensitivities`.",
+    ),
+    DEPENDENTS_NOT_GIVEN: Outcome(
+        "dependents_not_given",
+        "did not start, because the constraints do not determine how the dependent initial "
+        "conditions follow from the others,",
+        "Call `system.set_dependent_initial_conditions(dep_vars=…)` with variables for which they "
+        "do, or simulate without `sensitivities`.",
     ),
 }

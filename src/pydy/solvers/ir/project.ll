@@ -1,4 +1,4 @@
-; sources 55a7bab15eec40afd4d6ac11c9da69023f8507fc0bcb6b31908fe77b41079c5a
+; sources 4f3001cbffe57c2302fe2f4387cb2f4100a60201698c1dd9c14e29fc69ae27e4
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

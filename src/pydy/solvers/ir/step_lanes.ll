@@ -1,4 +1,4 @@
-; sources 58ab22c2c4e7460fd1a80fda95df721bb1b3771a61cde504e648716f0fc89433
+; sources 155b881feff99972e522bb704dc72989e47c467b87cc414265a35e0ede86b4ba
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #0
