@@ -23,7 +23,12 @@ from pydy._names import nearest
 from pydy._system.analysis import linearize, variables
 from pydy._system.balance import find_equilibrium
 from pydy._system.definition import Definer
-from pydy._system.dependents import check_dependents, latest_dependents, solve_dependents
+from pydy._system.dependents import (
+    check_dependents,
+    default_dependents,
+    latest_dependents,
+    solve_dependents,
+)
 from pydy._system.energy import Energy, EnergyModel, check_potential
 from pydy._system.ensemble_inputs import make_ensemble
 from pydy._system.fits import fit
@@ -155,7 +160,7 @@ class System:
         self._constants: dict[Any, Any] = {}
         self._specifieds: dict[Any, Any] = {}
         self._initial_conditions: dict[Any, Any] = {}
-        self._dependent: tuple[Any, ...] | None = None  # initial conditions solved for last
+        self._dependent: dict[Any, float] | None = None  # initial conditions solved for last
         self._told: set[Any] = set()  # derivatives of specifieds that were warned of
         self._outputs: dict[Any, Any] = {}
         self._forces: list[Any] = []
@@ -1359,9 +1364,10 @@ class System:
         """
         from pydy._system.adjoints import adjoint_gradient  # with the loops behind the solvers
 
-        dependent = latest_dependents(self)
+        now = self._now()
+        dependent = latest_dependents(now.definition, self._dependent)
         return adjoint_gradient(
-            self._now(), self._ode_solver, wrt, final, integral, solver_kwargs, dependent
+            now, self._ode_solver, wrt, final, integral, solver_kwargs, dependent
         )
 
     def find_periodic_orbit(
@@ -1431,7 +1437,8 @@ class System:
         ----------
         dep_vars : iterable of functions of time, optional
             One coordinate for each holonomic constraint and one speed for each velocity constraint;
-            by default the dependent ones of the KanesMethod.
+            by default the dependent ones of the method. If you did not choose those either, the
+            initial conditions that you gave are kept, as far as the constraints determine others.
         use_jac : bool, optional
             Whether the root finder gets the exact Jacobian.
         **root_kwargs
@@ -1447,15 +1454,18 @@ class System:
         PyDyUserWarning
             The root finder did not converge; its result is set nevertheless.
         """
-        places = check_dependents(self._definition, dep_vars)
-        x = solve_dependents(self._now(), places, flag(use_jac, "`use_jac`"), root_kwargs)
+        now, own = self._now(), self._definition.places["states"]
         # A new dictionary: the old one may be the caller's own. Its keys may be names.
-        conditions, own = dict(self._initial_conditions), self._definition.places["states"]
-        keys = {own.find(key, "initial_conditions"): key for key in conditions}
-        solved = [k for part in places for k in part]
-        conditions.update({keys.get(k, own.symbols[k]): float(x[k]) for k in solved})
-        self._initial_conditions = conditions
-        self._dependent = tuple(own.symbols[k] for k in solved)
+        conditions, latest = dict(self._initial_conditions), self._dependent or {}
+        keys = {own.symbols[own.find(key, "initial_conditions")]: key for key in conditions}
+        if dep_vars is None:
+            given = [s for s, key in keys.items() if latest.get(s) != conditions[key]]
+            dep_vars = default_dependents(now, given)
+        places = check_dependents(self._definition, dep_vars)
+        x = solve_dependents(now, places, flag(use_jac, "`use_jac`"), root_kwargs)
+        solved = {own.symbols[k]: float(x[k]) for part in places for k in part}
+        self._initial_conditions = conditions | {keys.get(s, s): v for s, v in solved.items()}
+        self._dependent = solved
 
     @overload
     def integrate(

@@ -117,6 +117,7 @@ def constrained(
         velocity=tuple(body.velocity[k] for k in motions.rows),
         dependent_coordinates=q_dep,
         dependent_speeds=u_dep,
+        chosen=(*(() if coordinates else q_dep), *(() if speeds else u_dep)),
         redundant=tuple(e for k, e in enumerate(body.velocity) if k not in motions.rows),
         changing=speeds is None,
     )

@@ -59,6 +59,8 @@ class Multibody:
         Auxiliary speeds.
     dependent_coordinates, dependent_speeds : tuple of functions of time
         Of the coordinates and speeds, where they are last.
+    chosen : tuple of functions of time
+        Those of the dependent ones that the user did not name.
     lagrangian : expression or None
         In place of bodies; the speeds are then the derivatives of the coordinates.
     redundant : tuple of expressions
@@ -82,6 +84,7 @@ class Multibody:
     auxiliary: tuple[Any, ...] = ()
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
+    chosen: tuple[Any, ...] = ()
     lagrangian: Any = None
     redundant: tuple[Any, ...] = ()
     changing: bool = False

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,22 +13,25 @@ from scipy import optimize
 from pydy._assembly.definition import Definition
 from pydy._checks import Places, listed
 from pydy._errors import PyDyUserWarning, SingularMatrixError
+from pydy._mechanics.dependents import Chosen
 from pydy._system.snapshot import Snapshot
 from pydy._system.tuning import CANCELLED, UNSOLVED
 from pydy.codegen.arguments import describe
 from pydy.solvers.run.constraints import satisfied
 
-__all__ = ["check_dependents", "latest_dependents", "solve_dependents"]
+__all__ = ["check_dependents", "default_dependents", "latest_dependents", "solve_dependents"]
 
 
-def latest_dependents(system: Any) -> tuple[Any, ...]:
-    """Return what `set_dependent_initial_conditions` solved for last; else the dependent states."""
-    equations = system._now().definition.equations
+def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> tuple[Any, ...]:
+    """Return what the System `solved` for last; else the dependent states."""
+    equations = definition.equations
     own = (*equations.dependent_coordinates, *equations.dependent_speeds)
-    return own if system._dependent is None else tuple(system._dependent)
+    return own if solved is None else tuple(solved)
 
 
-def check_dependents(definition: Definition, dep_vars: Any) -> tuple[list[int], list[int]]:
+def check_dependents(
+    definition: Definition, dep_vars: Iterable[Any]
+) -> tuple[list[int], list[int]]:
     """Return the places in x of the dependent coordinates and speeds.
 
     Raises
@@ -40,10 +45,7 @@ def check_dependents(definition: Definition, dep_vars: Any) -> tuple[list[int], 
         raise ValueError(
             "The system has no constraints, so no initial condition depends on the others."
         )
-    if dep_vars is None:
-        chosen = [*equations.dependent_coordinates, *equations.dependent_speeds]
-    else:
-        chosen = listed("dep_vars", dep_vars, "coordinates and speeds")
+    chosen = listed("dep_vars", dep_vars, "coordinates and speeds")
     allowed = (*equations.coordinates, *equations.speeds)
     places = Places(allowed, "coordinates and speeds of the system")
     chosen = [allowed[places.find(symbol, "dep_vars")] for symbol in chosen]
@@ -58,6 +60,40 @@ def check_dependents(definition: Definition, dep_vars: Any) -> tuple[list[int], 
             f"{len(q)} and {len(u)}: {describe(chosen)}."
         )
     return q, u
+
+
+def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
+    """Return the coordinates and speeds to solve for where the user names none.
+
+    The dependent states; but where those were not chosen by the user either, and one of them is
+    `given` an initial condition, others that are not and that the constraints determine there.
+    """
+    definition, given = now.definition, set(given)
+    equations = definition.equations
+    ours = () if equations.multibody is None else equations.multibody.chosen
+    found: list[Any] = []
+    for block, symbols, own in (
+        ("holonomic", equations.coordinates, equations.dependent_coordinates),
+        ("velocity", equations.speeds, equations.dependent_speeds),
+    ):
+        if not given.isdisjoint(own) and set(own) <= set(ours):
+            gradient = _at(now, now.driven.compiled_jacobian(block, "x"), now.x)
+            places = [definition.states.index(s) for s in symbols]
+            matrix = gradient.reshape(len(own), -1)[:, places]
+            free = [k for k, symbol in enumerate(symbols) if symbol not in given]
+            columns = Chosen([matrix], free).columns
+            if len(columns) == len(own):
+                own = tuple(symbols[k] for k in columns)
+        found += own
+    return found
+
+
+def _at(now: Snapshot, kernel: Any, state: np.ndarray) -> np.ndarray:
+    """Evaluate a block at the first time."""
+    t = np.array([now.t])
+    r = now.plan(state, now.t)[None]
+    row: np.ndarray = now.driven.evaluate(kernel, t, state[None], r, now.p)[0]
+    return row
 
 
 def solve_dependents(
@@ -76,16 +112,11 @@ def solve_dependents(
     root_kwargs : dict
         For `scipy.optimize.root`.
     """
-    model, definition, p = now.driven, now.definition, now.p
-    x, t, specified = now.x.copy(), now.t, now.plan
-    specified.check_times(np.array([t]), "times")
+    model, definition, t = now.driven, now.definition, now.t
+    x = now.x.copy()
+    now.plan.check_times(np.array([t]), "times")
     coordinates, speeds = places
-    instant = np.array([t])
-
-    def value(kernel: Any, state: np.ndarray) -> np.ndarray:
-        r = specified(state, t)[None]
-        row: np.ndarray = model.evaluate(kernel, instant, state[None], r, p)[0]
-        return row
+    value = partial(_at, now)
 
     if coordinates:
         bounded, size = model.compiled_bounded("holonomic"), len(coordinates)

@@ -8,6 +8,7 @@ from typing import Any
 from pydy._assembly.model import CompiledModel
 from pydy._checks import flag
 from pydy._names import unique_names
+from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import read_parameters
 from pydy._system.samples import mean_spacing
 from pydy._system.sensitivities import Sensitive
@@ -62,9 +63,7 @@ def differentiated(
     if chosen is None:
         return None
     definition = now.definition
-    equations = definition.equations
-    own = (*equations.dependent_coordinates, *equations.dependent_speeds)
-    following = own if dependent is None else dependent
+    following = latest_dependents(definition, dependent)
     parameters = read_parameters(definition, plan, chosen, dependent=following)
     sensitive = Sensitive(definition, integrated, plan, parameters, now.p, apart=True)
     places = tuple(definition.states.index(symbol) for symbol in following)

@@ -132,7 +132,7 @@ def live_system(
     model: CompiledModel,
     plan: SpecifiedsPlan,
     numbers: tuple[np.ndarray, np.ndarray, np.ndarray],
-    dependent: tuple[Any, ...] | None,
+    dependent: Iterable[Any] | None,
     *,
     constraints: Any = "auto",
     **options: Any,
@@ -170,7 +170,7 @@ def live_system(
 
 
 def _dependents(
-    definition: Definition, solved: tuple[Any, ...] | None
+    definition: Definition, solved: Iterable[Any] | None
 ) -> tuple[list[int], list[int]]:
     """Return the places in x of what the constraints determine, of all if that is not known."""
     equations = definition.equations

@@ -80,7 +80,7 @@ class _Fit:
             added = {name: expression for expression, name in self.expressions.items()}
             self.runner.outputs = {**system.outputs, **added}
         equations = definition.equations
-        self.tied = tied = latest_dependents(system)
+        self.tied = tied = latest_dependents(definition, system._dependent)
         if tied:
             self.options.setdefault("constraints", "project")
         self.order = definition.states

@@ -46,7 +46,7 @@ def find_orbit(
     definition = now.definition
     equations, states = definition.equations, definition.places["states"]
     steady = {states.find(s, "moving") for s in listed("moving", moving)}
-    dependent = latest_dependents(system)
+    dependent = latest_dependents(definition, system._dependent)
     tied = {definition.states.index(s) for s in dependent}
     count = len(equations.coordinates) + len(equations.speeds)
     free = [k for k in range(count) if k not in tied | steady]

@@ -12,6 +12,7 @@ from pydy._assembly.model import CompiledModel
 from pydy._checks import flag, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._system.causes import explain
+from pydy._system.dependents import latest_dependents
 from pydy._system.inputs import check_times
 from pydy._system.scipy_ivp import SolveIvp
 from pydy._system.scipy_odeint import ODEINT_OPTIONS, call_odeint
@@ -141,15 +142,14 @@ def _solve(
     """Call the solver; `checked` tells whether odeint's giving up is an error."""
     ready = begin(now, solver, options)
     definition, plan, model, options = now.definition, now.plan, ready.model, ready.options
-    times, x0, p, equations = ready.times, now.x, now.p, definition.equations
+    times, x0, p = ready.times, now.x, now.p
     if solver is odeint:
         check_option_names("odeint", ODEINT_OPTIONS, options)
     if wanted is None:
         f = rates_function(model, plan)
     else:
-        own = (*equations.dependent_coordinates, *equations.dependent_speeds)
-        chosen = own if dependent is None else dependent
-        places = [definition.states.index(symbol) for symbol in chosen]
+        following = latest_dependents(definition, dependent)
+        places = [definition.states.index(symbol) for symbol in following]
         start = (x0, float(times[0]))
         f, x0, options = wanted.problem(definition, model, plan, start, p, places, solver, options)
     args = (plan.values if plan.constant else plan, p)
