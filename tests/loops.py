@@ -162,6 +162,27 @@ def even_slider_crank(rate=6.0, angle=0.7):
     return _defined(frame, q, u, bodies, rows), dict(zip([*q, *u], places, strict=True))
 
 
+def engine(crank=0.05, rod=0.2):
+    """Crank and rod of an engine, of SI size, with the gas force F on the piston and a torque T."""
+    frame, origin = _ground()
+    q, u = me.dynamicsymbols("q1 q2"), me.dynamicsymbols("u1 u2")
+    turning, swinging = me.ReferenceFrame("C"), me.ReferenceFrame("R")
+    turning.orient_axis(frame, frame.z, q[0])
+    swinging.orient_axis(frame, frame.z, -q[1])
+    pin = origin.locatenew("A", crank * turning.x)
+    piston = pin.locatenew("B", rod * swinging.x)
+    middle = pin.locatenew("G", rod / 2 * swinging.x)
+    flywheel = (me.inertia(turning, 0, 0, 1e-3), origin)
+    bodies = [
+        me.RigidBody("crank", origin, turning, 1, flywheel),
+        me.RigidBody("rod", middle, swinging, 0.5, (me.inertia(swinging, 0, 0, 2e-3), middle)),
+        me.Particle("piston", piston, 0.4),
+    ]
+    loads = [(turning, sm.Symbol("T") * frame.z), (piston, -sm.Symbol("F") * frame.x)]
+    closed = [crank * sm.sin(q[0]) - rod * sm.sin(q[1])]
+    return Definition(frame, q, u, bodies=bodies, loads=loads, holonomic_constraints=closed)
+
+
 def sarrus(rate=2.0, angle=0.6):
     """Sarrus' linkage: two chains of three hinges lift a plate, six rows of rank five."""
     frame, origin = _ground()

@@ -12,6 +12,7 @@ __all__ = [
     "latex_of_rate",
     "name_of",
     "nearest",
+    "place_of",
     "printable",
     "told_apart",
     "unique_names",
@@ -25,6 +26,20 @@ def name_of(symbol: Any) -> str:
         return symbol
     name = getattr(symbol, "name", None)
     return name if isinstance(name, str) else str(symbol)
+
+
+def place_of(key: Any, names: Sequence[str], what: str) -> int:
+    """Return the place of a name, or of a symbol's.
+
+    Raises
+    ------
+    KeyError
+        There is none such; `what` says what the names are of.
+    """
+    name = name_of(key)
+    if name not in names:
+        raise KeyError(f"`{key}` is not one of the {what}: {', '.join(names)}.")
+    return list(names).index(name)
 
 
 def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:

@@ -1042,7 +1042,8 @@ class System:
             States, constants and specifieds to solve for; by default all coordinates and speeds
             that are neither given nor moving.
         given : dict, optional
-            Values of other states, constants and specifieds for this search.
+            Values of other states, constants and specifieds for this search; of an unknown, the
+            value to start from.
         moving : iterable of coordinates, optional
             Coordinates that may change at a constant rate, such as the position of a vehicle along
             its path.

@@ -88,7 +88,7 @@ def test_branches_go_into_xarray_and_pictures():
     assert str(branch).startswith(
         f"{len(branch.values)} equilibria, Omega from 1 to 8: branch point"
     )
-    with pytest.raises(KeyError, match="'bogus' is not one"):
+    with pytest.raises(KeyError, match="`bogus` is not one of the unknowns"):
         branch["bogus"]
 
 

@@ -7,6 +7,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+import loops
 import zoo
 from cases import system_of
 from hoop import bead_on_a_hoop
@@ -76,6 +77,22 @@ def test_a_closed_linkage_rests_on_its_constraints():
     found = system.find_equilibrium()
     assert np.abs(system.evaluate_ode(found.state)).max() < 1e-10
     assert np.abs(system.evaluate_constraints(found.state)).max() < 1e-12
+
+
+@pytest.mark.parametrize("angle", [0.4, 1.2, 2.8])
+def test_the_torque_that_holds_an_engine_is_that_of_virtual_work(angle):
+    """In SI units a millimetre of the constraint and a million rad/s² are equally far from zero."""
+    system = System(loops.engine(), constants={"F": 1000.0})
+    system.initial_conditions = {"q2": 0.1}
+    given = {"q1": angle, "u1": 0.0, "u2": 0.0}
+    found = system.find_equilibrium(["T", "q2"], given=given)
+    rod = np.arcsin(0.05 * np.sin(angle) / 0.2)
+    lever = 0.05 * np.sin(angle) + 0.05 * np.cos(angle) * np.tan(rod)
+    assert found["T"] == pytest.approx(-1000.0 * lever, rel=1e-12)
+    (place,) = (q for q in system.coordinates if q.name == "q2")
+    assert found[place] == found["q2"] == pytest.approx(rod, rel=1e-12)
+    with pytest.raises(KeyError, match="`q7` is not one of the unknowns: T, q2"):
+        found["q7"]
 
 
 def test_a_coordinate_may_move_steadily():

@@ -269,7 +269,7 @@ def test_residuals_are_plotted(oscillator):
     assert [ax.get_ylabel() for ax in axes] == ["measured minus model"] * 2
     plt.close("all")
     assert str(result).startswith("Fit of k0 = 4 +-")
-    with pytest.raises(KeyError, match="'bogus' is not one"):
+    with pytest.raises(KeyError, match="`bogus` is not one of the parameters"):
         result["bogus"]
     with pytest.raises(ValueError, match="`level` must lie between 0 and 1"):
         result.confidence_intervals(95)

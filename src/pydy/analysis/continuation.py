@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._names import place_of
 from pydy._optional import require
 from pydy.analysis.pictures import plot_branch
 from pydy.analysis.tuning import BISECTED, FREE, ON_BRANCH, SHORTEST_STEP, STEEPEST_TURN, ZERO_ROOT
@@ -91,11 +92,9 @@ class EquilibriumBranch:
             f"{self.values[-1]:.6g}: {found}"
         )
 
-    def __getitem__(self, name: str) -> np.ndarray:
-        """Return an unknown along the branch."""
-        if name not in self.unknowns:
-            raise KeyError(f"The unknowns are {', '.join(self.unknowns)}; {name!r} is not one.")
-        column: np.ndarray = self.solutions[:, self.unknowns.index(name)]
+    def __getitem__(self, unknown: Any) -> np.ndarray:
+        """Return an unknown along the branch, by symbol or name."""
+        column: np.ndarray = self.solutions[:, place_of(unknown, self.unknowns, "unknowns")]
         return column
 
     def to_xarray(self) -> Any:

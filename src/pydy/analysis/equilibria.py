@@ -15,7 +15,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from pydy._errors import EquilibriumError
-from pydy._names import unique_names
+from pydy._names import place_of, unique_names
 from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import AT_BOUND, FREE, NAMED, NEWTON_STEP, TO_ROUNDING
 
@@ -56,6 +56,11 @@ class Equilibrium:
     state: np.ndarray
     residual: float
     free: tuple[str, ...] = field(default=())
+
+    def __getitem__(self, unknown: Any) -> float:
+        """Return the value of an unknown, by symbol or name."""
+        values = list(self.values.values())
+        return values[place_of(unknown, unique_names(list(self.values)), "unknowns")]
 
     def __str__(self) -> str:
         names = unique_names(list(self.values))
@@ -102,21 +107,42 @@ def solve_equilibrium(
     """
     low, high = bounds
     z, message = np.clip(start, low, high), ""
+    size = _sizes(jacobian(z), z)
+
+    def share(z: np.ndarray) -> np.ndarray:
+        shares: np.ndarray = residual(z) / size
+        return shares
+
+    def slopes(z: np.ndarray) -> np.ndarray:
+        shares: np.ndarray = jacobian(z) / size[:, None]
+        return shares
+
     with np.errstate(all="ignore"):
-        near = _quickly(residual, jacobian, z, low, high)
+        near = _quickly(share, slopes, z, low, high)
     if near is not None:
         return _accepted(residual, jacobian, near, bounds, unknowns, rows, message)
     with np.errstate(all="ignore"):
         try:
             found = least_squares(
-                residual, z, jacobian, bounds, x_scale="jac",
+                share, z, slopes, bounds, x_scale="jac",
                 xtol=TO_ROUNDING, ftol=TO_ROUNDING, gtol=TO_ROUNDING,
             )  # fmt: skip
             z, message = found.x, found.message
         except ValueError as error:  # residuals that are not finite at the start
             z, message = np.array(start), str(error)
-    z = _polished(residual, jacobian, z, low, high)
+    z = _polished(share, slopes, z, low, high)
     return _accepted(residual, jacobian, z, bounds, unknowns, rows, message)
+
+
+def _sizes(slopes: np.ndarray, z: np.ndarray) -> np.ndarray:
+    """Return the units to search in: of each row what its terms are of at the start.
+
+    In SI units accelerations under some load are a million times what is left of a constraint,
+    which a search on both as they are would hardly see.
+    """
+    with np.errstate(all="ignore"):
+        terms = _terms(slopes, z)
+    return np.where(np.isfinite(terms) & (terms > 0.0), terms, 1.0)
 
 
 def _quickly(
@@ -241,11 +267,16 @@ def _scale(J: np.ndarray, z: np.ndarray, values: np.ndarray) -> np.ndarray:
     the largest, a few times over: a bicycle's wheels at rest are moved by what is left of its
     weight, and a bead at the bottom of a hoop by what the hoop's force leaves.
     """
-    terms = (np.abs(J) @ np.maximum(np.abs(z), 1.0)[..., None])[..., 0]
+    terms = _terms(J, z)
     least = terms.max(axis=-1, initial=0.0, keepdims=True) * (_SOLVED / _ROUNDING)
     own = terms + np.abs(values).max(axis=-1, initial=0.0, keepdims=True) * _EPS
     result: np.ndarray = np.maximum(own, least)
     return result
+
+
+def _terms(J: np.ndarray, z: np.ndarray) -> np.ndarray:
+    terms: np.ndarray = (np.abs(J) @ np.maximum(np.abs(z), 1.0)[..., None])[..., 0]
+    return terms
 
 
 def _polished(

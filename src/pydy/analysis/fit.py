@@ -17,6 +17,7 @@ from scipy.stats import t as student
 
 from pydy._checks import number
 from pydy._errors import FitInterrupted, warn_user
+from pydy._names import place_of
 from pydy.analysis.directions import direction_text
 from pydy.analysis.pictures import plot_residuals
 from pydy.analysis.tuning import AT_BOUND, FITTED, NAMED_IN_FIT, UNDETERMINED
@@ -111,11 +112,9 @@ class FitResult:
     success: bool
     message: str
 
-    def __getitem__(self, name: str) -> float:
-        """Return an estimate by name."""
-        if name not in self.names:
-            raise KeyError(f"The parameters are {', '.join(self.names)}; {name!r} is not one.")
-        return float(self.estimates[self.names.index(name)])
+    def __getitem__(self, parameter: Any) -> float:
+        """Return an estimate, by symbol or name."""
+        return float(self.estimates[place_of(parameter, self.names, "parameters")])
 
     @property
     def standard_errors(self) -> np.ndarray:
