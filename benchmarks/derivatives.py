@@ -24,14 +24,16 @@ from pydy._backends.llvm.backend import LLVMBackend
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 
-PARTS = ("columns", "adjoint", "equal-error", "diffrax", "forward-dynamics")
+PARTS = ("columns", "ensemble", "adjoint", "equal-error", "diffrax", "forward-dynamics")
 MODELS = ("pendulum-5", "bicycle")
+DIFFRAX_MODELS = ("pendulum-1", "pendulum-5")  # the bicycle takes it many minutes to compile
 # What is asked: state and columns, and a gradient by 100 parameters, over the state alone; ours
 # over the peers'.
 ADJOINT_ASKED = 5.0
 COLUMNS_ASKED, EQUAL_ASKED, DIFFRAX_ASKED, DYNAMICS_ASKED = 2.5, 1.0, 1 / 20, 1.0
 TOLERANCES = (1e-6, 1e-10)
 STATES = 1024
+TRAJECTORIES = 512
 ROUNDS = 5, 25
 
 
@@ -41,11 +43,14 @@ def main() -> None:
     add_pythons(parser, "--peer-python")
     parser.add_argument("--parts", nargs="+", default=PARTS, choices=PARTS)
     parser.add_argument("--models", nargs="+", default=MODELS, choices=MODELS)
+    parser.add_argument("--diffrax-models", nargs="+", default=DIFFRAX_MODELS)
+    parser.add_argument("--compiling", type=float, default=120.0, help="seconds, for diffrax")
     parser.add_argument("--peers", nargs="+", default=("heyoka", "casadi"))
     add_measuring(parser, budget=15.0, timeout=1200.0)
     options = parser.parse_args()
     measures = {
         "columns": _columns,
+        "ensemble": _ensemble,
         "adjoint": _adjoint,
         "equal-error": _equal_error,
         "diffrax": _diffrax,
@@ -81,6 +86,33 @@ def _columns(options: argparse.Namespace) -> Any:
                 rows.append([model, method, *map(seconds, map(median, (plain, whole))), ratio])
     head = ["model", "method", "state", f"with {COLUMNS} columns", "ratio"]
     table(f"Sensitivities over the plain run; asked {COLUMNS_ASKED}", head, rows)
+    yield found
+
+
+def _ensemble(options: argparse.Namespace) -> Any:
+    """A trajectory of an ensemble with columns over one without, both in lanes and on one core."""
+    os.sched_setaffinity(0, {options.core})
+    found, rows = [], []
+    for links in (1, 5):
+        system = n_link_pendulum_on_cart(links, cart_force=False)
+        system.times, system.ode_solver = [0.0, 1.0], "dop853"
+        angles = np.linspace(-0.5, 0.5, TRAJECTORIES)
+        names = sorted(str(symbol) for symbol in system.constants_symbols)[:COLUMNS]
+        run = partial(
+            system.integrate_ensemble,
+            initial_conditions={"q1": angles}, reduce="final", workers=1, rtol=1e-9, atol=1e-9,
+        )  # fmt: skip
+        ways = {"plain": run, "whole": partial(run, sensitivities=names)}
+        taken = in_turn(
+            {way: Repeated(call) for way, call in ways.items()}, **rounds(options, *ROUNDS)
+        )
+        plain, whole = ([r[way] / TRAJECTORIES for r in taken] for way in ways)
+        found.append({"links": links, "columns": len(names), "plain": plain, "whole": whole})
+        ratio = f"{pairwise(whole, plain):.2f}"
+        cells = map(seconds, map(median, (plain, whole)))
+        rows.append([f"pendulum, {links} links", str(len(names)), *cells, ratio])
+    head = ["ensemble", "columns", "a trajectory", "with columns", "ratio"]
+    table(f"Ensembles with sensitivities over plain ones, {TRAJECTORIES:,} each", head, rows)
     yield found
 
 
@@ -159,46 +191,68 @@ def _equal_error(options: argparse.Namespace) -> Any:
 
 
 def _diffrax(options: argparse.Namespace) -> Any:
-    """Ours against diffrax, both by tsit5 at the same tolerances."""
+    """Ours against diffrax, both by tsit5 at the same tolerances.
+
+    Forward and reverse mode are compiled in a process each: one may take too long.
+    """
     found, rows = [], []
-    for model in options.models:
-        with _worker(options, OURS) as ours, _worker(options, "diffrax") as peer:
-            try:
-                ours.ask("load", name=model)
-                built = peer.ask("load", name=model)["seconds"]
-            except WorkerError as error:
-                print(f"{model}: {error}", file=sys.stderr)
-                continue
-            for tolerance in TOLERANCES:
-                asks = {OURS: (ours, "tsit5"), **{m: (peer, m) for m in ("forward", "reverse")}}
-                reached = {
-                    name: worker.ask("reach", method=method, tolerance=tolerance)["state"]
-                    for name, (worker, method) in asks.items()
-                }
-                n = len(reached[OURS]) // (1 + COLUMNS)
-                total = np.reshape(reached[OURS][n:], (n, COLUMNS)).sum(axis=0)
-                apart = max(
-                    difference(reached["forward"], reached[OURS]),
-                    difference(reached["reverse"][1:], total),
-                )
-                taken = in_turn(
-                    {
-                        name: partial(worker.ask, "time", method=method, tolerance=tolerance)
-                        for name, (worker, method) in asks.items()
-                    },
-                    **rounds(options, *ROUNDS),
-                )
-                times = {name: [r[name] for r in taken] for name in asks}
-                found.append({"model": model, "tolerance": tolerance, "built": built, **times})
-                cells = [model, f"{tolerance:g}", seconds(median(times[OURS]))]
-                for name in ("forward", "reverse"):
-                    ratio = pairwise(times[name], times[OURS])
-                    cells.append(f"{seconds(median(times[name]))} ({ratio:.0f})")
-                rows.append([*cells, f"{apart:.0e}"])
-    head = ["model", "tolerance", "ours", "forward (it/ours)", "reverse (it/ours)", "apart by"]
+    for model in options.diffrax_models:
+        with _worker(options, OURS) as ours:
+            ours.ask("load", name=model)
+            for mode in ("forward", "reverse"):
+                try:
+                    line = _diffrax_mode(options, model, mode, ours)
+                except WorkerError as error:
+                    print(f"{model}, {mode}: {error}", file=sys.stderr)
+                    continue
+                found += line
+                rows += [
+                    [
+                        f"{model}, {mode}", f"{one['tolerance']:g}", f"{one['compiled']:.0f} s",
+                        seconds(median(one[OURS])), seconds(median(one["peer"])),
+                        f"{pairwise(one['peer'], one[OURS]):.0f}", f"{one['apart']:.0e}",
+                    ]
+                    for one in line
+                ]  # fmt: skip
+    head = ["model", "tolerance", "compiling it", "ours", "diffrax", "it/ours", "apart by"]
     title = f"{COLUMNS} columns and diffrax, tsit5; asked {1 / DIFFRAX_ASKED:.0f} times faster"
     table(title, head, rows)
     yield found
+
+
+def _diffrax_mode(
+    options: argparse.Namespace, model: str, mode: str, ours: Worker
+) -> list[dict[str, Any]]:
+    """Return a line for each tolerance."""
+    lines = []
+    with _worker(options, "diffrax") as peer:
+        peer.timeout = options.compiling
+        peer.ask("load", name=model)
+        compiled = peer.ask("reach", method=mode, tolerance=TOLERANCES[0])["built"]
+        peer.timeout = options.timeout
+        for tolerance in TOLERANCES:
+            asks = {OURS: (ours, "tsit5"), "peer": (peer, mode)}
+            reached = {
+                name: worker.ask("reach", method=method, tolerance=tolerance)["state"]
+                for name, (worker, method) in asks.items()
+            }
+            expected, answer = reached[OURS], reached["peer"]
+            if mode == "reverse":  # the gradient of the sum of all states at the end
+                columns = len(answer) - 1
+                n = len(expected) // (1 + columns)
+                expected = np.reshape(expected[n:], (n, columns)).sum(axis=0)
+                answer = answer[1:]
+            taken = in_turn(
+                {
+                    name: partial(worker.ask, "time", method=method, tolerance=tolerance)
+                    for name, (worker, method) in asks.items()
+                },
+                **rounds(options, *ROUNDS),
+            )
+            times = {name: [r[name] for r in taken] for name in asks}
+            line = {"model": model, "mode": mode, "tolerance": tolerance, "compiled": compiled}
+            lines.append({**line, "apart": difference(answer, expected), **times})
+    return lines
 
 
 def _forward_dynamics(options: argparse.Namespace) -> Any:

@@ -1,6 +1,7 @@
 """diffrax: derivatives of the state at the end by constants, forward, and a gradient in reverse.
 
-One compilation serves all tolerances, which are arguments.
+One compilation of each serves all tolerances, which are arguments. It is made when it is first
+asked for: it can take minutes, and either may be given up.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ class Diffrax(SolverPeer):
     def build(self) -> None:
         start, horizon = jnp.asarray(self.scenario.start), self.scenario.horizon
         inputs, by = jnp.asarray(self.scenario.inputs), np.array(parameters(self.model))
-        values, rates = jnp.asarray(self.values), rates_of(self.model)
+        values, rates = jnp.asarray(self.values), jax.jit(rates_of(self.model))
 
         def end(moved: Any, tolerance: Any, adjoint: Any) -> Any:
             solution = diffrax.diffeqsolve(
@@ -56,16 +57,18 @@ class Diffrax(SolverPeer):
             return jax.value_and_grad(total)(moved)
 
         self.moved = values[by]
-        self.compiled = {
-            function.__name__: jax.jit(function).lower(self.moved, jnp.asarray(1e-6)).compile()
-            for function in (forward, reverse)
-        }
+        self.functions = {"forward": forward, "reverse": reverse}
+        self.compiled: dict[str, Any] = {}
 
     def methods(self) -> list[str]:
         return list(METHODS)
 
     def solver(self, method: str, tolerance: float) -> Callable[[], np.ndarray]:
-        run, allowed = self.compiled[method], jnp.asarray(tolerance)
+        allowed = jnp.asarray(tolerance)
+        if method not in self.compiled:
+            traced = jax.jit(self.functions[method]).lower(self.moved, allowed)
+            self.compiled[method] = traced.compile()
+        run = self.compiled[method]
 
         def solve() -> np.ndarray:
             first, second = jax.block_until_ready(run(self.moved, allowed))
