@@ -197,6 +197,25 @@ def test_a_forced_oscillator_has_the_multipliers_of_its_eigenvalues():
     assert orbit.initial_conditions[system.states[0]] == pytest.approx(-5.0, abs=1e-8)
 
 
+def test_an_orbit_of_micrometres_is_found_as_one_of_metres():
+    """A driven spring that stiffens, once in units of its own and once in SI units."""
+    orbits = []
+    for length, second in ((1.0, 1.0), (1e-6, 1e-5)):
+        rate = 1.01 / second
+
+        def acceleration(x, v, mu, length=length, second=second, rate=rate):
+            x, v = x / length, v * second / length
+            return mu * (sm.cos(rate * t) - 10 * x - x**3 - v / 10) * length / second**2
+
+        system = on_a_line(acceleration)
+        system.constants = {"mu": 0.1}
+        system.initial_conditions = {"x": 1.2 * length, "v": 0.0}
+        orbit = system.find_periodic_orbit(2.0 * np.pi / rate)
+        x, v = (orbit.initial_conditions[s] for s in system.states)
+        orbits.append([x / length, v * second / length])
+    np.testing.assert_allclose(*orbits, rtol=0.0, atol=1e-11)
+
+
 def test_where_there_is_no_orbit_what_is_left_is_told():
     system = on_a_line(lambda x, v, mu: mu + 0 * x)
     with pytest.raises(PeriodicOrbitError, match=r"Nearest, at x = .*change over it"):

@@ -35,7 +35,7 @@ def find_orbit(
     moving: Iterable[Any],
     until: Any,
     progress: Any,
-    options: dict[str, Any],
+    solver_kwargs: dict[str, Any],
 ) -> PeriodicOrbit:
     """Return what `System.find_periodic_orbit` describes."""
     guess = number(period, "`period`", finite=True)
@@ -57,7 +57,7 @@ def find_orbit(
     runner = copy(system)
     if not isinstance(runner.ode_solver, Solver):
         runner.ode_solver = "dop853"
-    options = {"rtol": ORBIT, "atol": ORBIT, **options}
+    options = {"rtol": ORBIT, "atol": ORBIT, **solver_kwargs}
     if tied:
         options.setdefault("constraints", "project")
     t0 = now.t
@@ -135,7 +135,12 @@ def find_orbit(
         slope = slope / size
     with progress_of(flag(progress, "`progress`"), " flights") as told:
         try:
-            z, flight, residual = shoot(fly, start, guess, slope, [names[k] for k in free])
+            first = fly(start, guess)
+            sizes = first.sizes(start)
+            if "atol" not in solver_kwargs:
+                options["atol"] = np.full(len(now.x), ORBIT)
+                options["atol"][free] *= np.minimum(sizes, 1.0)
+            z, flight, residual = shoot(fly, first, start, guess, slope, [names[k] for k in free])
             begin(z)
             initial = dict(runner.initial_conditions)
             runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
@@ -147,7 +152,6 @@ def find_orbit(
                 nearest,
             ) from stop
     moved = np.ptp(trajectory.states[:, free], axis=0)
-    sizes = np.maximum(1.0, np.abs(trajectory.states[:, free]).max(axis=0))
     return PeriodicOrbit(
         period=flight.period,
         initial_conditions=initial,

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import PeriodicOrbitError
-from pydy.analysis.tuning import DAMPED, MARGIN, ORBIT_CLOSED, SOLVABLE
+from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED, SOLVABLE
 
 __all__ = ["Flight", "PeriodicOrbit", "shoot"]
 
@@ -104,20 +104,46 @@ class Flight:
     rates: np.ndarray
     period: float
 
+    def sizes(self, start: np.ndarray) -> np.ndarray:
+        """Return how large the states are on the way: the units to search and integrate in.
+
+        A state is zero at the ends of an oscillation through zero, where its rate tells the size.
+        One that is small beside the others may be nothing but their rounding.
+        """
+        swing = np.abs(self.rates) * (self.period / (2.0 * np.pi))
+        sizes = np.maximum.reduce([np.abs(start), np.abs(self.end), swing])
+        largest = float(sizes.max(initial=0.0))
+        if not (np.isfinite(largest) and largest > 0.0):
+            return np.ones(len(start))
+        least: np.ndarray = np.maximum(sizes, min(1.0, LEAST_SIZE * largest))
+        return least
+
+    def scaled(self, sizes: np.ndarray, period: float) -> Flight:
+        """Return the same in units of the states' sizes and of a period."""
+        return Flight(
+            end=self.end / sizes,
+            by_start=self.by_start * sizes / sizes[:, None],
+            rates=self.rates * period / sizes,
+            period=self.period / period,
+        )
+
 
 def shoot(
     fly: Callable[[np.ndarray, float], Flight],
+    first: Flight,
     start: np.ndarray,
     period: float,
     slope: np.ndarray | None,
     names: Sequence[str],
 ) -> tuple[np.ndarray, Flight, float]:
-    """Solve for a state that comes back.
+    """Solve for a state that comes back, in units of the sizes on the first flight.
 
     Parameters
     ----------
     fly : callable
         Of the unknown states and the period.
+    first : Flight
+        From the start.
     start : ndarray, shape (k,)
     period : float
         The period, or where to begin the search for it.
@@ -132,19 +158,20 @@ def shoot(
     PeriodicOrbitError
         The search does not converge.
     """
-    z, k = start.copy(), len(start)
-    flight = fly(z, period)
-    gap = flight.end - z
-    guess, speed = period, float(np.linalg.norm(flight.rates))
-    weight = 1.0
+    sizes, guess, k = first.sizes(start), period, len(start)
+    flight = first.scaled(sizes, guess)
+    begun = z = start / sizes
+    if slope is not None:
+        slope = slope / sizes / np.linalg.norm(slope / sizes)
+    gap, speed, period = flight.end - z, float(np.linalg.norm(flight.rates)), 1.0
+    found, weight = first, 1.0
     for _ in range(_ITERATIONS):
         size = float(np.abs(gap).max(initial=0.0))
-        scale = max(1.0, float(np.abs(z).max(initial=0.0)))
         whole = flight.by_start - np.eye(k)
         right = -gap
         if slope is not None:
             whole = np.block([[whole, flight.rates[:, None]], [slope[None], np.zeros((1, 1))]])
-            right = np.append(right, -slope @ (z - start))
+            right = np.append(right, -slope @ (z - begun))
         new = None
         while weight < _STUCK:
             # After Levenberg and Marquardt, with a weight that vanishes with the gap: orbits of
@@ -156,26 +183,31 @@ def shoot(
             new_period = period + float(step[k]) if slope is not None else period
             try:
                 # Every motion comes back after no time at all, and an equilibrium after any.
-                new = fly(after, new_period) if new_period > _SHORTEST * guess else None
-                if new is not None and slope is not None:
-                    slow = float(np.linalg.norm(new.rates)) < _SHORTEST * speed
-                    new = None if slow else new
+                if new_period > _SHORTEST:
+                    real = fly(after * sizes, new_period * guess)
+                    new = real.scaled(sizes, guess)
+                    if slope is not None and np.linalg.norm(new.rates) < _SHORTEST * speed:
+                        new = None
             except RuntimeError:  # no event, or a failure of the integration
                 new = None
             if new is not None and float(np.abs(new.end - after).max()) < size:
                 break
             new = None
-            if size <= ORBIT_CLOSED * scale:
+            if size <= ORBIT_CLOSED * _scale(z):
                 break
             weight = max(10.0 * weight, DAMPED)
         if new is None:
             break
-        z, period, flight, gap = after, new_period, new, new.end - after
+        z, period, flight, found, gap = after, new_period, new, real, new.end - after
         weight *= 0.1
     size = float(np.abs(gap).max(initial=0.0))
-    if not size <= ORBIT_CLOSED * max(1.0, float(np.abs(z).max(initial=0.0))):
-        raise _lost(names, z, gap, period)
-    return z, flight, size
+    if not size <= ORBIT_CLOSED * _scale(z):
+        raise _lost(names, z * sizes, gap * sizes, period * guess)
+    return z * sizes, found, float(np.abs(gap * sizes).max(initial=0.0))
+
+
+def _scale(z: np.ndarray) -> float:
+    return max(1.0, float(np.abs(z).max(initial=0.0)))
 
 
 def _lost(

@@ -10,6 +10,7 @@ __all__ = [
     "ENTRY",
     "FITTED",
     "FREE",
+    "LEAST_SIZE",
     "MARGIN",
     "NAMED",
     "NAMED_IN_FIT",
@@ -91,6 +92,10 @@ SLOW = 1e-6
 
 ORBIT_CLOSED = 1e-9
 """The gap of an orbit that is closed, in units of its states: integrations are good to 1e-12."""
+
+LEAST_SIZE = 1e-3
+"""The least size of a state beside the largest one: a micrometre is closed to 1e-7 of it beside
+0.1 m/s, and what a straight ride's rounding moves sideways is none."""
 
 DAMPED = 1e-6
 """The least damping of a step that did not come nearer; ten times as much each further time."""
