@@ -15,6 +15,7 @@ from harness.contest import OURS, TARGETS, Contest
 from harness.driver import Worker, WorkerError, in_turn
 from harness.options import add_measuring, add_pythons, rounds, take_parts
 from harness.precision import difference
+from harness.program import compiled_jacobian
 from harness.report import pairwise, seconds, table
 from harness.sensitive import COLUMNS
 from harness.serve import Repeated
@@ -296,14 +297,16 @@ def _forward_dynamics(options: argparse.Namespace) -> Any:
 def _jacobians(made: dict[str, Any]) -> dict[str, Any]:
     """Return what sweeps our Jacobian over states, and its values at the tree's own."""
     assembly = System(definition(made)).model.assembly
-    program = assembly.jacobian_program("rates", "x")
+    kernels = {
+        "one by one": compiled_jacobian(assembly, "rates", "x"),
+        "in lanes": LLVMBackend(lanes=8).compile(assembly.jacobian_program("rates", "x")),
+    }
     state = np.array([*made["q"], *made["v"]])
     n = len(state)
     x = state + np.random.default_rng(0).normal(0.0, 0.1, (STATES, n))
     t, r, p = np.zeros(STATES), np.zeros((1, assembly.sizes[1])), np.zeros(assembly.sizes[2])
     found: dict[str, Any] = {}
-    for name, lanes in (("one by one", 1), ("in lanes", 8)):
-        kernel = LLVMBackend(lanes=lanes).compile(program)
+    for name, kernel in kernels.items():
         assert kernel.addresses is not None  # the best code
         out = np.empty((STATES, n * n))
         found[name] = partial(kernel.evaluate, t, x, r, p, out)

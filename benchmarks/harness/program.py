@@ -15,6 +15,7 @@ from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.system import assemble_system
 from pydy._graph.switches import Passes
+from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import make_backend, rates_function
@@ -51,6 +52,12 @@ def compiled_model_of(model: Model) -> CompiledModel:
         (*model.coordinates, *model.speeds), tuple(model.specifieds), tuple(model.constants)
     )
     return CompiledModel(layout, assembly_of(model), make_backend("llvm", {}))
+
+
+def compiled_jacobian(assembly: Assembly, block: str, by: str) -> Kernel:
+    """Return the Kernel of a Jacobian, as System makes it."""
+    layout = Layout((), (), ())
+    return CompiledModel(layout, assembly, make_backend("llvm", {})).compiled_jacobian(block, by)
 
 
 def solver_function(

@@ -9,7 +9,9 @@ import sympy as sm
 
 import zoo
 from cases import system_of
+from pydy._assembly import model as models
 from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.jacobian_columns import compile_jacobian
 from pydy.ensemble import model as ensembles
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
@@ -28,7 +30,12 @@ def compiled(monkeypatch):
         found.append((self.options["lanes"], names, len(program.outputs)))
         return compile_it(self, program)
 
+    def counted_jacobian(jacobian):
+        found.append((1, ["jacobian"], len(jacobian.outputs)))
+        return compile_jacobian(jacobian)
+
     monkeypatch.setattr(LLVMBackend, "compile", counted)
+    monkeypatch.setattr(models, "compile_jacobian", counted_jacobian)
     monkeypatch.setattr(ensembles, "_KERNELS", {})
     return found
 

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.jacobian_columns import JacobianColumns, columns_program, worthwhile_parts
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.products import derivative_program
@@ -222,10 +223,25 @@ class Assembly:
         by : {'x', 'r', 'p'} or sequence of (group, index)
             All inputs of a group, or some of any.
         """
-        if isinstance(by, str):
-            by = [(by, k) for k in range(dict(zip("xrp", self.sizes, strict=True))[by])]
         graph, nodes = self.simplified(name)
-        return derivative_program(graph, nodes, by, "jacobian", self.sizes, self.passes)
+        places = self._places(by)
+        return derivative_program(graph, nodes, places, "jacobian", self.sizes, self.passes)
+
+    def jacobian_in_parts(
+        self, name: str, by: str | Sequence[tuple[str, int]]
+    ) -> Program | JacobianColumns:
+        """Return the same in parts, where that is less work; see `JacobianColumns`."""
+        graph, nodes = self.simplified(name)
+        places = self._places(by)
+        parts = worthwhile_parts(graph, nodes, [graph.input(*place) for place in places])
+        if not parts:
+            return self.jacobian_program(name, by)
+        return columns_program(graph, nodes, places, self.sizes, self.passes, parts)
+
+    def _places(self, by: str | Sequence[tuple[str, int]]) -> Sequence[tuple[str, int]]:
+        if not isinstance(by, str):
+            return by
+        return [(by, k) for k in range(dict(zip("xrp", self.sizes, strict=True))[by])]
 
     def simplified(self, name: str) -> tuple[Graph, list[int]]:
         """Return a block's nodes after simplification, in a graph of their own.

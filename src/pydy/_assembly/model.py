@@ -11,9 +11,12 @@ import numpy as np
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition, Layout
 from pydy._assembly.external import LinearSolver, with_external_solver
-from pydy._assembly.stored import stored_program
+from pydy._assembly.stored import stored_jacobian, stored_program
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.jacobian_columns import compile_jacobian
 from pydy._errors import SingularMatrixError
 from pydy._graph.interpret import run
+from pydy._graph.jacobian_columns import JacobianColumns
 from pydy._graph.lower import lower
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -115,14 +118,24 @@ class CompiledModel:
         return stored_program(assembly, ", ".join(blocks), lambda: assembly.program(*blocks))
 
     def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
-        """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
-        assembly = self.assembly
-        return self.compiled_by(
-            (block, "by", by),
-            lambda: stored_program(
-                assembly, f"{block} by {by}", lambda: assembly.jacobian_program(block, by)
-            ),
-        )
+        """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`.
+
+        The LLVM back end may take several columns at a time.
+        """
+        return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by))
+
+    def _jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
+        assembly, what = self.assembly, f"{block} by {by}"
+        if isinstance(self.backend, LLVMBackend):
+            made = stored_jacobian(
+                assembly, f"{what}, in parts", lambda: assembly.jacobian_in_parts(block, by)
+            )
+            if isinstance(made, JacobianColumns):
+                return compile_jacobian(made)
+            return self.backend.compile(made)
+        program = stored_program(assembly, what, lambda: assembly.jacobian_program(block, by))
+        kernel: Kernel = self.backend.compile(program)
+        return kernel
 
     def compiled_bounded(self, block: str) -> Kernel:
         """Return the Kernel of a block and its rounding bounds; see `Assembly.bounded_program`."""

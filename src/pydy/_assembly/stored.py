@@ -7,17 +7,19 @@ import sys
 from collections.abc import Callable
 from functools import cache as once
 from pathlib import Path
+from typing import TypeVar
 
 import pydy._assembly
 import pydy._graph
 from pydy import _cache_folder
 from pydy._assembly.assembly import Assembly
+from pydy._graph.jacobian_columns import JacobianColumns
 from pydy._graph.operations import OPERATIONS, SHIPPED
 from pydy._graph.passes import ONCE, ROUND
 from pydy._graph.program import Program
 from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 
-__all__ = ["stored_program"]
+__all__ = ["stored_jacobian", "stored_program"]
 
 # Small systems are simplified sooner than a file is read.
 _WORTH_STORING = 300
@@ -54,13 +56,39 @@ def stored_program(assembly: Assembly, what: str, make: Callable[[], Program]) -
     make : callable
         Returns the Program.
     """
+    return _stored(assembly, what, make, Program.from_bytes)
+
+
+def stored_jacobian(
+    assembly: Assembly, what: str, make: Callable[[], Program | JacobianColumns]
+) -> Program | JacobianColumns:
+    """Return a Jacobian from the cache, or make it and put it there; see `stored_program`."""
+
+    def read(data: bytes) -> Program | JacobianColumns:
+        return kinds[data[:1]].from_bytes(data[1:])
+
+    kinds: dict[bytes, type[Program | JacobianColumns]] = {b"p": Program, b"c": JacobianColumns}
+    names = {kind: name for name, kind in kinds.items()}
+    return _stored(assembly, what, make, read, lambda made: names[type(made)] + made.to_bytes())
+
+
+_T = TypeVar("_T", Program, "Program | JacobianColumns")
+
+
+def _stored(
+    assembly: Assembly,
+    what: str,
+    make: Callable[[], _T],
+    read: Callable[[bytes], _T],
+    write: Callable[[_T], bytes] = lambda made: made.to_bytes(),
+) -> _T:
     if len(assembly.graph) < _WORTH_STORING or not _as_shipped():
         return make()
     parts = (_circumstances(), assembly.fingerprint(), what.encode())
     key = hashlib.sha256(b"".join(parts)).hexdigest()
     data = _cache_folder.read(key)
     if data is not None:
-        return Program.from_bytes(data)
-    program = make()
-    _cache_folder.write(key, program.to_bytes())
-    return program
+        return read(data)
+    made = make()
+    _cache_folder.write(key, write(made))
+    return made

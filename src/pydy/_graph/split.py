@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -99,6 +100,82 @@ class SplitProgram:
         return f"{self.shared}\n\nFor each of {self.columns} columns:\n{self.column}"
 
 
+class Parting:
+    """Takes a Program that is linear in some of its inputs apart.
+
+    Parameters
+    ----------
+    program : Program
+    """
+
+    def __init__(self, program: Program) -> None:
+        self._program = program
+        self._whole = Tape()
+        self._whole.ops, self._whole.args = list(program.ops), list(program.args)
+        self._whole.constant = list(program.setup)
+        self._places: dict[int, int] = {}  # of shared values
+
+    def part(
+        self, own: Mapping[tuple[str, int], int], outputs: Sequence[int], sizes: tuple[int, int]
+    ) -> Program:
+        """Return the Program of some outputs that takes shared values as its inputs r.
+
+        Parameters
+        ----------
+        own : mapping of (group, index) to index
+            The inputs that the part keeps; what depends on none of them is shared. Nothing depends
+            on inputs of several parts.
+        outputs : sequence of nodes
+        sizes : (int, int)
+            Numbers of the part's inputs x and p.
+        """
+        program, whole, places = self._program, self._whole, self._places
+        part = Tape()
+        new: dict[int, int] = {}  # nodes of the whole to nodes of the part
+
+        def spread(node: int) -> int:
+            """Return a shared value as a node of the part."""
+            if node not in new:
+                op, args = whole.ops[node], whole.args[node]
+                if op in ("const", "bool"):
+                    new[node] = part.make(op, *args)
+                elif op == "factor":
+                    new[node] = part.make(op, args[0], args[1], tuple(map(spread, args[2])))
+                else:
+                    place = part.make("input", "r", places.setdefault(node, len(places)))
+                    truth = op in TRUTHS
+                    new[node] = part.make("ne", place, part.const(0.0)) if truth else place
+            return new[node]
+
+        moved: set[int] = set()  # what changes with the part's inputs
+        for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
+            if op == "input":
+                if args in own:
+                    moved.add(k)
+                    new[k] = part.make(op, args[0], own[args])
+                continue
+            others = operands(op, args)
+            if moved.isdisjoint(others):
+                continue
+            moved.add(k)
+            for other in others:
+                if other not in moved:
+                    spread(other)
+            new[k] = part.make(op, *with_operands(op, args, new))
+        cells = [new[k] if k in moved else spread(k) for k in outputs]
+        return Program.from_tape(
+            part, (sizes[0], len(places), sizes[1]), [("column", (len(cells),), cells)]
+        )
+
+    def shared(self, sizes: tuple[int, int, int], *blocks: tuple[str, Sequence[int]]) -> Program:
+        """Return the Program of further blocks and of all that the parts so far share."""
+        places = self._places
+        parts = [*blocks, ("shared", [*places])]
+        return Program.from_tape(
+            self._whole, sizes, [(name, (len(nodes),), nodes) for name, nodes in parts]
+        )
+
+
 def split(program: Program, states: int, constants: int) -> tuple[Program, Program]:
     """Return the Programs of what is shared and of one column.
 
@@ -110,52 +187,14 @@ def split(program: Program, states: int, constants: int) -> tuple[Program, Progr
     states, constants : int
         How many of the inputs x and p come before the direction's.
     """
-    limits = {"x": states, "p": constants}
-    own: set[int] = set()  # what changes with the direction
-    for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
-        if op == "input":
-            if args[1] >= limits.get(args[0], args[1] + 1):
-                own.add(k)
-        elif not own.isdisjoint(operands(op, args)):
-            own.add(k)
-    whole, part = Tape(), Tape()
-    whole.ops, whole.args = list(program.ops), list(program.args)
-    whole.constant = list(program.setup)
-    shared: dict[int, int] = {}  # nodes of `whole` to their places
-    new: dict[int, int] = {}  # nodes of `whole` to nodes of `part`
-
-    def spread(node: int) -> int:
-        """Return a shared value as a node of `part`."""
-        if node not in new:
-            op, args = whole.ops[node], whole.args[node]
-            if op in ("const", "bool"):
-                new[node] = part.make(op, *args)
-            elif op == "factor":
-                new[node] = part.make(op, args[0], args[1], tuple(map(spread, args[2])))
-            else:
-                place = part.make("input", "r", shared.setdefault(node, len(shared)))
-                truth = op in TRUTHS
-                new[node] = part.make("ne", place, part.const(0.0)) if truth else place
-        return new[node]
-
-    for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
-        if k not in own:
-            continue
-        if op == "input":
-            new[k] = part.make(op, args[0], args[1] - limits[args[0]])
-            continue
-        for other in operands(op, args):
-            if other not in own:
-                spread(other)
-        new[k] = part.make(op, *with_operands(op, args, new))
+    own = {("x", k): k - states for k in range(states, program.num_states)}
+    own.update({("p", k): k - constants for k in range(constants, program.num_constants)})
     rates, column = (
         program.outputs[block.start : block.stop]
         for block in (program.block("rates"), program.block("column"))
     )
-    cells = [new[k] if k in own else spread(k) for k in column]
-    sizes = (states, program.num_specifieds, constants)
-    first = Program.from_tape(
-        whole, sizes, [("rates", (len(rates),), rates), ("shared", (len(shared),), [*shared])]
-    )
-    own_sizes = (program.num_states - states, len(shared), program.num_constants - constants)
-    return first, Program.from_tape(part, own_sizes, [("column", (len(cells),), cells)])
+    parting = Parting(program)
+    sizes = (program.num_states - states, program.num_constants - constants)
+    part = parting.part(own, column, sizes)
+    shared = parting.shared((states, program.num_specifieds, constants), ("rates", rates))
+    return shared, part

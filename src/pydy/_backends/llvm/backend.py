@@ -6,7 +6,7 @@ order of operations are kept, and fused multiply-adds are those that the IR spel
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -27,7 +27,18 @@ from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["LLVMBackend", "kernel_text", "shared_routines", "wide_code"]
+__all__ = [
+    "KERNEL_PARAMETERS",
+    "LLVMBackend",
+    "Tiers",
+    "calls_routines",
+    "kernel_text",
+    "module_text",
+    "prepare_text",
+    "shared_routines",
+    "stage_text",
+    "wide_code",
+]
 
 
 class LLVMBackend:
@@ -64,8 +75,10 @@ class LLVMBackend:
         lanes: int = self.options["lanes"]
         recipe = ("llvm", self.options)
         if lanes == 1:
-            source, calls = _source(program, 1, 1, loops=_repeats(program)), _calls(program)
-            return native_kernel(program, Entry(_Tiers(source, calls)), 1, compile_program, recipe)
+            source, calls = _source(program, 1, 1, loops=_repeats(program)), calls_routines(program)
+            return native_kernel(
+                program, Entry(Tiers(source, (1,) if calls else ())), 1, compile_program, recipe
+            )
         code = wide_code(program, lanes, self.options.get("width"))
         entry = Entry()
         entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
@@ -74,21 +87,21 @@ class LLVMBackend:
 
 
 @dataclass(frozen=True)
-class _Tiers:
-    """Scalar code; `calls` says whether it needs the shared routines."""
+class Tiers:
+    """Code for one state; `calls` are the lanes of the shared routines that it needs."""
 
     source: jit.Source
-    calls: bool
+    calls: tuple[int, ...]
 
     def at_hand(self) -> tuple[jit.Code, bool]:
-        routines = shared_routines(1, at_best=False) if self.calls else None
+        routines = jit.Joined([shared_routines(lanes, at_best=False) for lanes in self.calls])
         code = jit.find(self.source, routines)
         best = code is not None
         return code or jit.load_quickly(self.source, routines), best
 
     def best(self, compile_source: Compile) -> jit.Code:
-        routines = shared_routines(1, True, compile_source) if self.calls else None
-        return jit.load(self.source, routines, compile_source)
+        routines = [shared_routines(lanes, True, compile_source) for lanes in self.calls]
+        return jit.load(self.source, jit.Joined(routines), compile_source)
 
 
 @dataclass(frozen=True)
@@ -109,7 +122,7 @@ class _Text:
 def wide_code(program: Program, lanes: int, width: int | None = None) -> jit.Code:
     """Return the best code of a Program for several states at once, compiled if need be."""
     width = width or width_of(program, lanes)
-    routines = shared_routines(width, at_best=True) if _calls(program) else None
+    routines = shared_routines(width, at_best=True) if calls_routines(program) else None
     return jit.load(_source(program, lanes, width), routines)
 
 
@@ -118,7 +131,7 @@ def _source(program: Program, lanes: int, width: int, loops: bool = False) -> ji
     return jit.Source(name, text, ("kernel", "prepare", "strided")[: 2 + (lanes > 1)], loops=loops)
 
 
-def _calls(program: Program) -> bool:
+def calls_routines(program: Program) -> bool:
     """Return whether the shared routines are called."""
     return bool({*SOLVES, *ANGLES} & set(program.ops))
 
@@ -203,23 +216,40 @@ def kernel_text(
     if width < lanes:
         body = _in_turns(program, lanes, width, brief)
     elif columns:
-        body = _prepare(program, lanes, brief) + _column_kernel(program, lanes, brief, columns)
+        steps = {"%x": columns, "%out": columns}
+        parts = [stage_text(program, lanes, brief, steps=steps), *BRANCH_WEIGHTS, ""]
+        body = prepare_text(program, lanes, brief) + "\n".join(parts)
     else:
-        body = _prepare(program, lanes, brief) + _kernel(program, lanes, brief)
-    lanes = width
-    parts = [_declarations(program, lanes)]
+        body = prepare_text(program, lanes, brief) + _kernel(program, lanes, brief)
+    return module_text(body, [(program, width)])
+
+
+def module_text(body: str, parts: Sequence[tuple[Program, int]]) -> str:
+    """Return functions with the declarations that they need.
+
+    Parameters
+    ----------
+    body : str
+    parts : sequence of (Program, lanes)
+        What the functions are made of.
+    """
+    declared = "\n".join(_declarations(*part) for part in parts).splitlines()
+    head = [*dict.fromkeys(declared)]
     if f"{MALLOC}(" in body:
-        parts.append(HEAP_DECLARATIONS)
+        head.append(HEAP_DECLARATIONS)
     # Sines and cosines are taken several at a time, in as many widths as they come.
-    parts += [
+    head += [
         sincos_declarations(width, kind)
         for kind in ("", "far_")
         for width in WIDTHS
         if f"@pydy_sincos_{kind}{width}(" in body
     ]
-    if lanes > 1:
-        parts += [_lane_by_lane(*call, lanes) for call in called(program, "libm").items()]
-    return "\n".join([*parts, body])
+    for lanes in sorted({lanes for _, lanes in parts} - {1}):
+        calls: dict[str, int] = {}
+        for program, own in parts:
+            calls.update(called(program, "libm") if own == lanes else {})
+        head += [_lane_by_lane(*call, lanes) for call in calls.items()]
+    return "\n".join([*head, "", body])
 
 
 _LIBM_ANGLES = tuple(f"declare double @{name}(double) nounwind" for name in ANGLES)
@@ -265,7 +295,8 @@ def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
     return f.text()
 
 
-def _prepare(program: Program, lanes: int, brief: bool, prefix: str = "") -> str:
+def prepare_text(program: Program, lanes: int, brief: bool, prefix: str = "") -> str:
+    """Return the function of the setup stage."""
     linkage = "internal" if prefix else ""
     f = Function(f"{prefix}prepare", "void", _PREPARES, f"{linkage}|nounwind")
     Emitter(f, program, lanes, target().vectors(lanes), True, brief).stage()
@@ -284,6 +315,9 @@ def _parameters(suffix: str = "") -> str:
     return f"{inputs}, ptr noalias %out{suffix}"
 
 
+KERNEL_PARAMETERS = _parameters()
+
+
 def _kernel(program: Program, lanes: int, brief: bool) -> str:
     """Return the functions of the second stage; wide code has a `strided` form beside `kernel`.
 
@@ -299,14 +333,7 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
     parts = [*BRANCH_WEIGHTS, ""]
     small = _is_small(program)
     if lanes == 1 or small:
-        f = Function("kernel", "i32", _parameters(), "|nounwind")
-        e = Emitter(f, program, lanes, target().vectors(lanes), False, brief)
-        e.solves.status = f.variable("i32", "0")
-        e.stage()
-        f.do(f"ret i32 {f.get('i32', e.solves.status)}")
-        f.label("%bail")
-        f.do("ret i32 0")
-        parts.insert(0, f.text())
+        parts.insert(0, stage_text(program, lanes, brief))
     else:
         parts.append(_packed_kernel(lanes))
     if lanes > 1:
@@ -314,17 +341,39 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
     return "\n".join(parts)
 
 
-def _column_kernel(program: Program, lanes: int, brief: bool, columns: int) -> str:
-    f = Function("kernel", "i32", _parameters(), "|nounwind")
+def stage_text(
+    program: Program,
+    lanes: int,
+    brief: bool,
+    name: str = "kernel",
+    steps: Mapping[str, int] | None = None,
+    linkage: str = "",
+) -> str:
+    """Return the function of the run stage.
+
+    Parameters
+    ----------
+    program : Program
+    lanes : int
+    brief : bool
+        See `kernel_text`.
+    name : str
+    steps : mapping of str to int, optional
+        Distances between the items of %x and %out: lanes are then columns, which lie side by side
+        in each row, and the inputs r are numbers that all have in common.
+    linkage : str
+    """
+    f = Function(name, "i32", KERNEL_PARAMETERS, f"{linkage}|nounwind")
     e = Emitter(f, program, lanes, target().vectors(lanes), False, brief)
     e.solves.status = f.variable("i32", "0")
-    e.names.steps.update({"%x": str(columns), "%out": str(columns)})
-    e.names.spread.add("%r")
+    if steps:
+        e.names.steps.update({group: str(step) for group, step in steps.items()})
+        e.names.spread.add("%r")
     e.stage()
     f.do(f"ret i32 {f.get('i32', e.solves.status)}")
     f.label("%bail")
     f.do("ret i32 0")
-    return "\n".join([*BRANCH_WEIGHTS, "", f.text()])
+    return f.text()
 
 
 def _is_small(program: Program) -> bool:
@@ -367,7 +416,7 @@ def _strided(program: Program, lanes: int, brief: bool, loop: bool, prefix: str 
 
 def _packed_kernel(lanes: int) -> str:
     """Return the `kernel` that hands ``[item][lane]`` to its strided form."""
-    f = Function("kernel", "i32", _parameters(), "|nounwind")
+    f = Function("kernel", "i32", KERNEL_PARAMETERS, "|nounwind")
     arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
     both = f.let(f"tail call i64 @strided({arguments}, ptr @packed)")
     f.do(f"ret i32 {f.let(f'trunc i64 {both} to i32')}")
@@ -393,7 +442,7 @@ def _in_turns(program: Program, lanes: int, width: int, brief: bool) -> str:
         c = prepare.at("%c", str(first * carried))
         prepare.do(f"call void @turn.prepare(ptr {p}, ptr {c})")
     prepare.do("ret void")
-    f = Function("strided", "i64", f"{_parameters()}, ptr noalias readonly %steps", "|nounwind")
+    f = Function("strided", "i64", f"{KERNEL_PARAMETERS}, ptr noalias readonly %steps", "|nounwind")
     status = "0"
     for first in turns:
         places = {name: f.at(f"%{name}", str(first)) for name in _ARRAYS}
@@ -403,6 +452,8 @@ def _in_turns(program: Program, lanes: int, width: int, brief: bool) -> str:
         bits = f.let(f"shl i64 {f.let(f'and i64 {both}, {2**32 - 1}')}, {first}")
         status = f.let(f"or i64 {status}, {bits}")
     f.do(f"ret i64 {f.let(f'or i64 {status}, {2**32}')}")
-    own = _prepare(program, width, brief, "turn.") + _strided(program, width, brief, False, "turn.")
+    own = prepare_text(program, width, brief, "turn.") + _strided(
+        program, width, brief, False, "turn."
+    )
     outer = [prepare.text(), f.text(), _packed_kernel(lanes)]
     return "\n".join([own, *outer, *BRANCH_WEIGHTS, ""])

@@ -1,0 +1,162 @@
+"""Jacobians in parts, whose columns lie side by side in vector registers."""
+
+import pickle
+import threading
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import zoo
+from cases import system_of
+from pydy._backends.llvm import jit
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.jacobian_columns import compile_jacobian
+from pydy._graph.jacobian_columns import JacobianColumns, columns_program
+from pydy._graph.node import Graph
+from pydy._graph.switches import Passes
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+
+
+def assembly_of(name):
+    if name == "pendulum":
+        system = n_link_pendulum_on_cart(4)
+    elif name == "springs":
+        system = multi_mass_spring_damper(9)
+    else:
+        system = system_of(getattr(zoo, name)())
+    system.generate_ode_function()
+    return system.model.assembly
+
+
+def in_parts(assembly, parts):
+    graph, nodes = assembly.simplified("rates")
+    places = [("x", k) for k in range(assembly.sizes[0])]
+    return columns_program(graph, nodes, places, assembly.sizes, assembly.passes, parts)
+
+
+def sample(assembly, m):
+    n, s, c = assembly.sizes
+    rng = np.random.default_rng(1)
+    x, r = rng.uniform(0.3, 1.2, (m, n)), rng.uniform(size=(m, s))
+    return np.linspace(0.1, 0.3, m), x, r, rng.uniform(0.5, 1.5, c)
+
+
+@pytest.mark.parametrize("name", ["fourbar", "disc", "lifted", "pendulum", "springs"])
+@pytest.mark.parametrize("widths", [(), (2,), (3,), (4,), (2, 5)])
+def test_columns_side_by_side_are_those_of_the_whole(name, widths):
+    assembly = assembly_of(name)
+    n = assembly.sizes[0]
+    cuts = [0, *(w for w in widths if w <= n - 2), n]
+    parts = [*pairwise(cuts)]
+    arguments = sample(assembly, 3)
+    program = assembly.jacobian_program("rates", "x")
+    expected, _ = LLVMBackend().compile(program).evaluate(*arguments)
+    found, failed = compile_jacobian(in_parts(assembly, parts)).evaluate(*arguments)
+    assert not failed.any()
+    assert np.allclose(found, expected, rtol=1e-10, atol=1e-9)
+
+
+def test_columns_of_no_part_are_zero():
+    graph = Graph()
+    x = [graph.input("x", k) for k in range(7)]
+    nodes = [graph.mul(x[2], x[3]), graph.call("sin", x[2])]
+    places = [("x", k) for k in range(7)]
+    made = columns_program(graph, nodes, places, (7, 0, 0), Passes(), [(2, 4)])
+    at = np.arange(7.0)
+    out = np.full((1, 14), np.nan)
+    compile_jacobian(made).evaluate(np.zeros(1), at[None], np.empty((1, 0)), np.zeros(0), out)
+    expected = np.zeros((2, 7))
+    expected[0, 2:4] = 3.0, 2.0
+    expected[1, 2] = np.cos(2.0)
+    assert np.array_equal(out.reshape(2, 7), expected)
+
+
+def chain(n, kind):
+    """The solution of a tridiagonal system by its diagonal and its right-hand side, in parts."""
+    graph = Graph()
+    rows = [[graph.zero] * n for _ in range(n)]
+    for k in range(n):
+        rows[k][k] = graph.input("x", k)
+        if k:
+            rows[k][k - 1] = rows[k - 1][k] = graph.input("p", 0)
+    right = [graph.input("x", n + k) for k in range(n)]
+    solution = graph.solve(rows, [right], kind)[0]
+    places = [("x", k) for k in range(2 * n)]
+    parts = [(0, n), (n, 2 * n)]
+    return columns_program(graph, solution, places, (2 * n, 0, 1), Passes(), parts)
+
+
+@pytest.mark.parametrize("kind", ["ldl", "lu"])
+@pytest.mark.parametrize("n", [6, 9, 30])
+def test_states_that_cannot_go_the_quick_way_are_solved_by_pivoting(n, kind):
+    kernel = compile_jacobian(chain(n, kind))
+    rng = np.random.default_rng(n)
+    p = np.array([1.0])
+    x = np.column_stack([rng.uniform(3, 4, (12, n)), rng.normal(size=(12, n))])
+    x[::3, :n] *= rng.choice([-1.0, 1.0], (4, n))  # no longer definite
+    x[4, 3] = 0.0  # a pivot of zero
+    x[8, 0] = 1e-30
+    found, failed = kernel.evaluate(np.zeros(12), x, np.empty((12, 0)), p)
+    assert not failed.any()
+    for row, state in zip(found, x, strict=True):
+        matrix = np.diag(state[:n]) + np.eye(n, k=1) + np.eye(n, k=-1)
+        inverse = np.linalg.inv(matrix)
+        # A(d) y = b: by d_k it is −A⁻¹ e_k y_k, by b the inverse.
+        expected = np.hstack([-inverse * (inverse @ state[n:]), inverse])
+        assert np.allclose(row.reshape(n, 2 * n), expected, rtol=1e-8, atol=1e-8)
+
+
+@pytest.mark.parametrize("n", [5, 29])
+def test_a_singular_matrix_is_reported(n):
+    kernel = compile_jacobian(chain(n, "ldl"))
+    x = np.full((3, 2 * n), 3.0)
+    x[1, :n] = 0.0  # of an odd number of rows
+    _, failed = kernel.evaluate(np.zeros(3), x, np.empty((3, 0)), np.array([1.0]))
+    assert failed.tolist() == [False, True, False]
+
+
+@pytest.fixture
+def nothing_cached(monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", "off")
+    jit.memory.clear()
+
+
+@pytest.mark.parametrize("name", ["fourbar", "pendulum"])
+def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
+    assembly = assembly_of(name)
+    n = assembly.sizes[0]
+    kernel = compile_jacobian(in_parts(assembly, [(0, n // 2), (n // 2, n)]))
+    arguments = sample(assembly, 20)
+    quick = kernel.evaluate(*arguments)[0]
+    before = kernel.owner[0].addresses
+    assert kernel.addresses != before, "the best code did not take the quick code's place"
+    np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
+
+
+def test_a_kernel_is_pickled_as_what_it_was_made_of():
+    assembly = assembly_of("pendulum")
+    kernel = compile_jacobian(in_parts(assembly, [(0, 5), (5, 10)]))
+    again = pickle.loads(pickle.dumps(kernel))
+    assert isinstance(again.program, JacobianColumns)
+    arguments = sample(assembly, 2)
+    np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], again.evaluate(*arguments)[0])
+
+
+def test_threads_share_a_kernel():
+    assembly = assembly_of("pendulum")
+    kernel = compile_jacobian(in_parts(assembly, [(0, 10)]))
+    arguments = sample(assembly, 200)
+    expected = kernel.evaluate(*arguments)[0]
+    found = {}
+    threads = [
+        threading.Thread(target=lambda k=k: found.update({k: kernel.evaluate(*arguments)[0]}))
+        for k in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for values in found.values():
+        np.testing.assert_array_equal(values, expected)
+    assert len(found) == 4
