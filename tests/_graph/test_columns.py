@@ -48,6 +48,16 @@ def test_the_derivatives_of_one_column_are_those_of_all(name):
         assert np.allclose(one, exact, rtol=1e-10, atol=1e-10)
 
 
+@pytest.mark.parametrize("direction", [None, ("p", 0)])
+def test_the_number_of_columns_is_part_of_the_digest(direction):
+    assembly = assembly_of(n_link_pendulum_on_cart(1))
+    digests = set()
+    for count in (1, 2, 3):
+        columns, _, parts = programs(assembly, (direction,) * count)
+        digests.add(SplitProgram(*parts, columns.table()).digest)
+    assert len(digests) == 3
+
+
 def test_a_column_takes_little_more_than_the_states():
     assembly = assembly_of(n_link_pendulum_on_cart(5))
     columns, whole, (shared, column) = programs(assembly, (("p", 0), ("p", 1), *[None] * 6))

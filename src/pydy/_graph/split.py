@@ -87,7 +87,9 @@ class SplitProgram:
     @cached_property
     def digest(self) -> str:
         """SHA-256 of everything that decides what is computed."""
-        parts = (self.shared.digest, self.column.digest, repr(self.directions.tolist()))
+        # The shape too: by initial conditions alone there are no rows, however many columns.
+        directions = self.directions.shape, self.directions.tolist()
+        parts = (self.shared.digest, self.column.digest, repr(directions))
         return hashlib.sha256("".join(parts).encode()).hexdigest()
 
     @property
