@@ -80,15 +80,15 @@ def _text(jacobian: JacobianColumns, brief: bool) -> str:
         tables.append("declare void @llvm.memset.p0.i64(ptr, i8, i64, i1)")
     for k, part in enumerate(jacobian.parts):
         width, name = _width(part.count), f"part.{k}"
-        steps = {"%x": part.count, "%out": columns}
+        steps = {"%x": -1, "%out": columns}
         functions.append(stage_text(part.program, width, brief, name, steps, "internal"))
-        units = f"@units.{part.count}"
-        ones = [f"double {float(i == j)}" for i in range(part.count) for j in range(part.count)]
-        tables.append(
-            f"{units} = private constant [{len(ones)} x double] [{', '.join(ones)}], align 64"
-        )
+        # A row of the unit matrix is the one above, moved by a place.
+        units, row = f"@units.{part.count}", [0.0] * (2 * part.count)
+        row[part.count] = 1.0
+        numbers = ", ".join(f"double {number}" for number in row)
+        tables.append(f"{units} = private constant [{len(row)} x double] [{numbers}]")
         for start in (*range(0, part.count - width, width), part.count - width):
-            places = ("%t", f.at(units, str(start)), values, "%c")
+            places = ("%t", f.at(units, str(part.count + start)), values, "%c")
             arguments = ", ".join(f"ptr {place}" for place in places)
             out = f.at("%out", str(part.first + start))
             bad = f.let(f"call i32 @{name}({arguments}, ptr {out})")
