@@ -41,6 +41,25 @@ def test_a_branch_goes_around_its_folds():
     assert (branch.values[0], branch.values[-1]) == (-3.0, 3.0)
 
 
+@pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e5), (1e-3, 1e-9)])
+def test_folds_are_found_in_any_units(metre, second):
+    """A micromachined beam that snaps through: in SI units its fold was stepped over."""
+    system = in_a_potential(lambda x, p: p - x**3 + x)
+    system.initial_conditions = {"x": -2.0}
+    own = system.follow_equilibria({"p": [-3.0, 3.0]})
+    scale = metre / second**2
+    v = me.dynamicsymbols("v")
+    system = in_a_potential(
+        lambda x, p: p + (-((x / metre) ** 3) + x / metre - v * second / metre) * scale + v
+    )
+    system.initial_conditions = {"x": -2.0 * metre}
+    branch = system.follow_equilibria({"p": [-3.0 * scale, 3.0 * scale]})
+    assert [point.kind for point in branch.special] == ["fold", "fold"]
+    np.testing.assert_allclose(branch.values / scale, own.values, rtol=0.0, atol=1e-9)
+    np.testing.assert_allclose(branch["x"] / metre, own["x"], rtol=0.0, atol=1e-9)
+    np.testing.assert_array_equal(branch.stable, own.stable)
+
+
 def test_a_bead_on_a_hoop_meets_a_branch_point_at_the_critical_rate():
     system, _, turn = bead_on_a_hoop()
     branch = system.follow_equilibria({turn: [1.0, 8.0]})

@@ -196,7 +196,7 @@ def follow_equilibria(
             lambda value: told(1, **{family.names[-1]: f"{value:.6g}"}),
         )
     z = np.array(points)
-    limit = ZERO_ROOT * max(1.0, max(float(np.abs(s).max(initial=0.0)) for s in spectra))
+    limit = ZERO_ROOT * max(float(np.abs(s).max(initial=0.0)) for s in spectra)
     branch = EquilibriumBranch(
         parameter=family.names[-1],
         values=z[:, -1].copy(),

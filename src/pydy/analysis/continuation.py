@@ -19,7 +19,15 @@ import numpy as np
 from pydy._names import place_of
 from pydy._optional import require
 from pydy.analysis.pictures import plot_branch
-from pydy.analysis.tuning import BISECTED, FREE, ON_BRANCH, SHORTEST_STEP, STEEPEST_TURN, ZERO_ROOT
+from pydy.analysis.tuning import (
+    BISECTED,
+    FREE,
+    NOTHING,
+    ON_BRANCH,
+    SHORTEST_STEP,
+    STEEPEST_TURN,
+    ZERO_ROOT,
+)
 
 __all__ = ["EquilibriumBranch", "SpecialPoint", "trace"]
 
@@ -124,12 +132,15 @@ class _Point:
 
 
 class _Curve:
-    """F(z) = 0 with the unknowns scaled, and what is free held."""
+    """F(z) = 0 with equations and unknowns in units of their own, and what is free held."""
 
     def __init__(self, F: Function, J: Function, spectrum: Function, z: np.ndarray, span: float):
-        self.F, self.J, self.spectrum = F, J, spectrum
-        self.scale = np.append(np.maximum(np.abs(z[:-1]), 1.0), span)
-        slopes = J(z)[:, :-1] * self.scale[:-1]
+        self._F, self._J, self.spectrum = F, J, spectrum
+        first = J(z)
+        self.scale = _scales(first, z, span)
+        sizes = np.abs(first * self.scale).max(axis=1, initial=0.0)
+        self.sizes = np.where(sizes > 0.0, sizes, 1.0)
+        slopes = self.J(z)[:, :-1] * self.scale[:-1]
         _, singular, right = np.linalg.svd(slopes)
         rank = int((singular > FREE * singular.max(initial=np.finfo(float).tiny)).sum())
         free = right[rank:]
@@ -138,6 +149,14 @@ class _Curve:
         self.origin = z
         left = np.linalg.svd(self._whole(z), full_matrices=False)[0]
         self.rows = left[:, : len(z) - 1].T
+
+    def F(self, z: np.ndarray) -> np.ndarray:
+        residuals: np.ndarray = self._F(z) / self.sizes
+        return residuals
+
+    def J(self, z: np.ndarray) -> np.ndarray:
+        slopes: np.ndarray = self._J(z) / self.sizes[:, None]
+        return slopes
 
     def _whole(self, z: np.ndarray) -> np.ndarray:
         scaled = self.J(z) * self.scale
@@ -169,6 +188,24 @@ class _Curve:
         tangent = tangent if tangent @ before >= 0.0 else -tangent
         sign = float(np.linalg.slogdet(np.vstack([square, tangent]))[0])
         return _Point(z, tangent, sign, self.spectrum(z))
+
+
+def _scales(slopes: np.ndarray, z: np.ndarray, span: float) -> np.ndarray:
+    """Return sizes of the unknowns; of the parameter, which is the last, its span.
+
+    Unknowns that the parameter moves are as large as what it moves them by, or as they are: with
+    each entry of the Jacobian times the size of its column as large as its row, as far as least
+    squares of logarithms allow (Curtis and Reid, J. Inst. Maths Applics 10 (1972) 118-124). That
+    does not depend on the units that a user works in. What nothing tells of has the size 1.
+    """
+    m, k = slopes.shape
+    sizes = np.abs(slopes)
+    sizes[:, -1] *= span
+    row, column = np.nonzero(sizes > NOTHING * sizes.max(axis=1, initial=0.0, keepdims=True))
+    table = np.zeros((len(row), m + k))
+    table[np.arange(len(row)), row] = table[np.arange(len(row)), m + column] = 1.0
+    logs = np.linalg.lstsq(table[:, :-1], -np.log(sizes[row, column]), rcond=None)[0]
+    return np.append(np.maximum(np.abs(z[:-1]), np.exp(logs[m:])), span)
 
 
 def trace(
@@ -218,7 +255,7 @@ def trace(
     point = curve.point(start, towards)
     if point.tangent[-1] * towards[-1] < 0.0:
         raise AssertionError("the tangent points the other way")
-    limit = ZERO_ROOT * max(1.0, float(np.abs(point.spectrum).max(initial=0.0)))
+    limit = ZERO_ROOT * float(np.abs(point.spectrum).max(initial=0.0))
     points: list[_Point] = [point]
     special: list[SpecialPoint] = []
     try:

@@ -15,6 +15,7 @@ __all__ = [
     "NAMED",
     "NAMED_IN_FIT",
     "NEWTON_STEP",
+    "NOTHING",
     "ON_BRANCH",
     "ORBIT_CLOSED",
     "SHORTEST_STEP",
@@ -61,6 +62,10 @@ NEWTON_STEP = 1e-9
 
 AT_BOUND = 1e-9
 """How near to a bound a value lies at it, relative to the value."""
+
+NOTHING = 1e-13
+"""Entries of a Jacobian below this share of their row's largest are what rounding leaves of zeros:
+more than that between units, such as 1e6 N/m beside 1e-3 N s/m, is not."""
 
 ON_BRANCH = 1e-11
 """Newton's last step to a point of a branch, in scaled unknowns."""
