@@ -1,6 +1,7 @@
 """Code for other processors than this one: the same bits, and never code that cannot run."""
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -14,7 +15,7 @@ from harness import frozen
 from harness.program import assembly_of
 
 from graphs import solve_program
-from pydy._backends.llvm.backend import LLVMBackend, width_of
+from pydy._backends.llvm.backend import LLVMBackend, kernel_text, width_of
 from pydy._backends.llvm.targets import TABLE, chosen, registers_for, target
 
 TESTS = Path(__file__).parents[2]
@@ -202,3 +203,16 @@ def test_where_little_is_done_for_each_result_all_lanes_go_at_once(
     monkeypatch.setattr("pydy._backends.llvm.backend.target", lambda: host)
     program = assembly_of(frozen.read(name)).program("rates")
     assert width_of(program, 8) == width
+
+
+@pytest.mark.parametrize(("features", "blocks"), [(V3, False), (V4, True), ({"sse2"}, True)])
+def test_with_few_registers_a_model_is_one_basic_block_and_llvm_chooses_what_waits_in_memory(
+    monkeypatch, bicycle, features, blocks
+):
+    host = chosen("native", X86, "some", features)
+    monkeypatch.setattr("pydy._backends.llvm.backend.target", lambda: host)
+    text = kernel_text(bicycle, 8, host.registers.widest)
+    run = text[text.index("strided(") : text.index("%done = ")]
+    spills = re.findall(r"store <\d x double> %\S+, ptr %slot", run)
+    assert ("label %block." in run) is blocks
+    assert (len(spills) > 20) is blocks  # else those of sines of large angles alone

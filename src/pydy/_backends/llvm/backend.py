@@ -380,11 +380,18 @@ def _is_small(program: Program) -> bool:
     return sum(not setup for setup in program.setup) <= LOOP
 
 
+def _is_one_block(program: Program, lanes: int) -> bool:
+    registers = target().registers
+    size = program.operation_count["run"].total() + len(program.outputs)
+    return lanes == registers.widest and size <= registers.whole
+
+
 def _strided(program: Program, lanes: int, brief: bool, loop: bool, prefix: str = "") -> str:
     parameters = f"{_parameters('.first' if loop else '')}, ptr noalias readonly %steps"
     linkage = "internal" if prefix else ""
     f = Function(f"{prefix}strided", "i64", parameters, f"{linkage}|nounwind")
-    e = Emitter(f, program, lanes, target().vectors(lanes), False, brief)
+    whole = not loop and _is_one_block(program, lanes)
+    e = Emitter(f, program, lanes, target().vectors(lanes), False, brief, whole)
     e.solves.status = f.variable("i32", "0")
     for place, group in enumerate(("%x", "%r", "%out")):
         e.names.steps[group] = f.load("i64", "%steps", str(place))

@@ -41,6 +41,8 @@ class Emitter:
         Which stage.
     brief : bool
         Call routines where there are any.
+    whole : bool
+        Write one basic block, and leave the choice of what waits in memory to LLVM.
     """
 
     def __init__(
@@ -51,6 +53,7 @@ class Emitter:
         registers: int,
         setup: bool,
         brief: bool = False,
+        whole: bool = False,
     ) -> None:
         self.f = f
         self.program = program
@@ -62,7 +65,8 @@ class Emitter:
         self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
         self.fused, self.swallowed = fusion(program)
         uses = readers(program, self.swallowed, setup)
-        self.capacity = max(registers - TEMPORARY, 4)
+        self.whole = whole
+        self.capacity = len(program.ops) if whole else max(registers - TEMPORARY, 4)
         self.names = Registers(f, self.v, self.capacity, uses)
         self.written = 0  # operations of this block
         self.began = len(f.lines)
@@ -163,13 +167,13 @@ class Emitter:
         self._write_and_keep(node)
 
     def _count(self) -> None:
-        if self.written and self.written % BASIC_BLOCK == 0:
+        if self.written and self.written % BASIC_BLOCK == 0 and not self.whole:
             self._next_block()
         self.written += 1
 
     def divide(self) -> None:
         """Begin another basic block if this one has become long with what is no operation."""
-        if len(self.f.lines) - self.began > LINES:
+        if len(self.f.lines) - self.began > LINES and not self.whole:
             self._next_block()
 
     def _write_and_keep(self, node: int) -> None:

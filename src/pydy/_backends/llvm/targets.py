@@ -31,22 +31,26 @@ class Registers:
     widest : int
         Lanes of straight-line code that does not fit in the registers: wider kernels are made of
         several parts. It is a width at which the registers hold a dozen values.
+    whole : int
+        Operations up to which code of that many lanes is one basic block, in which LLVM decides
+        what waits in memory.
     """
 
     needs: str
     count: int
     doubles: int
     widest: int
+    whole: int
 
 
 # The first that fits. Instructions for each state of eight, and how many of them read or write the
-# stack, in code of one part of eight lanes and of two parts of four, without AVX-512: see
-# docs/decisions/21-processors.md.
+# stack, in code of one part of eight lanes and of two parts of four, without AVX-512; and the time
+# of one basic block of four lanes: see docs/decisions/21-processors.md.
 TABLE = (
-    Registers("avx512vl", 32, 8, 8),
-    Registers("avx", 16, 4, 4),
-    Registers("neon", 32, 2, 4),
-    Registers("", 16, 2, 2),
+    Registers("avx512vl", 32, 8, 8, 0),
+    Registers("avx", 16, 4, 4, 3000),
+    Registers("neon", 32, 2, 4, 0),
+    Registers("", 16, 2, 2, 0),
 )
 
 # What the levels of x86-64 add to any 64-bit processor (System V ABI, AMD64 supplement, 3.1.1), in
