@@ -318,19 +318,24 @@ class Graph(Nodes):
             Whether the systems that guards fall back to count.
         """
         ops, needs = self.ops, self._operands
-        seen = set(roots)
-        stack = list(seen)
-        while stack:
-            node = stack.pop()
+        wanted = bytearray(len(needs))
+        for node in roots:
+            wanted[node] = 1
+        order = []
+        # From the last: what a node refers to stands before it.
+        node = wanted.rfind(1)
+        while node >= 0:
+            order.append(node)
             if fallbacks or ops[node] != "guard":
-                new = set(needs[node]) - seen
+                operands = needs[node]
             else:
                 sound, fast = self.args[node][3:]
-                new = {sound, *fast} - seen
-            if new:
-                seen |= new
-                stack += new
-        return sorted(seen)
+                operands = (sound, *fast)
+            for other in operands:
+                wanted[other] = 1
+            node = wanted.rfind(1, 0, node)
+        order.reverse()
+        return order
 
 
 def _is_counted(op: str, args: tuple[Any, ...]) -> bool:

@@ -30,9 +30,8 @@ def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -
         return _around_guards(graph, roots, guards, passes)
     run = _Run(graph, roots, passes)
     run.all(ONCE)
-    before = None
-    while before is None or before - run.cost > ANOTHER_ROUND * before:
-        before = run.cost
+    before = run.cost
+    if run.all(ROUND) >= ANOTHER_ROUND * before:
         run.all(ROUND)
     return run.nodes
 
@@ -48,8 +47,9 @@ class _Run:
         self.cost = operations(graph, roots, self._counts)
         self._left: dict[str, list[int]] = {}  # by each pass, which would leave it so again
 
-    def all(self, passes: Sequence[tuple[str, Pass]]) -> None:
-        """Run passes one after another; take what costs less."""
+    def all(self, passes: Sequence[tuple[str, Pass]]) -> int:
+        """Run passes one after another; take what costs less. Return what merging saved."""
+        merged = 0
         for name, function in passes:
             if name not in self.passes or self._left.get(name) == self.nodes:
                 continue
@@ -57,8 +57,10 @@ class _Run:
             if tried != self.nodes:
                 cost = operations(self.graph, tried, self._counts)
                 if cost < self.cost:
+                    merged += self.cost - cost if name == "merge" else 0
                     self.nodes, self.cost = tried, cost
             self._left[name] = self.nodes
+        return merged
 
 
 def _around_guards(

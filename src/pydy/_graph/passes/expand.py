@@ -69,10 +69,10 @@ class _Expansion:
                 continue
             c0, pairs = graph.args[inner]
             terms = terms_of(graph, pairs)
-            below = {n for inside, _ in terms for n, e in inside.items() if e < 0}
+            below = {n for inside, _, _ in terms for n, e in inside.items() if e < 0}
             if met := [(n, e) for n, e in factors.items() if n in below and e > 0]:
                 others = [(n, e) for n, e in factors.items() if n != inner and n not in dict(met)]
-                new = [(graph.product([*met, *f.items()]), c) for f, c in terms]
+                new = [(graph.product([*met, *f.items()]), c) for f, c, _ in terms]
                 sum_ = graph.sum([*new, (graph.product(met), c0)] if c0 else new)
                 return graph.product([*others, (sum_, 1)])
         return None
@@ -83,17 +83,18 @@ class _Expansion:
         c0, pairs = args
         terms = terms_of(graph, pairs)
         popular = self._popular(terms)
-        powers = [power for factors, _ in terms for power in factors.items()]
+        powers = [power for factors, _, _ in terms for power in factors.items()]
         if not any(self._wanted(*power, popular) for power in powers):
             return node if same else factored(graph, terms, c0)
         waiting = terms[::-1]
         done: list[Term] = []
         limit = 4 * len(terms) + 16
         while waiting:
-            factors, coefficient = waiting.pop()
+            term = waiting.pop()
+            factors, coefficient, _ = term
             inner = next((n for n, e in factors.items() if self._wanted(n, e, popular)), None)
             if inner is None or len(waiting) + len(done) > limit:
-                done.append((factors, coefficient))
+                done.append(term)
                 continue
             others = [(n, e) for n, e in factors.items() if n != inner]
             inner_c0, inner_terms = graph.args[inner]
@@ -111,7 +112,7 @@ class _Expansion:
     def _popular(self, terms: list[Term]) -> set[int]:
         """Return the factors that many terms have, or would have with sums multiplied out."""
         counts: Counter[int] = Counter()
-        for factors, _ in terms:
+        for factors, _, _ in terms:
             found = {n for n in factors if not self.graph.constant[n]}
             for node, exponent in factors.items():
                 if exponent == 1:

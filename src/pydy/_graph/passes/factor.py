@@ -10,8 +10,8 @@ from pydy._graph.rewrite import again, rebuild
 
 __all__ = ["Term", "factor_sums", "factored", "terms_of"]
 
-# The powers of a product, and its coefficient.
-Term = tuple[dict[int, int], float]
+# The powers of a product, its coefficient, and its node, -1 where there may be none yet.
+Term = tuple[dict[int, int], float, int]
 
 
 def factor_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
@@ -34,8 +34,10 @@ def terms_of(graph: Graph, pairs: Sequence[tuple[int, float]]) -> list[Term]:
     terms: list[Term] = []
     for node, coefficient in pairs:
         scale, core = graph.scaled(node)
-        powers = dict(graph.args[core]) if graph.ops[core] == "prod" else {core: 1}
-        terms.append((powers, coefficient * scale))
+        op = graph.ops[core]
+        powers = dict(graph.args[core]) if op == "prod" else {core: 1}
+        # A sum as a factor may have another sign.
+        terms.append((powers, coefficient * scale, -1 if op == "sum" else core))
     return terms
 
 
@@ -47,21 +49,22 @@ def factored(graph: Graph, terms: list[Term], c0: float) -> int:
 def _collect(graph: Graph, terms: list[Term]) -> list[Term]:
     """Join the terms whose state-dependent part is the same: their constants add up."""
     groups: dict[tuple[Any, ...], list[Term]] = {}
-    for factors, coefficient in terms:
-        key = tuple(sorted((n, e) for n, e in factors.items() if not graph.constant[n]))
-        groups.setdefault(key, []).append((factors, coefficient))
+    constant = graph.constant
+    for term in terms:
+        key = tuple([power for power in term[0].items() if not constant[power[0]]])
+        groups.setdefault(key, []).append(term)
     collected: list[Term] = []
     for key, members in groups.items():
         if len(members) == 1 or not key:
             collected.extend(members)
             continue
-        rest = [({n: e for n, e in f.items() if graph.constant[n]}, c) for f, c in members]
+        rest = [({n: e for n, e in f.items() if constant[n]}, c, -1) for f, c, _ in members]
         inner = _extract(graph, rest, 0.0, constant=True)
         scale, core = graph.scaled(inner)
         if graph.value(core) is not None:
             value = graph.value(core) or 0.0
             if value:
-                collected.append((dict(key), scale * value))
+                collected.append((dict(key), scale * value, -1))
             continue
         factors = dict(key)
         if graph.ops[core] == "prod":
@@ -69,7 +72,7 @@ def _collect(graph: Graph, terms: list[Term]) -> list[Term]:
                 factors[n] = factors.get(n, 0) + e
         else:
             factors[core] = factors.get(core, 0) + 1
-        collected.append((factors, scale))
+        collected.append((factors, scale, -1))
     return collected
 
 
@@ -84,15 +87,15 @@ def _extract(graph: Graph, terms: list[Term], c0: float, *, constant: bool = Fal
         step = _next_factors(graph, terms, constant) if len(terms) > 1 else None
         if step is not None:
             common, inside, outside = step
-            for factors, _ in inside:
+            for factors, _, _ in inside:
                 for node, exponent in common.items():
                     factors[node] -= exponent
                     if not factors[node]:
                         del factors[node]
             brackets.append((outside, done, c0, common))
-            terms, done, c0 = inside, [], 0.0
+            terms, done, c0 = [(f, c, -1) for f, c, _ in inside], [], 0.0
             continue
-        done.extend((graph.product(f.items()), c) for f, c in terms)
+        done += [(graph.product(f.items()) if n < 0 else n, c) for f, c, n in terms]
         value = graph.sum(done, c0)
         while brackets:
             terms, done, c0, common = brackets.pop()
@@ -128,7 +131,7 @@ def _next_factors(
 def _common(terms: list[Term]) -> dict[int, int]:
     """Return all powers that every term has, so that one step takes them out together."""
     common = dict(terms[0][0])
-    for factors, _ in terms[1:]:
+    for factors, _, _ in terms[1:]:
         for n, e in list(common.items()):
             other = factors.get(n, 0)
             if e * other <= 0:
@@ -141,17 +144,17 @@ def _common(terms: list[Term]) -> dict[int, int]:
 
 
 def _most_frequent(graph: Graph, terms: list[Term]) -> tuple[int, int] | None:
-    counts: dict[tuple[int, int], int] = {}
-    for factors, _ in terms:
+    counts: dict[int, int] = {}  # of denominators by the node's complement
+    for factors, _, _ in terms:
         for node, exponent in factors.items():
-            key = (node, 1 if exponent > 0 else -1)
+            key = node if exponent > 0 else ~node
             counts[key] = counts.get(key, 0) + 1
-    best = None
-    best_rank: tuple[Any, ...] = ()
-    for (node, sign), count in counts.items():
-        if count < 2:
-            continue
-        rank = (not graph.constant[node], count, sign, -node)
-        if best is None or rank > best_rank:
-            best, best_rank = (node, sign), rank
-    return best
+    ranks = []
+    for key, count in counts.items():
+        if count > 1:
+            node, sign = (key, 1) if key >= 0 else (~key, -1)
+            ranks.append((not graph.constant[node], count, sign, -node))
+    if not ranks:
+        return None
+    _, _, sign, place = max(ranks)
+    return -place, sign

@@ -60,7 +60,7 @@ def body_basis(
     with suppress(_TooLongError):  # the bodies that are done stay so
         while (own := basis.own(end)) and basis.change(own):
             end = own.start
-    if end == len(matrix):
+    if 2 * end > len(matrix):  # it pays along a chain only, not for its last body
         return None
     # What is left of a long sum is often equal to something short; `simplify` finds it again.
     merged = merge_equal(graph, basis.nodes())
@@ -103,21 +103,22 @@ class BodyBasis:
 
     def own(self, end: int) -> range:
         """Return the unknowns before `end` with a diagonal block of constants, written as such."""
-        self._settle(end)
         graph, m = self.graph, self.matrix
         start = end
-        while start and graph.constant[m[start - 1][start - 1]]:
-            if any(m[start - 1][k] != graph.zero for k in range(start, end)):
+        while start > max(end - MOST_SPEEDS_OF_A_BODY, 0):
+            k = start - 1
+            self._settle([(k, j) for j in range(k, end)])
+            if not graph.constant[m[k][k]] or any(m[k][j] != graph.zero for j in range(start, end)):
                 break
-            start -= 1
+            start = k
         return range(start, end)
 
-    def _settle(self, end: int) -> None:
-        """Write entries before `end` that are the same in every state without the state."""
+    def _settle(self, places: Sequence[tuple[int, int]]) -> None:
+        """Write entries that are the same in every state without the state."""
         graph, m = self.graph, self.matrix
-        near = range(max(end - MOST_SPEEDS_OF_A_BODY, 0), end)
-        places = [(i, j) for i in near for j in range(near.start, i + 1)]
         places = [(i, j) for i, j in places if not graph.constant[m[i][j]]]
+        if not places:
+            return
         nodes = [m[i][j] for i, j in places]
         moving = [n for n in graph.reachable(nodes) if graph.ops[n] == "input"]
         moving = [n for n in moving if not graph.constant[n]]
@@ -256,14 +257,15 @@ class _Polynomials:
         return result
 
     def _times(self, a: _Polynomial, b: _Polynomial) -> _Polynomial:
-        graph, joined = self.graph, self._joined
-        terms: list[tuple[float, _Polynomial]] = []
-        for (one, x), (two, y) in product(a.items(), b.items()):
-            if (one, two) not in joined:
-                powers = Counter(dict(one))
-                powers.update(dict(two))
-                joined[one, two] = tuple(sorted(powers.items()))
-            terms.append((1.0, {joined[one, two]: graph.mul(x, y)}))
+        joined, one, mul = self._joined, self.graph.one, self.graph.mul
+        terms: list[tuple[_Powers, int]] = []
+        for (first, x), (second, y) in product(a.items(), b.items()):
+            if (first, second) not in joined:
+                powers = Counter(dict(first))
+                powers.update(dict(second))
+                joined[first, second] = tuple(sorted(powers.items()))
+            node = y if x == one else x if y == one else mul(x, y)
+            terms.append((joined[first, second], node))
         if len(a) == 1 or len(b) == 1:  # no two powers meet
-            return {powers: node for _, term in terms for powers, node in term.items()}
-        return self._sum(terms)
+            return dict(terms)
+        return self._sum([(1.0, {powers: node}) for powers, node in terms])
