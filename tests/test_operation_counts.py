@@ -18,7 +18,9 @@ from harness import frozen
 from harness.models import spring_chain
 from harness.program import assembly_of
 
+from pydy._graph.program import Program
 from pydy._graph.switches import Passes
+from pydy._graph.tuning import COLUMNS_TOGETHER
 from pydy.system import System
 
 # Operations at every call in M and F, and with the solve for the accelerations; the last column
@@ -63,6 +65,31 @@ JACOBIANS = {
 def test_no_jacobian_costs_more_operations_than_it_did(name):
     program = assembly_of(frozen.read(name)).jacobian_program("rates", "x")
     assert operations(program) <= JACOBIANS[name]
+
+
+# The same in parts: operations to compile, and vectors of operations to execute.
+IN_PARTS = {
+    "pendulum-5": (777, 952),
+    "pendulum-10": (2790, 3051),
+    "rods-3": (3022, 3378),
+    "quadrotor": (1279, 1279),
+}
+
+
+@pytest.mark.parametrize("name", sorted(IN_PARTS))
+def test_no_jacobian_in_parts_costs_more_operations_than_it_did(name):
+    made = assembly_of(frozen.read(name)).jacobian_in_parts("rates", "x")
+    code, run = (operations(made.shared),) * 2
+    for part in made.parts:
+        own = operations(part.program)
+        code, run = code + own, run + own * -(-part.count // COLUMNS_TOGETHER)
+    assert code <= IN_PARTS[name][0]
+    assert run <= IN_PARTS[name][1]
+
+
+def test_a_jacobian_that_gains_nothing_in_parts_is_one_program():
+    made = assembly_of(frozen.read("bicycle")).jacobian_in_parts("rates", "x")
+    assert isinstance(made, Program)
 
 
 def test_function_and_jacobian_are_simplified_once(monkeypatch):
