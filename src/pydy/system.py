@@ -1607,6 +1607,7 @@ class System:
             SampledInputs, are the same for all samples.
         times : array_like, shape (m,), optional
         ode_solver : {'dop853', 'tsit5', 'vern9', 'rk4', 'radau'} or Solver, optional
+            The attribute `ode_solver` is not used.
         product : bool, optional
             Whether each one-dimensional array gets its own dimension, named after its symbol
             (``initial_q1`` for an initial condition of ``q1``), so that the samples are all

@@ -482,6 +482,32 @@ def test_dependent_initial_conditions_and_constraints_are_differentiated(held):
         assert relative(np.array([found[s, name] for s in found.quantities[:6]]).T, expected) < 1e-9
 
 
+@pytest.mark.parametrize("held", HELD[1:], ids=["project", "baumgarte"])
+def test_events_that_turn_a_closed_loop_round_are_differentiated(held):
+    """All speeds are scaled by one number, so that they still satisfy the constraints."""
+    names, size = ["la", "m1", "q1", "u1"], 1e-3
+
+    def swing(solver, h=0.0, name="la", **options):
+        system = linkage(solver, **{name: h})
+        turned = {u: -0.8 * u for u in system.speeds}
+        stop = Event(system.coordinates[0] + 1.06, reset=turned)
+        return system.simulate(events=stop, **held, **TIGHT, **options)
+
+    expected = []
+    for name in names:
+        runs = {k: swing("vern9", k * size, name) for k in range(-3, 4)}
+        states = derivative(lambda h, runs=runs: runs[round(h / size)].states, size)
+        times = derivative(lambda h, runs=runs: runs[round(h / size)].events[0].time, size)
+        expected.append((states, times))
+    for solver in ("vern9", "radau"):
+        found = swing(solver, sensitivities=names)
+        assert len(found.events) == 2
+        for k, (states, _) in enumerate(expected):
+            assert relative(found.sensitivity.values[:, :, k], states) < 1e-9
+        moments = [time for _, time in expected]
+        assert relative(found.events[0].time_sensitivity, np.array(moments)) < 1e-9
+
+
 def off_the_constraints(system, trajectory, names):
     """The largest residual of the linear constraints that sensitivities satisfy."""
     largest = 0.0
