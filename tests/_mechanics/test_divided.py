@@ -30,7 +30,7 @@ def solved(pattern, a, b):
     if found is None:
         return None
     x = np.concatenate([a.ravel(), b.T.ravel()])
-    nodes = [node for column in found for node in column]
+    nodes = [node for column in found[0] for node in column]
     program = lower(g, (len(x), 0, 0), [("solutions", (len(nodes),), nodes)])
     values, failed = run(program, np.zeros(1), x[None], np.zeros((1, 0)), np.zeros(0))
     assert not failed.any()

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from pydy._graph.node import Graph
+from pydy._mechanics.multipliers import usual_sizes
+from pydy._mechanics.tuning import SOUND_PIVOT
 
 __all__ = ["divided"]
 
@@ -19,15 +21,20 @@ _LARGEST = 3
 
 def divided(
     graph: Graph, matrix: Sequence[Sequence[int]], columns: Sequence[Sequence[int]]
-) -> list[list[int]] | None:
-    """Return the solutions of ``matrix · x = column``; None where larger groups hang together."""
+) -> tuple[list[list[int]], int] | None:
+    """Return the solutions of ``matrix · x = column``, and whether no group is nearly singular.
+
+    None where larger groups hang together.
+    """
     groups = _groups(graph, matrix)
     if groups is None:
         return None
     solutions: list[list[int]] = []
-    inverses = [
-        _inverse(graph, [[matrix[i][j] for j in own] for i in rows]) for rows, own in groups
-    ]
+    blocks = [[[matrix[i][j] for j in own] for i in rows] for rows, own in groups]
+    inverses = [_inverse(graph, block) for block in blocks]
+    clear = graph.boolean(True)
+    for block in blocks:
+        clear = graph.call("and", clear, _clear(graph, block))
     for column in columns:
         found: dict[int, int] = {}
         for (rows, own), inverse in zip(groups, inverses, strict=True):
@@ -42,7 +49,7 @@ def divided(
                 terms = [(graph.mul(a, b), 1.0) for a, b in zip(line, rest, strict=True)]
                 found[j] = graph.sum(terms)
         solutions.append([found[j] for j in range(len(column))])
-    return solutions
+    return solutions, clear
 
 
 def _groups(
@@ -69,11 +76,26 @@ def _groups(
     return found
 
 
+def _determinant(graph: Graph, matrix: list[list[int]]) -> int:
+    minors = [_minor(graph, matrix, 0, j) for j in range(len(matrix))]
+    return graph.sum([(graph.mul(a, b), 1.0) for a, b in zip(matrix[0], minors, strict=True)])
+
+
+def _clear(graph: Graph, matrix: list[list[int]]) -> int:
+    """Return whether a determinant is not small beside what it is at other states."""
+    node = _determinant(graph, matrix)
+    if graph.constant[node]:
+        return graph.boolean(True)
+    size = graph.call("abs", node)
+    (usual,) = usual_sizes(graph, [size])
+    # Where there is no usual size, as at places that an expression does not reach, none is small.
+    return graph.call("not", graph.call("lt", size, graph.sum([(usual, SOUND_PIVOT)])))
+
+
 def _inverse(graph: Graph, matrix: list[list[int]]) -> list[list[int]]:
     n = len(matrix)
     minors = [[_minor(graph, matrix, i, j) for j in range(n)] for i in range(n)]
-    terms = [(graph.mul(matrix[0][j], minors[0][j]), 1.0) for j in range(n)]
-    inverse = graph.powi(graph.sum(terms), -1)
+    inverse = graph.powi(_determinant(graph, matrix), -1)
     return [[graph.mul(minors[i][j], inverse) for i in range(n)] for j in range(n)]
 
 

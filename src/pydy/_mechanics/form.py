@@ -20,9 +20,13 @@ from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.gravity import take_gravity_off
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.lumps import lumped
-from pydy._mechanics.multipliers import accelerations_of_held, solved_soundly
+from pydy._mechanics.multipliers import (
+    accelerations_of_held,
+    accelerations_written_out,
+    solved_soundly,
+)
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import GUARDED_UP_TO, SOUND_SHARE
+from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, LIGHTEST, SOUND_SHARE
 
 __all__ = [
     "Formed",
@@ -305,7 +309,7 @@ def reduced(
     rows, drift = _constraints(kinematics, kinematics.body.velocity)
     held = [row[p:] for row in rows]
     columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in drift]]
-    solved = divided(g, held, columns) or g.solve(held, columns, "lu")
+    solved, clear = divided(g, held, columns) or (g.solve(held, columns, "lu"), g.boolean(True))
     a, b = solved[:p], solved[p]
 
     def joined(column: Sequence[int], i: int) -> int:
@@ -319,7 +323,8 @@ def reduced(
     whole = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
     if given or moved:
         return *whole, None
-    if kinematics.body.changing and all(matrix[k][k] != g.zero for k in range(n)):
+    heavy = all(matrix[k][k] != g.zero for k in range(n))
+    if kinematics.body.changing and heavy:
         more, pull = _constraints(kinematics, kinematics.body.redundant)
         parts = (matrix, forcing, [*rows, *more], [*drift, *pull])
         return *whole, accelerations_of_held(g, *parts, rank=d)
@@ -334,18 +339,58 @@ def reduced(
         g.sum([(force[i], 1.0), *((g.mul(upper[i][p + k], b[k]), -1.0) for k in range(d))])
         for i in range(p)
     ]
-    sound, within = g.boolean(True), 1 < p <= GUARDED_UP_TO
-    if within:
+    sound = clear
+    if 1 < p <= GUARDED_UP_TO:
         sizes = [g.zero, *(g.sum([(both[i][i], SOUND_SHARE)]) for i in range(1, p))]
-        free, sound = solved_soundly(g, both, rest, sizes)
+        free, well = solved_soundly(g, both, rest, sizes)
+        sound = g.call("and", sound, well)
     else:
         free = g.solve(both, [rest], "ldl")[0]
+    for i in range(p):
+        if matrix[i][i] != g.zero:
+            limit = g.sum([(both[i][i], LIGHT if p <= GUARDED_UP_TO else LIGHTEST)])
+            sound = g.call("and", sound, g.call("not", g.call("lt", matrix[i][i], limit)))
     bound = [
         g.sum([(b[k], 1.0), *((g.mul(a[i][k], free[i]), 1.0) for i in range(p))]) for k in range(d)
     ]
-    # Where a dependent speed is large beside the independent ones, AᵀM A swallows the rest of the
-    # matrix: the equations of all speeds do not.
-    return *whole, g.guard(*whole, sound, [*free, *bound]) if within else [*free, *bound]
+    fallback = _with_multipliers(g, matrix, forcing, rows, drift, clear, heavy=heavy)
+    return *whole, g.guard(*fallback, sound, [*free, *bound, *[g.zero] * d])[:n]
+
+
+def _with_multipliers(
+    g: Graph,
+    matrix: list[list[int]],
+    forcing: list[int],
+    rows: list[list[int]],
+    drift: list[int],
+    clear: int,
+    *,
+    heavy: bool,
+) -> tuple[list[list[int]], list[int]]:
+    """Return a system for u' and multipliers that any dependent speeds may be chosen for.
+
+    It is M u' + Kᵀ μ = F, −K u' = b. Where the constraints nearly depend on each other, as in a
+    singular position, μ is large and u' lost: there its solution is taken instead, with the least
+    multipliers, if all speeds move masses.
+    """
+    n, d = len(forcing), len(drift)
+    system = [
+        *([*line, *(row[i] for row in rows)] for i, line in enumerate(matrix)),
+        *([*(g.neg(node) for node in row), *[g.zero] * d] for row in rows),
+    ]
+    column = [*forcing, *drift]
+    if not heavy or g.constant[clear] or n > GUARDED_UP_TO:
+        return system, column
+    held, definite = accelerations_written_out(g, matrix, forcing, rows, drift)
+    taken = g.call("and", g.call("not", clear), definite)
+    known = [*held, *[g.zero] * d]
+    return (
+        [
+            [g.call("select", taken, g.one if i == j else g.zero, e) for j, e in enumerate(line)]
+            for i, line in enumerate(system)
+        ],
+        [g.call("select", taken, a, b) for a, b in zip(known, column, strict=True)],
+    )
 
 
 def _constraints(

@@ -16,12 +16,19 @@ r/σ by ε/δ³ at a distance δ from the singular position, with σ ~ δ².
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._mechanics.tuning import SHIFT, SOUND_PIVOT
+from pydy._mechanics.tuning import SHIFT, SMALL_PIVOT, SOUND_PIVOT
 
-__all__ = ["accelerations_of_held", "multipliers_of", "solved_soundly"]
+__all__ = [
+    "accelerations_of_held",
+    "accelerations_written_out",
+    "multipliers_of",
+    "solved_soundly",
+    "usual_sizes",
+]
 
 _STEPS = 6  # after the first: what is 1e-2 of the size is found to rounding
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
@@ -48,6 +55,40 @@ def accelerations_of_held(
         So many rows, the first, are independent at generic states.
     """
     free, *moved = graph.solve(matrix, [forcing, *rows], "ldl")
+    return _held(graph, matrix, (free, moved), rows, drift, rank, written=False)
+
+
+def accelerations_written_out(
+    graph: Graph,
+    matrix: list[list[int]],
+    forcing: list[int],
+    rows: Sequence[list[int]],
+    drift: Sequence[int],
+) -> tuple[list[int], int]:
+    """Return the same with eliminations written out, and whether M is positive definite.
+
+    That is long, but may be left to a guard's fallback.
+    """
+    inner, definite = _Elimination(graph, matrix), graph.boolean(True)
+    for k, pivot in enumerate(inner.pivots):
+        limit = graph.sum([(matrix[k][k], SMALL_PIVOT)])
+        definite = graph.call("and", definite, graph.call("lt", limit, pivot))
+    free, *moved = (inner.solution(column) for column in (forcing, *rows))
+    held = _held(graph, matrix, (free, moved), rows, drift, len(rows), written=True)
+    return held, definite
+
+
+def _held(
+    graph: Graph,
+    matrix: list[list[int]],
+    by_masses: tuple[list[int], list[list[int]]],
+    rows: Sequence[list[int]],
+    drift: Sequence[int],
+    rank: int,
+    *,
+    written: bool,
+) -> list[int]:
+    free, moved = by_masses
     weights = [graph.powi(matrix[k][k], -1) for k in range(len(free))]
     square = _products(graph, rows, moved)
     sizes = _sizes(graph, rows, weights, square)
@@ -56,9 +97,9 @@ def accelerations_of_held(
         for row, b in zip(rows, drift, strict=True)
     ]
     first = [row[:rank] for row in square[:rank]]
-    some, sound = solved_soundly(graph, first, right[:rank], sizes)
+    some, sound = solved_soundly(graph, first, right[:rank], sizes[:rank])
     some += [graph.zero] * (len(rows) - rank)
-    least = _least(graph, square, right, sizes)
+    least = _least(graph, square, right, sizes, written=written)
     found = [graph.call("select", sound, a, b) for a, b in zip(some, least, strict=True)]
     return [
         graph.sum([(free[i], 1.0), (_dot(graph, [row[i] for row in moved], found), 1.0)])
@@ -90,29 +131,54 @@ def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> l
     return [[lower[max(i, j)][min(i, j)] for j in range(len(a))] for i in range(len(a))]
 
 
+class _Elimination:
+    """L D Lᵀ of a symmetric matrix, written out.
+
+    Attributes
+    ----------
+    pivots : list of nodes
+        D.
+    """
+
+    def __init__(self, graph: Graph, square: Sequence[list[int]]) -> None:
+        n = len(square)
+        cell = [list(row) for row in square]
+        self.graph, self.pivots = graph, [graph.zero] * n
+        self._inverses = [graph.zero] * n
+        self._lower = [[graph.zero] * n for _ in range(n)]
+        for j in range(n):
+            self.pivots[j] = cell[j][j]
+            self._inverses[j] = graph.powi(cell[j][j], -1)
+            for i in range(j + 1, n):
+                self._lower[i][j] = graph.mul(cell[i][j], self._inverses[j])
+            for i in range(j + 1, n):
+                for k in range(j + 1, i + 1):
+                    taken = graph.mul(self._lower[i][j], cell[k][j])
+                    cell[i][k] = cell[k][i] = graph.sub(cell[i][k], taken)
+
+    def solution(self, right: Sequence[int]) -> list[int]:
+        """Return the solution for one right-hand side."""
+        graph, lower = self.graph, self._lower
+        n, found = len(right), list(right)
+        for j in range(n):
+            for i in range(j + 1, n):
+                found[i] = graph.sub(found[i], graph.mul(lower[i][j], found[j]))
+        found = [graph.mul(a, b) for a, b in zip(found, self._inverses, strict=True)]
+        for j in reversed(range(n)):
+            for i in range(j + 1, n):
+                found[j] = graph.sub(found[j], graph.mul(lower[i][j], found[i]))
+        return found
+
+
 def solved_soundly(
     graph: Graph, square: Sequence[list[int]], right: list[int], sizes: list[int]
 ) -> tuple[list[int], int]:
     """Return the solution by LDLᵀ, and whether no pivot is small beside its row's size."""
-    n, sound = len(right), graph.boolean(True)
-    cell, found = [list(row) for row in square], list(right)
-    share = [[graph.zero] * n for _ in range(n)]
-    for j in range(n):
-        limit = graph.sum([(sizes[j], SOUND_PIVOT)])
-        sound = graph.call("and", sound, graph.call("lt", limit, cell[j][j]))
-        inverse = graph.powi(cell[j][j], -1)
-        for i in range(j + 1, n):
-            share[i][j] = graph.mul(cell[i][j], inverse)
-            found[i] = graph.sub(found[i], graph.mul(share[i][j], found[j]))
-        for i in range(j + 1, n):
-            for k in range(j + 1, i + 1):
-                cell[i][k] = graph.sub(cell[i][k], graph.mul(share[i][j], cell[k][j]))
-                cell[k][i] = cell[i][k]
-        found[j] = graph.mul(found[j], inverse)
-    for j in reversed(range(n)):
-        for i in range(j + 1, n):
-            found[j] = graph.sub(found[j], graph.mul(share[i][j], found[i]))
-    return found, sound
+    eliminated, sound = _Elimination(graph, square), graph.boolean(True)
+    for pivot, size in zip(eliminated.pivots, sizes, strict=True):
+        limit = graph.sum([(size, SOUND_PIVOT)])
+        sound = graph.call("and", sound, graph.call("lt", limit, pivot))
+    return eliminated.solution(right), sound
 
 
 def _sizes(
@@ -127,6 +193,15 @@ def _sizes(
     other states: rows in different units are compared with themselves.
     """
     nodes = [_dot(graph, [graph.powi(c, 2) for c in row], weights) for row in rows]
+    mean = graph.sum([(square[i][i], 1.0 / len(rows)) for i in range(len(rows))])
+    return [
+        graph.add(square[i][i], graph.call("min", mean, usual))
+        for i, usual in enumerate(usual_sizes(graph, nodes))
+    ]
+
+
+def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return the means of some nodes at irregular states: numbers that depend on constants."""
     moving = [
         n for n in graph.reachable(nodes) if graph.ops[n] == "input" and not graph.constant[n]
     ]
@@ -135,24 +210,28 @@ def _sizes(
         for start in _STATES
     ]
     elsewhere = zip(*(substitute(graph, nodes, state) for state in states), strict=True)
-    mean = graph.sum([(square[i][i], 1.0 / len(rows)) for i in range(len(rows))])
-    found = []
-    for i, several in enumerate(elsewhere):
-        usual = graph.sum([(n, 1.0 / len(several)) for n in several])
-        found.append(graph.add(square[i][i], graph.call("min", mean, usual)))
-    return found
+    return [graph.sum([(n, 1.0 / len(several)) for n in several]) for several in elsewhere]
 
 
 def _least(
-    graph: Graph, square: Sequence[list[int]], right: list[int], sizes: list[int]
+    graph: Graph,
+    square: Sequence[list[int]],
+    right: list[int],
+    sizes: list[int],
+    *,
+    written: bool = False,
 ) -> list[int]:
     """Return the least solution."""
     count = range(len(right))
     shifted = [list(row) for row in square]
     for i in count:
         shifted[i][i] = graph.sum([(square[i][i], 1.0), (sizes[i], SHIFT)])
-    factor = graph.make("factor", ("ldl", len(right), tuple(e for row in shifted for e in row)))
-    found = graph.solve_factored(factor, right)
+    if written:
+        solution = _Elimination(graph, shifted).solution
+    else:
+        cells = tuple(e for row in shifted for e in row)
+        solution = partial(graph.solve_factored, graph.make("factor", ("ldl", len(right), cells)))
+    found = solution(right)
     for _ in range(_STEPS):
         left = [
             graph.sum(
@@ -160,6 +239,5 @@ def _least(
             )
             for i in count
         ]
-        more = graph.solve_factored(factor, left)
-        found = [graph.add(a, b) for a, b in zip(found, more, strict=True)]
+        found = [graph.add(a, b) for a, b in zip(found, solution(left), strict=True)]
     return found

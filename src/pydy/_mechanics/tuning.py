@@ -13,6 +13,8 @@ __all__ = [
     "FORMS_COUNTED_UP_TO",
     "FULL_STEPS",
     "GUARDED_UP_TO",
+    "LIGHT",
+    "LIGHTEST",
     "NEARLY_DEPENDENT",
     "NEAR_ESTIMATES",
     "OPEN",
@@ -74,3 +76,8 @@ three digits are lost at most, where a wrong choice of dependent speeds would lo
 
 GUARDED_UP_TO = 12
 """Independent speeds up to which their elimination is written out, with its pivots looked at."""
+
+LIGHT, LIGHTEST = 1e-6, 1e-4
+"""What an independent speed moves by itself, as a share of what moves with it: below, three digits
+of the dependent speeds' derivatives are lost; the second where pivots are not looked at, since of
+the independent ones' equations twice as many are."""
