@@ -33,7 +33,8 @@ def chosen(body: Multibody) -> Formed:
     tried = [not in_a_plane(body)] if many else [True, False]
     found = [forms(body, in_bodies=tried[0])]
     if len(tried) > 1 and not found[0][0].in_one_frame:
-        found.append(forms(body, in_bodies=tried[1]))
+        honoured = found[0][0].honoured
+        found.append(forms(body, in_bodies=tried[1], honoured=honoured))
     best: list[Formed] = []
     costs: list[int] = []
     for same in zip(*found, strict=True):  # of each kind

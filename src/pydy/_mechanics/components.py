@@ -52,19 +52,27 @@ def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
     ]
 
 
-def same_numbers(graph: Graph, a: Sequence[int], b: Sequence[int]) -> bool:
-    """Return whether two vectors are equal at random states, but for rounding.
+def same_numbers(graph: Graph, pairs: Sequence[tuple[Sequence[int], Sequence[int]]]) -> list[bool]:
+    """Return which pairs of vectors are equal at random states, but for rounding.
 
     Directions that are given by numbers are rounded: products of them that are equal are not so
     modulo a prime.
     """
-    inputs = [n for n in graph.reachable([*a, *b]) if graph.ops[n] == "input"]
+    if not pairs:
+        return []
+    flat = [n for pair in pairs for v in pair for n in v]
+    inputs = [n for n in graph.reachable(flat) if graph.ops[n] == "input"]
     places = {n: graph.input("x", k) for k, n in enumerate(inputs)}
-    nodes = substitute(graph, [*a, *b], places)
-    program = lower(graph, (len(inputs), 0, 0), [("both", (2, len(a)), nodes)])
+    nodes = substitute(graph, flat, places)
+    program = lower(graph, (len(inputs), 0, 0), [("all", (len(nodes),), nodes)])
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
-    found, failed = run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))
-    one, two = found[:, : len(a)], found[:, len(a) :]
-    size = np.linalg.norm(one, axis=1) + np.linalg.norm(two, axis=1)
-    near = np.linalg.norm(one - two, axis=1) <= SAME_DIRECTION * size
-    return bool(near.all() and not failed.any())
+    found, _ = run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))
+    same, start = [], 0
+    for a, b in pairs:
+        middle, end = start + len(a), start + len(a) + len(b)
+        one, two = found[:, start:middle], found[:, middle:end]
+        start = end
+        size = np.linalg.norm(one, axis=1) + np.linalg.norm(two, axis=1)
+        # What a singular solve gives is not a number, and equal to nothing.
+        same.append(bool((np.linalg.norm(one - two, axis=1) <= SAME_DIRECTION * size).all()))
+    return same

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -137,7 +137,9 @@ def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
     return found[-1] if articulated else found[0]
 
 
-def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
+def forms(
+    body: Multibody, *, in_bodies: bool, honoured: Collection[Any] | None = None
+) -> list[Formed]:
     """Return the equations of motion, composite bodies first, then articulated ones.
 
     In the first form u' is left to a solve; in the second, the speeds are eliminated one by one,
@@ -150,8 +152,10 @@ def forms(body: Multibody, *, in_bodies: bool) -> list[Formed]:
     in_bodies : bool
         Whether velocities of points are written in the frames of the bodies; else in the inertial
         frame.
+    honoured : collection of points, optional
+        What `Formed.honoured` of the body's equations in other axes is: found out by default.
     """
-    kinematics = moving(body, in_bodies, falling=in_bodies)
+    kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured)
     g, speeds, read = kinematics.graph, kinematics.speeds, kinematics.read
     inertias, loads, plain = lumped(kinematics) if in_bodies else _as_they_are(kinematics)
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
@@ -270,14 +274,19 @@ def _as_they_are(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], lis
 
 
 def moving(
-    body: Multibody, in_bodies: bool, *, auxiliary: bool = False, falling: bool = False
+    body: Multibody,
+    in_bodies: bool,
+    *,
+    auxiliary: bool = False,
+    falling: bool = False,
+    known: Collection[Any] | None = None,
 ) -> Kinematics:
     """Return the kinematics with all points placed and velocities of the user's honoured.
 
     `falling` takes gravity for an acceleration where it can, and refers bodies on hinges to other
-    points of their axes.
+    points of their axes. Which velocities are to be honoured is found out, if it is not known.
     """
-    honoured: set[Any] = set()
+    honoured: set[Any] = set(known or ())
     while True:
         kinematics = Kinematics(body, in_bodies=in_bodies, auxiliary=auxiliary, honoured=honoured)
         if falling:
@@ -289,7 +298,7 @@ def moving(
             move_along_axes(kinematics)
         for point in points:
             kinematics.motion(point)
-        wrong = kinematics.disagreeing()
+        wrong = kinematics.disagreeing() if known is None else ()
         if not wrong:
             return kinematics
         honoured.update(wrong)

@@ -466,12 +466,13 @@ class Kinematics:
             home, v, _ = self._motions[point]
             nodes += [*v, *self.vector(self.tree.velocity(point), home)]
         values = signatures(self.graph, nodes) if nodes else []
-        bad = set()
-        for k, point in zip(range(0, len(nodes), 6), points, strict=True):
-            if values[k : k + 3] != values[k + 3 : k + 6] and not same_numbers(
-                self.graph, nodes[k : k + 3], nodes[k + 3 : k + 6]
-            ):
-                bad.add(point)
+        unequal = {
+            point: (nodes[k : k + 3], nodes[k + 3 : k + 6])
+            for k, point in zip(range(0, len(nodes), 6), points, strict=True)
+            if values[k : k + 3] != values[k + 3 : k + 6]
+        }
+        same = same_numbers(self.graph, list(unequal.values()))
+        bad = {point for point, near in zip(unequal, same, strict=True) if not near}
         return [p for p in points if p in bad and not self._leads_to(p, bad)]
 
     def _leads_to(self, point: Any, others: set[Any]) -> bool:

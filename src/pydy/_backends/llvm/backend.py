@@ -23,6 +23,7 @@ from pydy._backends.llvm.solve import solver_declarations, solver_functions, sol
 from pydy._backends.llvm.targets import target
 from pydy._backends.registry import compile_program
 from pydy._backends.tuning import LARGE, LOOP, MOST_RESULTS, SHORT, TEMPORARY
+from pydy._graph.collector import collector_paused
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -112,6 +113,7 @@ class _Text:
     lanes: int
     width: int
 
+    @collector_paused()
     def __call__(self, brief: bool) -> str:
         return kernel_text(self.program, self.lanes, self.width, brief)
 

@@ -73,31 +73,35 @@ def difference_basis(
     zero = graph.zero
     if sum(entry != zero for row in matrix for entry in row) < 0.75 * n * n:
         return None
+    # Symmetric, with a row and a column of zeros after the last.
+    cells = [[matrix[max(i, j)][min(i, j)] for j in range(n)] + [zero] for i in range(n)]
+    cells.append([zero] * (n + 1))
     known: dict[int, dict[int, float]] = {}
 
-    def terms(i: int, j: int) -> dict[int, float]:
-        if i >= n or j >= n:
-            return {}
-        entry = matrix[max(i, j)][min(i, j)]
-        if entry not in known:
-            known[entry] = _terms(graph, entry)
-        return known[entry]
+    def terms(cell: int) -> dict[int, float]:
+        if cell not in known:
+            known[cell] = _terms(graph, cell)
+        return known[cell]
 
     def difference(i: int, j: int) -> dict[int, float]:
-        above = _minus(terms(i, j), terms(i + 1, j))
-        return _minus(above, _minus(terms(i, j + 1), terms(i + 1, j + 1)))
+        here, right = cells[i][j], cells[i][j + 1]
+        below, across = cells[i + 1][j], cells[i + 1][j + 1]
+        if (here, below) == (right, across) or (here, right) == (below, across):
+            return {}
+        above = _minus(terms(here), terms(below))
+        return _minus(above, _minus(terms(right), terms(across)))
 
     # The last rows tell at little cost whether it is worth while.
     if any(difference(n - 1, j) for j in range(n - 2)):
         return None
-    cells = [[difference(i, j) for j in range(i + 1)] for i in range(n)]
-    filled = sum(2 * bool(cell) for row in cells for cell in row)
+    steps = [[difference(i, j) for j in range(i + 1)] for i in range(n)]
+    filled = sum(2 * bool(step) for row in steps for step in row)
     if filled > 0.5 * n * n + n:
         return None
     rows = [[zero] * n for _ in range(n)]
     for i in range(n):
         for j in range(i + 1):
-            rows[i][j] = rows[j][i] = _node(graph, cells[i][j])
+            rows[i][j] = rows[j][i] = _node(graph, steps[i][j])
     right = [_terms(graph, b) for b in column] + [{}]
     differences = [_node(graph, _minus(right[i], right[i + 1])) for i in range(n)]
     return Differences(graph, rows, differences)
