@@ -36,6 +36,14 @@ def revolute(parents):
     return definition(tree(parents, np.random.default_rng(3), aligned=True))
 
 
+def straight_arm(n):
+    """The same as a chain, with each joint on the z axis of the body before."""
+    made = tree(range(-1, n - 1), np.random.default_rng(3), aligned=True)
+    for link in made["links"]:
+        link["place"][:2] = 0.0, 0.0
+    return definition(made)
+
+
 def operations(formed):
     graph, solved = formed.graph, formed.accelerations
     if solved is None:
@@ -67,9 +75,10 @@ def test_no_model_costs_more_operations_than_it_did(kane, limit):
         (lambda: rods(5), 1438),
         (lambda: rods(10), 3438),
         (lambda: revolute(range(-1, 6)), 1428),
+        (lambda: straight_arm(7), 1193),
         (lambda: revolute(HUMANOID), 7187),
     ],
-    ids=["rods-3", "rods-5", "rods-10", "arm of 7 joints", "tree of 29 joints"],
+    ids=["rods-3", "rods-5", "rods-10", "arm of 7 joints", "straight arm", "tree of 29 joints"],
 )
 def test_no_tree_costs_more_operations_than_it_did(source, limit):
     program = System(source()).model.assembly.program("rates")
