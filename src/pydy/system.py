@@ -47,6 +47,7 @@ from pydy._system.products import BLOCKS
 from pydy._system.scipy_ivp import resolve_ode_solver
 from pydy._system.simulation import integrate, simulate
 from pydy._system.snapshot import Snapshot, checked_plan
+from pydy._system.solving import native_solver
 from pydy._system.summary import as_html, as_text, facts
 from pydy._system.sweeps import eigenvalues, follow_equilibria
 from pydy._system.values import evaluate_block, evaluate_energy, evaluate_product
@@ -1579,7 +1580,7 @@ class System:
         constants: Mapping[Any, Any] | None = None,
         specifieds: Mapping[Any, Any] | None = None,
         times: ArrayLike | None = None,
-        ode_solver: Any = "dop853",
+        ode_solver: Any = None,
         product: bool = False,
         sensitivities: Any = None,
         control_sensitivities: Any = False,
@@ -1607,7 +1608,7 @@ class System:
             SampledInputs, are the same for all samples.
         times : array_like, shape (m,), optional
         ode_solver : {'dop853', 'tsit5', 'vern9', 'rk4', 'radau'} or Solver, optional
-            The attribute `ode_solver` is not used.
+            By default the System's, or ``'dop853'`` if that is not native.
         product : bool, optional
             Whether each one-dimensional array gets its own dimension, named after its symbol
             (``initial_q1`` for an initial condition of ``q1``), so that the samples are all
@@ -1690,7 +1691,7 @@ class System:
             self._now(),
             (initial_conditions, constants, specifieds),
             times,
-            ode_solver,
+            native_solver(self._ode_solver) if ode_solver is None else ode_solver,
             solver_kwargs,
             product=product,
             chunks=chunks,

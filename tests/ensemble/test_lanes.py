@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from ensemble_cases import pendulum, random_values, runaway, same_bits
+from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
 
@@ -46,6 +46,18 @@ def test_lanes_give_the_bits_of_the_solver_for_one(method, options, links):
         assert many[name].values.tolist() == [info[name] for info in infos]
     assert (many.status == 0).all()
     assert (many.end_time == 2.0).all()
+
+
+@pytest.mark.parametrize(
+    ("own", "expected"), [("tsit5", "tsit5"), ("odeint", "dop853"), ("RK45", "dop853")]
+)
+def test_the_solver_is_the_systems_if_it_is_native(own, expected):
+    system = pendulum(1)
+    system.ode_solver = None if own == "odeint" else own
+    values = random_values(system, 3)
+    given = system.integrate_ensemble(**values, ode_solver=expected)
+    identical(given, system.integrate_ensemble(**values))
+    assert given.attrs["ode_solver"] == expected
 
 
 def test_a_sample_has_the_same_bits_in_any_lane_beside_any_neighbours():

@@ -28,6 +28,7 @@ from pydy._system.samples import by_samples, marker, mean_spacing
 from pydy._system.sensitivities import Sensitive
 from pydy._system.simulation import begin
 from pydy._system.snapshot import Snapshot
+from pydy._system.solving import native_solver
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
@@ -37,7 +38,7 @@ from pydy.solvers.events import Event, EventRecord, forcing_time
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, OUTCOMES, TERMINATED
 from pydy.solvers.run.integration import Integration
-from pydy.solvers.solver import SOLVERS, Solver
+from pydy.solvers.solver import Solver
 from pydy.solvers.tableaus import tableau_of
 
 __all__ = ["adjoint_gradient"]
@@ -62,8 +63,7 @@ def adjoint_gradient(
             "`ode_solver` is 'radau'. Choose another solver of pydy.solvers, or call "
             "system.simulate(sensitivities=…), which goes forward."
         )
-    if not isinstance(solver, Solver):
-        solver = SOLVERS["dop853"]
+    solver = native_solver(solver)
     if final is None and integral is None:
         raise ValueError(
             "`final` or `integral` must be given: an output or an expression of states, "

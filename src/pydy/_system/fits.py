@@ -24,10 +24,10 @@ from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import located
 from pydy._system.dependents import latest_dependents
+from pydy._system.solving import native_solver
 from pydy._system.trials import Data, checked_trial
 from pydy._system.tuning import FIT, INSTANT, LEAST_SPREAD
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
-from pydy.solvers.solver import Solver
 
 __all__ = ["fit"]
 
@@ -62,8 +62,7 @@ class _Fit:
     ) -> None:
         self.system = system
         self.runner = copy(system)
-        if not isinstance(self.runner.ode_solver, Solver):
-            self.runner.ode_solver = "dop853"
+        self.runner.ode_solver = native_solver(system.ode_solver)
         self.options = {"rtol": FIT, "atol": FIT, **options}
         definition = system._now().definition
         states = definition.places["states"]

@@ -15,11 +15,11 @@ from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.dependents import latest_dependents
 from pydy._system.snapshot import Snapshot
+from pydy._system.solving import native_solver
 from pydy._system.tuning import AT_REST, BEGINNING, ORBIT
 from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
 from pydy.analysis.tuning import STILL
 from pydy.solvers.events import Event
-from pydy.solvers.solver import Solver
 
 __all__ = ["find_orbit"]
 
@@ -55,8 +55,7 @@ def find_orbit(
     columns = [kept.index(definition.states[k]) for k in free]
     rows = [definition.states.index(s) for s in kept]
     runner = copy(system)
-    if not isinstance(runner.ode_solver, Solver):
-        runner.ode_solver = "dop853"
+    runner.ode_solver = native_solver(system.ode_solver)
     options = {"rtol": ORBIT, "atol": ORBIT, **solver_kwargs}
     if tied:
         options.setdefault("constraints", "project")

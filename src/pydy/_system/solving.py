@@ -19,13 +19,14 @@ from pydy.codegen.arguments import SpecifiedsPlan, describe
 from pydy.solvers.events import CompiledEvents, Event
 from pydy.solvers.options import StepOptions
 from pydy.solvers.run.constraints import CompiledConstraints
-from pydy.solvers.solver import Solver
+from pydy.solvers.solver import SOLVERS, Solver
 
 __all__ = [
     "EnsembleOptions",
     "check_events",
     "constraint_names",
     "event_rates_program",
+    "native_solver",
     "prepare",
     "projection_program",
 ]
@@ -37,6 +38,11 @@ class EnsembleOptions(StepOptions, total=False):
     constraints: Literal["project", "baumgarte"] | None
     gain: float | None
     events: Event | Iterable[Event] | None
+
+
+def native_solver(ode_solver: Any) -> Solver:
+    """Return a System's `ode_solver` if it is native, else the one for what needs a native one."""
+    return ode_solver if isinstance(ode_solver, Solver) else SOLVERS["dop853"]
 
 
 def prepare(
