@@ -90,6 +90,13 @@ def test_the_cost_of_columns_is_counted_for_those_that_pay():
     assert cost == {0b001: 1, 0b010: 1, 0b011: 2, 0b100: 1}
 
 
+def test_a_variable_that_is_an_output_itself_has_a_column():
+    graph = Graph()
+    x = [graph.input("x", k) for k in range(6)]
+    cost = supports(graph, [x[0], x[5], graph.mul(x[1], x[2])], x)
+    assert cost == {0b000001: 1, 0b000010: 1, 0b000100: 1, 0b100000: 1}
+
+
 def test_small_jacobians_are_not_divided():
     graph = Graph()
     x = [graph.input("x", k) for k in range(8)]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,7 @@ from pydy._names import unique_names
 __all__ = ["CompiledModel"]
 
 _VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
+_AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -126,15 +128,19 @@ class CompiledModel:
 
     def _jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         assembly, what = self.assembly, f"{block} by {by}"
+
+        @cache
+        def whole() -> Program:
+            return stored_program(assembly, what, lambda: assembly.jacobian_program(block, by))
+
         if isinstance(self.backend, LLVMBackend):
             made = stored_jacobian(
                 assembly, f"{what}, in parts", lambda: assembly.jacobian_in_parts(block, by)
             )
             if isinstance(made, JacobianColumns):
-                return compile_jacobian(made)
+                return _with_finite_columns(compile_jacobian(made), whole)
             return self.backend.compile(made)
-        program = stored_program(assembly, what, lambda: assembly.jacobian_program(block, by))
-        kernel: Kernel = self.backend.compile(program)
+        kernel: Kernel = self.backend.compile(whole())
         return kernel
 
     def compiled_bounded(self, block: str) -> Kernel:
@@ -238,6 +244,28 @@ class CompiledModel:
             float(t),
             np.array(x, dtype=float),
         )
+
+
+def _with_finite_columns(kernel: Kernel, whole: Callable[[], Program]) -> Kernel:
+    """Return the Kernel of a Jacobian in parts whose columns do not spoil each other.
+
+    Where one derivative is infinite, zero times it is NaN in all columns of the part. There the
+    Program of the whole, which has no product for a variable that does not occur, is interpreted.
+    """
+
+    def sweep(
+        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        values, failed = kernel.evaluate(t, x, r, p, out)
+        finite = np.isfinite(values)
+        if not finite.all():
+            rows = np.flatnonzero(~finite.all(axis=1) & ~failed)
+            for start in range(0, len(rows), _AT_ONCE):
+                k = rows[start : start + _AT_ONCE]
+                values[k], _ = run(whole(), t[k], x[k], r if len(r) == 1 else r[k], p)
+        return values, failed
+
+    return replace(kernel, sweep=sweep)
 
 
 def _listed(symbols: tuple[Any, ...]) -> str:

@@ -13,6 +13,8 @@ import marshal
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import reduce
+from operator import or_
 
 from pydy._forks import cached_property
 from pydy._graph.collector import collector_paused
@@ -151,7 +153,8 @@ def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter
     Returns
     -------
     Counter
-        Operations, by the set of columns that execute them; bit k stands for column k.
+        Operations, by the set of columns that execute them; bit k stands for column k. Columns of
+        none are zero.
     """
     bits: dict[int, int] = {node: 1 << k for k, node in enumerate(by)}
     cost: Counter[int] = Counter()
@@ -187,7 +190,18 @@ def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter
             moves = op in ("sum", "prod", "select") or (row is not None and row.partials)
             bits[node] = paid(graph.operands(node)) if moves else 0
     del cost[0]
+    # An output that is a variable itself takes no operation, but its column is not zero.
+    known = _union(cost)
+    for node in outputs:
+        if bits[node] & ~known:
+            cost[bits[node]] += 1
+            known |= bits[node]
     return cost
+
+
+def _union(cost: Iterable[int]) -> int:
+    """Return the columns that execute anything."""
+    return reduce(or_, cost, 0)
 
 
 def worthwhile_parts(
@@ -211,9 +225,7 @@ def parts_of(cost: Counter[int], columns: int) -> list[tuple[int, int]]:
 
     A part is divided where its columns then execute so much less that it pays for the further code.
     """
-    union = 0
-    for own in cost:
-        union |= own
+    union = _union(cost)
     if not union:
         return []
     first, stop = (union & -union).bit_length() - 1, union.bit_length()
