@@ -89,3 +89,11 @@ def test_an_infinite_derivative_leaves_other_columns_finite(system):
         expected = differences(system, states[k])[:, others]
         assert np.allclose(found[k][:, others], expected, rtol=1e-7, atol=1e-7)
     np.testing.assert_array_equal(system.evaluate_jacobian(states[1]), found[1])
+
+
+def test_a_variable_may_have_several_columns(system):
+    x, states = state(), system.states
+    whole = system.evaluate_jacobian(x)
+    places = [*range(len(states)), 3, 3, 9, 0]
+    found = system.evaluate_jacobian(x, wrt=[states[k] for k in places])
+    assert np.allclose(found, whole[:, places], rtol=1e-10, atol=1e-10)

@@ -156,7 +156,9 @@ def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter
         Operations, by the set of columns that execute them; bit k stands for column k. Columns of
         none are zero.
     """
-    bits: dict[int, int] = {node: 1 << k for k, node in enumerate(by)}
+    bits: dict[int, int] = {}
+    for k, node in enumerate(by):
+        bits[node] = bits.get(node, 0) | 1 << k
     cost: Counter[int] = Counter()
 
     def paid(nodes: Iterable[int]) -> int:
@@ -171,7 +173,7 @@ def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter
 
     for node in graph.reachable(outputs):
         op, args = graph.ops[node], graph.args[node]
-        if node in bits:
+        if node in bits:  # one of the variables
             continue
         if op == "item":
             vector, k = args
@@ -302,7 +304,9 @@ def columns_program(
         given: dict[int, dict[int, int]] = {}
         for k, (first, stop) in enumerate(parts):
             for j in range(first, stop):
-                given[graph.input(*variables[j])] = {k: graph.input("x", n + j)}
+                along = given.setdefault(graph.input(*variables[j]), {})
+                # A variable may have several columns.
+                along[k] = graph.add(along.get(k, graph.zero), graph.input("x", n + j))
         rows = Rows(graph, given)
         cells = [rows(node).get(k, graph.zero) for k in range(len(parts)) for node in outputs]
         cells = factor_sums(graph, cells) if "factor" in passes else cells
