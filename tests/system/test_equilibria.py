@@ -164,3 +164,22 @@ def test_feedback_of_a_python_function_leads_to_its_equilibrium(pendulum):
     found = pendulum.find_equilibrium()
     assert found.values[pendulum.coordinates[0]] == pytest.approx(1.5, abs=1e-9)
     assert found.free == ()
+
+
+def test_a_modulus_of_1e11_is_found_beside_a_deflection_of_a_millimetre():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.constants = {"k0": 5e10}
+    system.specifieds = {"f0": 1e8}
+    found = system.find_equilibrium(["k0", "v0"], {"x0": 1e-3})
+    assert found["k0"] == pytest.approx(1e11, rel=1e-12)
+    assert found.free == ()
+
+
+def test_a_small_column_is_not_a_free_direction():
+    """A ship's ballast moves its draught by 1e-10 m/N, which is not nothing."""
+    system = multi_mass_spring_damper(2, apply_external_forces=True)
+    system.constants = {"m0": 1e7, "m1": 1e7, "k0": 1e8, "k1": 1e-3}
+    found = system.find_equilibrium(["x0", "x1", "v0", "v1"])
+    assert found.free == ()
+    found = system.find_equilibrium(["x0", "f0", "f1", "v0", "v1"], {"x1": 1.0})
+    assert found.free == ("1e-08 x0 + f0",)

@@ -276,3 +276,18 @@ def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):
     with pytest.raises(AnalysisInterrupted) as caught:
         system.eigenvalues(over)
     np.testing.assert_array_equal(caught.value.results.A, parts.A[:21])
+
+
+@pytest.mark.parametrize("rate", [1.0, 1e-4, 1e10])
+def test_eigenvalues_do_not_depend_on_units(rate):
+    """A film of gigahertz was taken for two states that nothing depends on."""
+    system = multi_mass_spring_damper()
+    m = 1e-13
+    system.constants = {"m0": m, "k0": m * rate**2, "c0": 0.0}
+    sweep = system.eigenvalues({"c0": np.linspace(-3e-3, 2e-3, num=4) * m * rate})
+    assert sweep.neutral == ()
+    expected = np.roots([1.0, -3e-3, 1.0])
+    np.testing.assert_allclose(np.sort(sweep.eigenvalues[0] / rate), np.sort(expected), rtol=1e-9)
+    (crossing,) = sweep.crossings()
+    assert crossing.value == pytest.approx(0.0, abs=1e-12 * m * rate)
+    assert crossing.eigenvalue.imag == pytest.approx(rate, rel=1e-9)

@@ -18,8 +18,9 @@ from pydy._system.evaluation import samples
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_equilibrium, solve_many
+from pydy.analysis.scaling import equilibrated
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of
-from pydy.analysis.tuning import FREE, ZERO_ROOT
+from pydy.analysis.tuning import FREE, TO_ROUNDING, ZERO_ROOT
 
 __all__ = ["Family", "eigenvalues", "follow_equilibria", "parameter_of"]
 
@@ -88,13 +89,14 @@ class Family:
 
     def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
         step = other - z
-        moved = float(np.linalg.norm(step[:-1]))
-        scale = max(1.0, float(np.linalg.norm(z[:-1])))
-        if moved <= 0.02 * scale:
+        size = np.maximum(np.abs(z), np.abs(other))
+        if (np.abs(step) <= 0.02 * size + TO_ROUNDING)[:-1].all():
             return True
         slopes = self.balance.slopes(z[None])[0]
-        expected = -np.linalg.pinv(slopes[:, :-1], rcond=FREE) @ slopes[:, -1] * step[-1]
-        return float(np.linalg.norm(step[:-1] - expected)) <= 0.5 * moved
+        scaled, rows, columns = equilibrated(slopes[:, :-1])
+        moved = step[:-1] / columns[0]
+        expected = -np.linalg.pinv(scaled, rcond=FREE) @ (slopes[:, -1] / rows[:, 0]) * step[-1]
+        return float(np.linalg.norm(moved - expected)) <= 0.5 * float(np.linalg.norm(moved))
 
     def alone(self, z: np.ndarray) -> np.ndarray:
         """Return the equilibrium at the parameter's value in `z`, found from there."""

@@ -17,6 +17,7 @@ from scipy.optimize import least_squares
 from pydy._errors import EquilibriumError
 from pydy._names import place_of, unique_names
 from pydy.analysis.directions import direction_text
+from pydy.analysis.scaling import equilibrated, scaled_step
 from pydy.analysis.tuning import AT_BOUND, FREE, NAMED, NEWTON_STEP, TO_ROUNDING
 
 __all__ = ["Equilibrium", "solve_equilibrium", "solve_many"]
@@ -162,8 +163,8 @@ def _quickly(
         slopes = jacobian(z)
         if not (np.isfinite(size) and np.isfinite(slopes).all()):
             return None
-        step = np.linalg.lstsq(slopes, values, rcond=FREE)[0]
-        if np.abs(step).max(initial=0.0) <= NEWTON_STEP * max(1.0, np.abs(z).max(initial=0.0)):
+        step = scaled_step(slopes, values, FREE)
+        if (np.abs(step) <= NEWTON_STEP * np.maximum(1.0, np.abs(z))).all():
             return _polished(residual, jacobian, z, low, high)
         z = z - step
         if (z < low).any() or (z > high).any():
@@ -201,7 +202,7 @@ def _accepted(
         at_bounds = [
             name
             for name, value, a, b in zip(unknowns, z, low, high, strict=True)
-            if min(value - a, b - value) <= AT_BOUND * max(1.0, abs(value))
+            if min(value - a, b - value) <= AT_BOUND * (min(b - a, 1.0) + abs(value))
         ]
         bound = f" At a bound: {', '.join(at_bounds)}." if at_bounds else ""
         why = f" ({' '.join(message.split())})" if message else ""
@@ -292,7 +293,7 @@ def _polished(
         slopes = jacobian(z)
         if not (np.isfinite(slopes).all() and np.isfinite(best).all()) or not best.any():
             break
-        step = np.linalg.lstsq(slopes, best, rcond=FREE)[0]
+        step = scaled_step(slopes, best, FREE)
         after = np.clip(z - step, low, high)
         values = residual(after)
         if not np.abs(values).max() < np.abs(best).max():
@@ -310,7 +311,10 @@ def _undetermined(slopes: np.ndarray, unknowns: Sequence[str]) -> tuple[str, ...
     """Return the directions in which no equation changes, as sums of unknowns."""
     if not slopes.size:
         return tuple(unknowns)
-    sizes = np.linalg.norm(slopes, axis=1, keepdims=True)
-    _, singular, right = np.linalg.svd(slopes / np.where(sizes > 0.0, sizes, 1.0))
+    scaled, _, columns = equilibrated(slopes)
+    _, singular, right = np.linalg.svd(scaled)
     rank = int((singular > FREE * max(singular.max(initial=0.0), np.finfo(float).tiny)).sum())
-    return tuple(direction_text(direction, unknowns, NAMED) for direction in right[rank:])
+    # What takes part is told in units of the columns, and how far it moves in the user's.
+    free = right[rank:]
+    free = np.where(np.abs(free) >= NAMED * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
+    return tuple(direction_text(direction, unknowns, 0.0) for direction in free * columns)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
+from scipy.linalg import matrix_balance
 from scipy.optimize import brentq, linear_sum_assignment
 
 from pydy._optional import require
@@ -121,7 +122,13 @@ class EigenvalueSweep:
             expected = ends[0] + share * (ends[1] - ends[0])
             return complex(spectrum[np.abs(spectrum - expected).argmin()])
 
-        value = brentq(lambda v: near(v).real, a, b, xtol=TO_ROUNDING, rtol=4 * np.finfo(float).eps)
+        value = brentq(
+            lambda v: near(v).real,
+            a,
+            b,
+            xtol=TO_ROUNDING * abs(b - a),
+            rtol=4 * np.finfo(float).eps,
+        )
         there = near(value)
         return Crossing(
             value=float(value),
@@ -160,9 +167,13 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     would join others to one multiple eigenvalue, of which only half the digits can be had.
     """
     m, k = A.shape[:2]
-    sizes = np.abs(A).max(axis=2, keepdims=True, initial=0.0)
+    entries = np.abs(A)
+    # In units of their own, coordinates and speeds of 1e10 rad/s are alike.
+    units = np.diag(matrix_balance(entries.max(axis=0), permute=False)[1])
+    entries *= units / units[:, None]
+    sizes = entries.max(axis=2, keepdims=True, initial=0.0)
     sizes = np.maximum(sizes, CROSSED * sizes.max(initial=0.0))
-    matters = (np.abs(A) > ENTRY * sizes).any(axis=0)  # rows by columns
+    matters = (entries > ENTRY * sizes).any(axis=0)  # rows by columns
     active = np.arange(k)
     while True:
         left = active[matters[np.ix_(active, active)].any(axis=0)]
