@@ -43,7 +43,7 @@ def sample(assembly, m):
 
 
 @pytest.mark.parametrize("name", ["fourbar", "disc", "lifted", "pendulum", "springs"])
-@pytest.mark.parametrize("widths", [(), (2,), (3,), (4,), (2, 5)])
+@pytest.mark.parametrize("widths", [(), (1,), (2,), (3,), (4,), (2, 5)])
 def test_columns_side_by_side_are_those_of_the_whole(name, widths):
     assembly = assembly_of(name)
     n = assembly.sizes[0]

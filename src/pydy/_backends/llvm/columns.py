@@ -20,10 +20,13 @@ import numpy as np
 
 from pydy._array_layout import address
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.backend import LLVMBackend, kernel_text, shared_routines
-from pydy._backends.llvm.emit import SOLVES
+from pydy._backends.llvm.backend import (
+    LLVMBackend,
+    calls_routines,
+    kernel_text,
+    shared_routines,
+)
 from pydy._backends.llvm.ir import WIDTHS, Function
-from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Kernel
@@ -59,8 +62,8 @@ def compile_columns(split: SplitProgram) -> Kernel:
         _Text(program, lanes, split.columns),
         ("kernel", "prepare"),
     )
-    calls = {*SOLVES, *ANGLES} & set(program.ops)
-    code = jit.load(source, shared_routines(lanes, at_best=True) if calls else None)
+    routines = shared_routines(lanes, at_best=True) if calls_routines(program) else None
+    code = jit.load(source, routines)
 
     @cache
     def settled() -> tuple[int, int]:

@@ -89,6 +89,8 @@ class Registers:
         """Read one number for all lanes."""
         f, v = self._f, self._v
         number = f.load("double", pointer, str(index))
+        if v == "double":
+            return number
         one = f.let(f"insertelement {v} poison, double {number}, i32 0")
         zeros = v.replace("double", "i32")
         return f.let(f"shufflevector {v} {one}, {v} poison, {zeros} zeroinitializer")
