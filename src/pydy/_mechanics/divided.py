@@ -12,7 +12,7 @@ from itertools import combinations
 
 from pydy._graph.node import Graph
 from pydy._mechanics.multipliers import usual_sizes
-from pydy._mechanics.tuning import SOUND_PIVOT
+from pydy._mechanics.tuning import CLEAR
 
 __all__ = ["divided"]
 
@@ -89,7 +89,7 @@ def _clear(graph: Graph, matrix: list[list[int]]) -> int:
     size = graph.call("abs", node)
     (usual,) = usual_sizes(graph, [size])
     # Where there is no usual size, as at places that an expression does not reach, none is small.
-    return graph.call("not", graph.call("lt", size, graph.sum([(usual, SOUND_PIVOT)])))
+    return graph.call("not", graph.call("lt", size, graph.sum([(usual, CLEAR)])))
 
 
 def _inverse(graph: Graph, matrix: list[list[int]]) -> list[list[int]]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 __all__ = [
     "AGREEING",
     "ALIKE",
+    "CLEAR",
     "CLOSED",
     "FORMS_COUNTED_UP_TO",
     "FULL_STEPS",
@@ -73,6 +74,11 @@ SOUND_PIVOT = 1e-2
 SOUND_SHARE = 0.1
 """What a size is multiplied with beside `SOUND_PIVOT` where independent speeds are solved for:
 three digits are lost at most, where a wrong choice of dependent speeds would lose all."""
+
+CLEAR = 1e-4
+"""The share of a determinant's usual size below which constraints may depend on each other: with
+1e-2 one of three rows took the fallback in every twelfth state of a rider's arms, far from any
+singular position."""
 
 GUARDED_UP_TO = 12
 """Independent speeds up to which their elimination is written out, with its pivots looked at."""
