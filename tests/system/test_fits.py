@@ -329,3 +329,24 @@ def test_motions_that_cannot_be_computed_at_the_start_are_told(oscillator):
     oscillator.constants = {"k0": -1e8}
     with pytest.raises(IntegrationError):
         oscillator.fit(["k0"], let_go(swing()))
+
+
+@pytest.mark.parametrize("segments", [1, 4])
+@pytest.mark.parametrize(("metre", "second"), [(1e6, 1.0), (1e9, 1e-3), (1e-7, 1e3)])
+def test_estimates_do_not_depend_on_units(oscillator, metre, second, segments):
+    m, rate = 1e-9, 1.0 / second
+    x0, times = 1.0 / metre, TIMES * second
+    oscillator.constants = {"m0": m, "k0": 4.5 * m * rate**2, "c0": 0.15 * m * rate}
+    start = {"x0": x0, "v0": -0.1 * x0 * rate}
+    trial = Trial(times, {"x0": swing() * x0}, start)
+    result = oscillator.fit(["k0", "c0"], trial, segments=segments)
+    expected = [4.0 * m * rate**2, 0.2 * m * rate]
+    np.testing.assert_allclose(result.estimates, expected, rtol=1e-7)
+
+
+def test_an_initial_speed_of_zero_is_determined(oscillator):
+    x = swing(c=0.0)
+    oscillator.constants = {"k0": 4.2, "c0": 0.0}
+    result = oscillator.fit(["k0", "v0"], Trial(TIMES, {"x0": x}, {"x0": 1.0}))
+    assert result["v0"] == pytest.approx(0.0, abs=1e-8)
+    assert result.undetermined == ()

@@ -216,6 +216,17 @@ def test_an_orbit_of_micrometres_is_found_as_one_of_metres():
     np.testing.assert_allclose(*orbits, rtol=0.0, atol=1e-11)
 
 
+@pytest.mark.parametrize(("metre", "second"), [(1e6, 1e3), (1e9, 1e-5), (1e-7, 1e-3)])
+def test_the_period_of_a_free_oscillation_does_not_depend_on_units(metre, second):
+    """In nanometres and at 1e5 rad/s the period was the guess, at 1e-3 rad/s all was at rest."""
+    one, other = 1.0 / metre, 1.0 / second
+    system = on_a_line(lambda x, v, mu: -(x + 0.3 * x**3 / one**2) * other**2)
+    system.initial_conditions = {"x": one, "v": 0.0}
+    orbit = system.find_periodic_orbit(6.0 / other)
+    assert orbit.period * other == pytest.approx(5.70920503359, rel=1e-8)
+    assert not orbit.equilibrium
+
+
 def test_where_there_is_no_orbit_what_is_left_is_told():
     system = on_a_line(lambda x, v, mu: mu + 0 * x)
     with pytest.raises(PeriodicOrbitError, match=r"Nearest, at x = .*change over it"):

@@ -28,11 +28,16 @@ from pydy._system.solving import native_solver
 from pydy._system.trials import Data, checked_trial
 from pydy._system.tuning import FIT, INSTANT, LEAST_SPREAD
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
+from pydy.analysis.tuning import LEAST_SIZE
 
 __all__ = ["fit"]
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.
 _STAGES = (1e1, 1e3, 1e5)
+# A single sample at the end of a trial is followed for so many roundings of its time.
+_LATER = 64.0
+# The size of a state from which the first simulations are done again with its tolerance.
+_TIGHTER = 0.1
 
 
 @dataclass(frozen=True)
@@ -64,6 +69,7 @@ class _Fit:
         self.runner = copy(system)
         self.runner.ode_solver = native_solver(system.ode_solver)
         self.options = {"rtol": FIT, "atol": FIT, **options}
+        self.exact = "atol" in options
         definition = system._now().definition
         states = definition.places["states"]
         outputs = Places(definition.outputs_symbols, "outputs of the system")
@@ -118,6 +124,7 @@ class _Fit:
         self.parts = [self._split(d, segments) for d in self.data]
         self.start = np.array(start)
         self.spread = np.ones(len(self.free))
+        self.largest, self.sizes = np.zeros(len(self.order)), np.ones(len(self.order))
         self.gaps = 0.0
         self.is_gap = np.empty(0, dtype=bool)
 
@@ -192,11 +199,12 @@ class _Fit:
         skip = int(not len(times) or times[0] > part.begin)
         times = np.append(part.begin, times) if skip else times
         if len(times) < 2:
-            times = np.append(times, times[-1] + INSTANT)
+            times = np.append(times, times[-1] + max(INSTANT, _LATER * np.spacing(times[-1])))
         self.runner.times = times
         if self.tied:
             self.runner.set_dependent_initial_conditions(self.tied)
         ride = self.runner.simulate(sensitivities=symbols, **self.options)
+        self.largest = np.maximum(self.largest, np.abs(ride.states).max(axis=0))
         if len(ride.times) < len(times):
             raise ValueError(
                 f"An event ended {d.label} at t = {float(ride.times[-1])!r}, before the last of "
@@ -236,6 +244,31 @@ class _Fit:
         self.is_gap = np.concatenate(gaps)
         return np.concatenate(values), np.concatenate(slopes)
 
+    def measure(self) -> bool:
+        """Set the sizes of the states, and the tolerance; tell whether it became much tighter.
+
+        A state that is small beside the other coordinates, or the other speeds, may be nothing but
+        their rounding.
+        """
+        first = len(self.system.coordinates)
+        for part in (slice(first), slice(first, None)):
+            largest = self.largest[part]
+            size = largest.max(initial=0.0)
+            least = min(1.0, LEAST_SIZE * size)
+            self.sizes[part] = np.maximum(largest, least) if size > 0.0 else 1.0
+        if not self.exact:
+            self.options["atol"] = FIT * np.minimum(self.sizes, 1.0)
+        return not self.exact and bool(self.sizes.min() < _TIGHTER)
+
+    def scales(self) -> np.ndarray:
+        """Return the parameters at the start; for initial conditions, what the states grow to."""
+        result: np.ndarray = np.abs(self.start)
+        states = [s if kind == "states" else None for kind, s in self.shared]
+        for k, symbol in enumerate([*states, *(s for d in self.data for s in d.unknown)]):
+            if symbol is not None:
+                result[k] = self.sizes[self.order.index(symbol)]
+        return result
+
     def guess(self) -> np.ndarray:
         """Return where to start: at segments, what was measured, else the motion so far."""
         z = np.append(self.start, np.zeros(len(self.names) - self.count))
@@ -256,7 +289,10 @@ class _Fit:
                 z[following : following + len(ahead)] = ahead
                 found.append(ahead)
         if found:
-            self.spread = np.maximum(np.std(found, axis=0), LEAST_SPREAD)
+            self.measure()
+            places = [self.order.index(s) for s in self.free]
+            least = LEAST_SPREAD * self.sizes[places]
+            self.spread = np.maximum(np.std(found, axis=0), least)
         return z
 
 
@@ -290,6 +326,8 @@ def fit(
         count += 1
         try:
             values, slopes = work.evaluate(z)
+            if count == 1 and work.measure():
+                values, slopes = work.evaluate(z)
         except (IntegrationError, SingularMatrixError):
             if count == 1:
                 raise
@@ -332,7 +370,8 @@ def _result(
         follow = np.linalg.solve(whole_J[gap, k:], -whole_J[gap, :k])
         J = J + whole_J[~gap, k:] @ follow
     noise = float(np.sqrt(found_values @ found_values / degrees)) if degrees > 0 else np.nan
-    covariance, undetermined = covariance_of(J, z[:k], names)
+    sizes = np.maximum(np.abs(z[:k]), work.scales())
+    covariance, undetermined = covariance_of(J, sizes, names)
     if work.own_noise:
         covariance = covariance * noise**2
     held = held_by(z[:k], (limits[0][:k], limits[1][:k]), names)

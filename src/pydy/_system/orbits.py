@@ -18,7 +18,7 @@ from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
 from pydy._system.tuning import AT_REST, BEGINNING, ORBIT
 from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
-from pydy.analysis.tuning import STILL
+from pydy.analysis.tuning import LEAST_SIZE, STILL
 from pydy.solvers.events import Event
 
 __all__ = ["find_orbit"]
@@ -121,25 +121,29 @@ def find_orbit(
         return Flight(end[free], slopes[np.ix_(free, columns)], rates[free], instant - t0)
 
     start = now.x[free]
+    speeds = np.array(free) >= len(equations.coordinates)
     slope = None
     if autonomous:
         begin(start)
         slope = runner.evaluate_ode()[free]
-        size = float(np.linalg.norm(slope))
-        if size <= STILL:
+        unit = np.where(speeds, 1.0 / guess, 1.0)
+        moved, size = np.abs(slope) * guess / unit, np.abs(start) / unit
+        if (moved <= STILL * np.maximum(size, LEAST_SIZE * size.max(initial=0.0))).all():
             raise ValueError(
                 "The initial conditions are an equilibrium, which is no orbit. Start elsewhere, or "
                 "use `find_equilibrium`."
             )
-        slope = slope / size
+        slope = slope / np.linalg.norm(slope)
     with progress_of(flag(progress, "`progress`"), " flights") as told:
         try:
             first = fly(start, guess)
-            sizes = first.sizes(start)
+            sizes = first.sizes(start, speeds)
             if "atol" not in solver_kwargs:
                 options["atol"] = np.full(len(now.x), ORBIT)
                 options["atol"][free] *= np.minimum(sizes, 1.0)
-            z, flight, residual = shoot(fly, first, start, guess, slope, [names[k] for k in free])
+            z, flight, residual = shoot(
+                fly, first, sizes, start, guess, slope, [names[k] for k in free]
+            )
             begin(z)
             initial = dict(runner.initial_conditions)
             runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)

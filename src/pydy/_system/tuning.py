@@ -56,7 +56,7 @@ INSTANT = 1e-9
 """How long, in s, a part of a fit lasts that has a single sample, at its beginning."""
 
 LEAST_SPREAD = 1e-2
-"""The least scale of the states at which a fit joins parts."""
+"""The least scale of the states at which a fit joins parts, in units of their sizes."""
 
 AT_REST = 1e-12
 """What moves by less than this, in units of its size, does not move."""

@@ -201,8 +201,11 @@ def estimate(
         return known[key]
 
     try:
+        # The gradient is compared with `gtol` as it is: residuals of nanometres would end at once.
+        first = float(np.linalg.norm(at(start)[0]))
+        unit = min(first, 1.0) if first > 0.0 else 1.0
         found = least_squares(
-            lambda z: at(z)[0], start, lambda z: at(z)[1], bounds, x_scale="jac",
+            lambda z: at(z)[0] / unit, start, lambda z: at(z)[1] / unit, bounds, x_scale="jac",
             xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
         )  # fmt: skip
         residuals, jacobian = at(found.x)
@@ -221,13 +224,13 @@ def estimate(
 
 
 def covariance_of(
-    jacobian: np.ndarray, values: np.ndarray, names: Sequence[str]
+    jacobian: np.ndarray, sizes: np.ndarray, names: Sequence[str]
 ) -> tuple[np.ndarray, tuple[str, ...]]:
     """Return (JᵀJ)⁻¹, and combinations of parameters that J does not determine.
 
-    Parameters are compared by relative changes, so that units do not matter.
+    Parameters are compared by changes relative to their sizes, so that units do not matter.
     """
-    sizes = np.where(np.abs(values) > 0.0, np.abs(values), 1.0)
+    sizes = np.where(sizes > 0.0, sizes, 1.0)
     _, singular, right = np.linalg.svd(jacobian * sizes, full_matrices=False)
     largest = singular.max(initial=0.0)
     weak = singular <= UNDETERMINED * largest

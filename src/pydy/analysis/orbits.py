@@ -104,18 +104,27 @@ class Flight:
     rates: np.ndarray
     period: float
 
-    def sizes(self, start: np.ndarray) -> np.ndarray:
+    def sizes(self, start: np.ndarray, speeds: np.ndarray) -> np.ndarray:
         """Return how large the states are on the way: the units to search and integrate in.
 
         A state is zero at the ends of an oscillation through zero, where its rate tells the size.
-        One that is small beside the others may be nothing but their rounding.
+        One that is small beside the others may be nothing but their rounding; speeds count as the
+        amplitudes that they have in an oscillation of this period.
+
+        Parameters
+        ----------
+        start : ndarray, shape (k,)
+        speeds : ndarray of bool, shape (k,)
+            Which of the states are speeds.
         """
-        swing = np.abs(self.rates) * (self.period / (2.0 * np.pi))
-        sizes = np.maximum.reduce([np.abs(start), np.abs(self.end), swing])
+        time = self.period / (2.0 * np.pi)
+        unit = np.where(speeds, 1.0 / time, 1.0)
+        swing = np.abs(self.rates) * time
+        sizes = np.maximum.reduce([np.abs(start), np.abs(self.end), swing]) / unit
         largest = float(sizes.max(initial=0.0))
         if not (np.isfinite(largest) and largest > 0.0):
             return np.ones(len(start))
-        least: np.ndarray = np.maximum(sizes, min(1.0, LEAST_SIZE * largest))
+        least: np.ndarray = np.maximum(sizes, min(1.0, LEAST_SIZE * largest)) * unit
         return least
 
     def scaled(self, sizes: np.ndarray, period: float) -> Flight:
@@ -131,12 +140,13 @@ class Flight:
 def shoot(
     fly: Callable[[np.ndarray, float], Flight],
     first: Flight,
+    sizes: np.ndarray,
     start: np.ndarray,
     period: float,
     slope: np.ndarray | None,
     names: Sequence[str],
 ) -> tuple[np.ndarray, Flight, float]:
-    """Solve for a state that comes back, in units of the sizes on the first flight.
+    """Solve for a state that comes back, in units of their sizes.
 
     Parameters
     ----------
@@ -144,6 +154,8 @@ def shoot(
         Of the unknown states and the period.
     first : Flight
         From the start.
+    sizes : ndarray, shape (k,)
+        Of the states.
     start : ndarray, shape (k,)
     period : float
         The period, or where to begin the search for it.
@@ -158,7 +170,7 @@ def shoot(
     PeriodicOrbitError
         The search does not converge.
     """
-    sizes, guess, k = first.sizes(start), period, len(start)
+    guess, k = period, len(start)
     flight = first.scaled(sizes, guess)
     begun = z = start / sizes
     if slope is not None:

@@ -109,7 +109,7 @@ MARGIN = 1e-5
 """How far beyond 1 a multiplier may be computed that is 1: double ones come out at 1e-6."""
 
 STILL = 1e-9
-"""The rates of a state that is an equilibrium."""
+"""What states of an equilibrium change by in a period at their rates, in units of their sizes."""
 
 # -- fits ------------------------------------------------------------------------------------------
 
