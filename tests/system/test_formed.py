@@ -425,6 +425,19 @@ def test_dependent_speeds_that_hardly_follow_from_the_constraint_cost_no_accurac
         np.testing.assert_allclose(found, expected, rtol=0, atol=atol)
 
 
+@pytest.mark.parametrize(("free", "dependent"), [(1, 3), (2, 4), (3, 4)])
+@pytest.mark.parametrize("size", [1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
+def test_constraints_that_are_nearly_parallel_lose_only_the_digits_that_they_share(
+    free, dependent, size
+):
+    kane, e, rows = nearly_dependent(free, dependent)
+    x = at_rest_with_the_constraints(kane, rows, {e: sm.Float(size)})
+    expected = exactly(kane, {e: size}, x)
+    found = System(kane, {e: size}, equations="graph").evaluate_ode(x)[free + dependent :]
+    atol = (2e-12 + 1e-15 / size) * np.abs(expected).max()
+    np.testing.assert_allclose(found, expected, rtol=0, atol=atol)
+
+
 def test_more_speeds_than_are_eliminated_one_by_one_keep_their_accuracy():
     kane, e, rows = nearly_dependent(13)
     x = at_rest_with_the_constraints(kane, rows, {e: sm.Float(1e-5)})

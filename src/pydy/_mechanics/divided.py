@@ -89,7 +89,7 @@ def _clear(graph: Graph, matrix: list[list[int]]) -> int:
     size = graph.call("abs", node)
     (usual,) = usual_sizes(graph, [size])
     # Where there is no usual size, as at places that an expression does not reach, none is small.
-    return graph.call("not", graph.call("lt", size, graph.sum([(usual, CLEAR)])))
+    return graph.call("not", graph.call("le", size, graph.sum([(usual, CLEAR)])))
 
 
 def _inverse(graph: Graph, matrix: list[list[int]]) -> list[list[int]]:

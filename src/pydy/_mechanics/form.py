@@ -23,6 +23,7 @@ from pydy._mechanics.lumps import lumped
 from pydy._mechanics.multipliers import (
     accelerations_of_held,
     accelerations_written_out,
+    orthogonal,
     solved_soundly,
 )
 from pydy._mechanics.reader import Multibody
@@ -378,16 +379,17 @@ def _with_multipliers(
 ) -> tuple[list[list[int]], list[int]]:
     """Return a system for u' and multipliers that any dependent speeds may be chosen for.
 
-    It is M u' + Kᵀ μ = F, −K u' = b. Where the constraints nearly depend on each other, as in a
-    singular position, μ is large and u' lost: there its solution is taken instead, with the least
-    multipliers, if all speeds move masses.
+    It is M u' + Kᵀ μ = F, −K u' = b, with the rows of K made orthogonal: where they are nearly
+    parallel, μ of the rows as they are swallows F. In a singular position its solution is taken
+    instead, with the least multipliers, if all speeds move masses.
     """
     n, d = len(forcing), len(drift)
+    across, pull = orthogonal(g, rows, drift) if n <= GUARDED_UP_TO else (rows, drift)
     system = [
-        *([*line, *(row[i] for row in rows)] for i, line in enumerate(matrix)),
-        *([*(g.neg(node) for node in row), *[g.zero] * d] for row in rows),
+        *([*line, *(row[i] for row in across)] for i, line in enumerate(matrix)),
+        *([*(g.neg(node) for node in row), *[g.zero] * d] for row in across),
     ]
-    column = [*forcing, *drift]
+    column = [*forcing, *pull]
     if not heavy or g.constant[clear] or n > GUARDED_UP_TO:
         return system, column
     held, definite = accelerations_written_out(g, matrix, forcing, rows, drift)

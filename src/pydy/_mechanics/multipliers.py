@@ -20,16 +20,18 @@ from functools import partial
 
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._mechanics.tuning import SHIFT, SMALL_PIVOT, SOUND_PIVOT
+from pydy._mechanics.tuning import NOTHING, SHIFT, SMALL_PIVOT, SOUND_PIVOT
 
 __all__ = [
     "accelerations_of_held",
     "accelerations_written_out",
     "multipliers_of",
+    "orthogonal",
     "solved_soundly",
     "usual_sizes",
 ]
 
+_HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
 _STEPS = 6  # after the first: what is 1e-2 of the size is found to rounding
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
 
@@ -121,6 +123,31 @@ def multipliers_of(
     return [graph.call("select", sound, a, b) for a, b in zip(found, least, strict=True)]
 
 
+def orthogonal(
+    graph: Graph, rows: Sequence[list[int]], drift: Sequence[int]
+) -> tuple[list[list[int]], list[int]]:
+    """Return rows with the same solutions of J u' + b = 0, orthogonal, and their b.
+
+    Gram and Schmidt's, each row taken twice (Giraud, Langou, Rozložník, 2005): nearly parallel rows
+    have multipliers so large that they swallow F, these have none. A row of zeros remains one.
+    """
+    found: list[tuple[tuple[list[int], int], int]] = []
+    for row, b in zip(rows, drift, strict=True):
+        line = [*row, b]
+        for _ in range(2):
+            for (other, c), size in found:
+                share = graph.div(_dot(graph, line[:-1], other), size)
+                line = [
+                    graph.sub(x, graph.mul(share, y))
+                    for x, y in zip(line, [*other, c], strict=True)
+                ]
+        size = _dot(graph, line[:-1], line[:-1])
+        nothing = graph.call("lt", size, graph.const(NOTHING))
+        size = graph.call("select", nothing, graph.one, size)
+        found.append(((line[:-1], line[-1]), size))
+    return [row for (row, _), _ in found], [b for (_, b), _ in found]
+
+
 def _dot(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
     return graph.sum([(graph.mul(x, y), 1.0) for x, y in zip(a, b, strict=True)])
 
@@ -201,16 +228,41 @@ def _sizes(
 
 
 def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return the means of some nodes at irregular states: numbers that depend on constants."""
+    """Return the means of some nodes at irregular states, which depend on constants.
+
+    Angles are of order one. Coordinates that are used outside of trigonometric functions may be in
+    any unit: theirs is the length of them together.
+    """
     moving = [
         n for n in graph.reachable(nodes) if graph.ops[n] == "input" and not graph.constant[n]
     ]
+    lengths = _used_as_they_are(graph, nodes) & {n for n in moving if graph.args[n][0] != "t"}
+    unit = graph.one
+    if lengths:
+        squares = graph.sum([(graph.powi(n, 2), 1.0) for n in sorted(lengths)])
+        unit = graph.call("sqrt", squares)
+    numbers = [[(start + 0.618 * k) % 1.0 + 0.2 for k in range(len(moving))] for start in _STATES]
     states = [
-        {n: graph.const((start + 0.618 * k) % 1.0 + 0.2) for k, n in enumerate(moving)}
-        for start in _STATES
+        {
+            n: graph.sum([(unit if n in lengths else graph.one, number)])
+            for n, number in zip(moving, several, strict=True)
+        }
+        for several in numbers
     ]
     elsewhere = zip(*(substitute(graph, nodes, state) for state in states), strict=True)
     return [graph.sum([(n, 1.0 / len(several)) for n in several]) for several in elsewhere]
+
+
+def _used_as_they_are(graph: Graph, nodes: Sequence[int]) -> set[int]:
+    """Return what nodes depend on other than through functions like the sine."""
+    found: set[int] = set()
+    ahead = list(nodes)
+    while ahead:
+        if (node := ahead.pop()) not in found:
+            found.add(node)
+            if graph.ops[node] in _HOMOGENEOUS:
+                ahead += graph.operands(node)
+    return found
 
 
 def _least(

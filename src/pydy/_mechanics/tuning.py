@@ -18,6 +18,7 @@ __all__ = [
     "LIGHTEST",
     "NEARLY_DEPENDENT",
     "NEAR_ESTIMATES",
+    "NOTHING",
     "OPEN",
     "SAME_AXES",
     "SAME_DIRECTION",
@@ -43,6 +44,9 @@ than all the rest (three fifths of the time of forming a tree of 29 joints)."""
 
 NEAR_ESTIMATES = 1.15
 """The ratio of two forms' estimates below which they are counted: too near to decide."""
+
+NOTHING = 1e-300
+"""The square of a row's length that is not divided by."""
 
 CLOSED, OPEN = 1e-13, 1e-7
 """Residuals of constraints up to which they hold, and above which they certainly do not."""

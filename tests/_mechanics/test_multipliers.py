@@ -1,0 +1,88 @@
+"""Constraints in any units: accelerations of a quick-return mechanism with a gear."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy.mechanics import Definition
+from pydy.system import System
+
+T = me.dynamicsymbols._t
+A, D, M, J, G = sm.symbols("a d m J g")
+Q = me.dynamicsymbols("th ph r ps")
+U = me.dynamicsymbols("u w v z")
+
+
+def quick_return(source):
+    """A crank whose pin slides in a slotted arm, at the distance r, and turns a gear.
+
+    Constraints are lengths and angles, and one coordinate among their coefficients is a length.
+    """
+    (th, ph, r, ps), (u, w, v, z) = Q, U
+    ground, o = me.ReferenceFrame("N"), me.Point("O")
+    o.set_vel(ground, 0)
+    crank, arm, gear = (
+        ground.orientnew(name, "Axis", (angle, ground.z))
+        for name, angle in (("C", th), ("A", ph), ("D", ps))
+    )
+    for frame, rate in ((crank, u), (arm, w), (gear, z)):
+        frame.set_ang_vel(ground, rate * ground.z)
+    pin = o.locatenew("P", A * crank.x)
+    pin.v2pt_theory(o, ground, crank)
+    pivot = o.locatenew("Q", -D * ground.y)
+    pivot.set_vel(ground, 0)
+    block = pivot.locatenew("S", r * arm.x)
+    block.set_vel(ground, v * arm.x + r * w * arm.y)
+    places = [pin.pos_from(block).dot(e) for e in (ground.x, ground.y)] + [ps - 2 * th]
+    rates = [(pin.vel(ground) - block.vel(ground)).dot(e) for e in (arm.x, arm.y)] + [z - 2 * u]
+    bodies = [
+        me.RigidBody(frame.name, place, frame, M, (me.inertia(frame, 0, 0, J), place))
+        for frame, place in ((crank, o), (gear, o), (arm, pivot))
+    ]
+    bodies.append(me.Particle("block", block, M))
+    loads = [(pin, -M * G * ground.y), (crank, J * sm.sin(th) * ground.z)]
+    kinematic = [q.diff(T) - s for q, s in zip(Q, U, strict=True)]
+    if source == "definition":
+        return Definition(
+            ground, Q, U, bodies=bodies, loads=loads,
+            kinematic_equations=kinematic, holonomic_constraints=places,
+        )  # fmt: skip
+    kane = me.KanesMethod(
+        ground, Q[:1], U[:1], kd_eqs=kinematic,
+        q_dependent=Q[1:], u_dependent=U[1:],
+        configuration_constraints=places, velocity_constraints=rates,
+        constraint_solver="CRAMER",
+    )  # fmt: skip
+    kane.kanes_equations(bodies, loads)
+    return kane
+
+
+def accelerations(system, angle, metre=1.0, kilogram=1.0):
+    """The accelerations where the crank is at an angle and turns at 1.3 rad/s."""
+    system.constants = {
+        A: metre, D: 2 * metre, M: kilogram, J: 0.375 * kilogram * metre**2, G: 9.81 * metre
+    }  # fmt: skip
+    place = np.array([np.cos(angle), 2.0 + np.sin(angle)])
+    velocity = 1.3 * np.array([-np.sin(angle), np.cos(angle)])
+    r = np.hypot(*place)
+    along = place / r
+    across = np.array([-along[1], along[0]])
+    values = [angle, np.arctan2(*place[::-1]), r * metre, 2 * angle]
+    values += [1.3, velocity @ across / r, velocity @ along * metre, 2.6]
+    state = dict(zip((*Q, *U), values, strict=True))
+    rates = system.evaluate_ode(np.array([state[s] for s in system.states]))
+    found = dict(zip(system.states, rates, strict=True))
+    return np.array([found[u] for u in U]) / [1.0, 1.0, metre, 1.0]
+
+
+@pytest.mark.parametrize("source", ["kane", "definition"])
+def test_small_and_large_machines_have_the_same_accelerations_to_the_last_bit(source):
+    system = System(quick_return(source))
+    own = System(quick_return("kane"), equations="method")
+    for angle in (0.4, 1.9, -2.6):
+        expected = accelerations(system, angle)
+        np.testing.assert_allclose(expected, accelerations(own, angle), rtol=1e-13)
+        for power in (-24, -10, -7, 10):
+            found = accelerations(system, angle, 2.0**power, 2.0 ** (2 * power))
+            assert found.tolist() == expected.tolist()
