@@ -259,3 +259,14 @@ def test_a_model_that_is_not_finite_is_refused():
 def test_a_model_is_taken_at_a_dictionary_of_states():
     system = n_link_pendulum_on_cart()
     close(system.linearize({"q1": np.pi}).A, system.linearize([0.0, np.pi, 0.0, 0.0]).A)
+
+
+@pytest.mark.parametrize("gap", [2.0, 2e-6, 3e-9])
+def test_python_functions_of_micrometres_are_differentiated(gap):
+    """An electrostatic force: a step of a micrometre would cross the gap."""
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    volts = 0.1 * gap**3
+    system.specifieds = {force: lambda x, t: volts / (gap - x[0]) ** 2}
+    model = system.linearize({"x0": 0.2 * gap})
+    assert model.A[1, 0] == pytest.approx(-1.0 + 0.2 / 0.8**3, rel=1e-8)

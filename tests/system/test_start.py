@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 import zoo
 from cases import system_of
-from pydy._errors import PyDyUserWarning
+from pydy.errors import IntegrationError, PyDyUserWarning
+from pydy.system import System
 
 TIMES = np.linspace(0.0, 0.1, 3)
 
@@ -121,3 +123,28 @@ def test_a_sample_of_an_ensemble_that_is_off_is_named():
     system.integrate_ensemble(initial_conditions=angles)
     with pytest.warns(PyDyUserWarning, match="initial conditions of sample 1 do not satisfy"):
         system.integrate_ensemble(constants={sm.Symbol("la"): [0.8, 0.9, 0.8]})
+
+
+@pytest.mark.parametrize("length", [1.0, 1e-3, 1e-6, 7e6])
+@pytest.mark.parametrize("constraints", [None, "project"])
+def test_a_start_far_off_is_told_in_any_units(length, constraints):
+    """Of a pendulum of a micrometre that is let go a quarter beside its circle nothing was said."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    N, O, P = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    O.set_vel(N, 0)
+    P.set_pos(O, x * N.x + y * N.y)
+    P.set_vel(N, u * N.x + v * N.y)
+    kane = me.KanesMethod(
+        N, [x], [u], [x.diff() - u, y.diff() - v], q_dependent=[y], u_dependent=[v],
+        configuration_constraints=[x**2 + y**2 - length**2], velocity_constraints=[x * u + y * v],
+    )  # fmt: skip
+    kane.kanes_equations([me.Particle("b", P, 1)], [(P, -9.81 * N.y)])
+    system = System(kane, ode_solver="dop853", times=np.linspace(0.0, 1.0, 3) * length**0.5)
+    system.initial_conditions = {x: 0.5 * length, y: -0.6 * length}
+    options = {"atol": 1e-9 * length, "constraints": constraints}
+    if constraints:
+        with pytest.raises(IntegrationError, match=r"moved y\(t\) from"):
+            system.simulate(**options)
+    else:
+        with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"):
+            system.simulate(**options)

@@ -14,6 +14,7 @@ from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._system.evaluation import row_names
 from pydy._system.snapshot import Snapshot
+from pydy._system.tuning import AGREED
 from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
 
@@ -31,6 +32,8 @@ __all__ = [
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
 _EPS = float(np.finfo(float).eps)
+# Decades down which steps of differences are tried, and the rounding errors of a function.
+_SHORTER, _ROUNDED = 10, 100.0
 
 
 class Unknowns:
@@ -284,18 +287,41 @@ def find_equilibrium(
 def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
     """Return how the specifieds that are functions change with the states, shape (m, s, n).
 
-    These are central differences; expressions are compiled into the equations instead.
+    These are central differences; expressions are compiled into the equations instead. A function
+    of a state in micrometres may be anything a micrometre away: where half the step has another
+    result, by more than rounding, shorter ones are tried, and of all that of the best agreement is
+    taken.
     """
     m, n = x.shape
     slopes = np.zeros((m, len(plan.symbols), n))
-    if plan.functions:
-        for k in range(n):
-            step = np.zeros_like(x)
-            step[:, k] = np.cbrt(_EPS) * np.maximum(np.abs(x[:, k]), 1.0)
-            ahead, behind = x + step, x - step
-            change = plan.rows(ahead, t) - plan.rows(behind, t)
-            slopes[:, :, k] = change / (ahead - behind)[:, k, None]
+    for k in range(n if plan.functions else 0):
+        size = np.cbrt(_EPS) * np.maximum(np.abs(x[:, k]), 1.0)
+        least = np.full((m, len(plan.symbols)), np.inf)
+        for _ in range(_SHORTER):
+            slope, rounding = _central(plan, x, t, k, size)
+            halved, _ = _central(plan, x, t, k, 0.5 * size)
+            apart, largest = np.abs(slope - halved), np.maximum(np.abs(slope), np.abs(halved))
+            missed = np.where(apart <= rounding, 0.0, apart / np.where(largest > 0.0, largest, 1.0))
+            better = ((missed < least) & (least > AGREED)) | np.isinf(least)
+            slopes[:, :, k] = np.where(better, slope, slopes[:, :, k])
+            least = np.fmin(least, missed)
+            if (least <= AGREED).all():
+                break
+            size = 0.1 * size
     return slopes
+
+
+def _central(
+    plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray, k: int, size: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the central differences by state k, and what rounding does to them, shapes (m, s)."""
+    step = np.zeros_like(x)
+    step[:, k] = size
+    ahead, behind = x + step, x - step
+    width = (ahead - behind)[:, k, None]
+    after, before = plan.rows(ahead, t), plan.rows(behind, t)
+    largest = np.maximum(np.abs(after), np.abs(before))
+    return (after - before) / width, _ROUNDED * _EPS * largest / width
 
 
 def _start(now: Snapshot, symbol: Any) -> float:

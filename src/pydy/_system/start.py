@@ -72,9 +72,11 @@ def violations(
     equations = definition.equations
     at = (np.array([t]), x[None], r[None], p)
     residuals = np.concatenate([part[0] for part in model.interpreted(_residuals, at).values()])
-    if np.abs(residuals).max(initial=0.0) < HELD:  # NaN is not
-        return ""
     n = len(equations.coordinates)
+    # Residuals may be squares of lengths: of micrometres these are 1e-12 m².
+    length = min(1.0, float(np.abs(x[:n]).max(initial=0.0)) or 1.0)
+    if np.abs(residuals).max(initial=0.0) < HELD * length**2:  # NaN is not
+        return ""
     size = np.abs(x)
     for part in (slice(n), slice(n, None)):
         size[part] = np.maximum(size[part], size[part].max(initial=0.0) or 1.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 __all__ = [
+    "AGREED",
     "AT_REST",
     "BEGINNING",
     "BESIDE",
@@ -21,6 +22,9 @@ __all__ = [
     "TRIED",
     "UNSOLVED",
 ]
+
+AGREED = 1e-8
+"""Differences of a Python function by two steps that agree so well are its derivative."""
 
 TRIED = 64
 """Samples of an ensemble, or states along a trajectory, whose constraints are looked at.
@@ -41,7 +45,7 @@ NO_INERTIA = 1e-12
 """The inertia of a combination of speeds, in units of what each has alone, that is none."""
 
 HELD = 1e-12
-"""Residuals of constraints that hold, whatever the sizes of the states."""
+"""Residuals of constraints that hold, in units of the largest coordinate's square up to 1."""
 
 UNSOLVED = 1e-8
 """What dependent speeds leave of equations that they do not solve, in units of the terms."""

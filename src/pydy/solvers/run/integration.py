@@ -218,7 +218,7 @@ class Integration:
         if self.options.constraints is not None:
             self.arrays.seen[:] = 0.0
             self._tell_dependent(self.options.constraints)
-            self._project_start()
+            self._project_start(self.options.constraints.coordinates)
         if self.options.events is not None:
             self._check_events(self.options.events)
             self._look_at_start(self.options.events)
@@ -250,7 +250,7 @@ class Integration:
         nearness, names = wanted.combination(values, longest, int(seen[at.RANK]))
         return nearness, "; ".join(names), wanted.determinacy(values)
 
-    def _project_start(self) -> None:
+    def _project_start(self, first: int) -> None:
         """Move the initial state onto the constraints, unless it is far from them."""
         x = self.memory.x
         before = x.copy()
@@ -258,6 +258,7 @@ class Integration:
         code = _PROJECT(int(self.arrays.constraints.words[at.PROJECT]))(self._place, t, address(x))
         self._raise_callback()
         size = 1.0 + np.abs(before[: self.states])
+        size[:first] += min(1.0, float(np.abs(before[:first]).max(initial=0.0)) or 1.0) - 1.0
         moved = np.abs(x[: self.states] - before[: self.states])
         if code != 0 or (moved > STARTING_MOVE * size).any():
             k = int(np.argmax(moved / size))
