@@ -106,9 +106,25 @@ def solve_equilibrium(
     EquilibriumError
         None was found.
     """
+    z = np.clip(start, *bounds)
+    for size in (_sizes(jacobian(z), z), np.ones(len(rows))):
+        found, message = _search(residual, jacobian, z, bounds, size)
+        try:
+            return _accepted(residual, jacobian, found, bounds, unknowns, rows, message)
+        except EquilibriumError as error:
+            missed = error
+    raise missed
+
+
+def _search(
+    residual: Callable[[np.ndarray], np.ndarray],
+    jacobian: Callable[[np.ndarray], np.ndarray],
+    z: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    size: np.ndarray,
+) -> tuple[np.ndarray, str]:
+    """Return what is found with each row in units of its size, and why it is no better."""
     low, high = bounds
-    z, message = np.clip(start, low, high), ""
-    size = _sizes(jacobian(z), z)
 
     def share(z: np.ndarray) -> np.ndarray:
         shares: np.ndarray = residual(z) / size
@@ -120,26 +136,24 @@ def solve_equilibrium(
 
     with np.errstate(all="ignore"):
         near = _quickly(share, slopes, z, low, high)
-    if near is not None:
-        return _accepted(residual, jacobian, near, bounds, unknowns, rows, message)
-    with np.errstate(all="ignore"):
+        if near is not None:
+            return near, ""
         try:
             found = least_squares(
                 share, z, slopes, bounds, x_scale="jac",
                 xtol=TO_ROUNDING, ftol=TO_ROUNDING, gtol=TO_ROUNDING,
             )  # fmt: skip
-            z, message = found.x, found.message
         except ValueError as error:  # residuals that are not finite at the start
-            z, message = np.array(start), str(error)
-    z = _polished(share, slopes, z, low, high)
-    return _accepted(residual, jacobian, z, bounds, unknowns, rows, message)
+            return z, str(error)
+    return _polished(share, slopes, found.x, low, high), found.message
 
 
 def _sizes(slopes: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return the units to search in: of each row what its terms are of at the start.
+    """Return the units to search in first: of each row what its terms are of at the start.
 
     In SI units accelerations under some load are a million times what is left of a constraint,
-    which a search on both as they are would hardly see.
+    which a search on both as they are would hardly see. Where the start is far away, its sizes may
+    mislead: a bicycle's wheels that do not turn yet.
     """
     with np.errstate(all="ignore"):
         terms = _terms(slopes, z)
