@@ -19,7 +19,7 @@ from pydy._names import unique_names
 from pydy._system.balance import GROUPS, evaluated, feedback, located, members
 from pydy._system.evaluation import samples
 from pydy._system.snapshot import Snapshot
-from pydy._system.start import violations
+from pydy._system.start import surely_held, violations
 from pydy._system.tuning import BESIDE, TRIED
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -196,7 +196,10 @@ def _warn_of_violations(
     now: Snapshot, made: CompiledModel, t: np.ndarray, x: np.ndarray, rows: np.ndarray
 ) -> None:
     """Warn of the first state that is off the constraints, of those that are tried."""
-    for k in np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int)):
+    tried = np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int))
+    some = rows[tried] if len(rows) > 1 else rows
+    held = surely_held(now.definition, made, t[tried], x[tried], some, now.p)
+    for k in tried[~held]:
         row = rows[k if len(rows) > 1 else 0]
         told = violations(now.definition, made, float(t[k]), x[k], row, now.p)
         if told:

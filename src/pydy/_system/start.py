@@ -14,7 +14,7 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._system.solving import constraint_names
 from pydy._system.tuning import DIGITS, HELD, TRIED
 
-__all__ = ["check_samples", "check_start", "violations"]
+__all__ = ["check_samples", "check_start", "surely_held", "violations"]
 
 
 def check_start(
@@ -43,6 +43,32 @@ def check_start(
     return bool(told)
 
 
+def surely_held(
+    definition: Definition,
+    model: CompiledModel,
+    t: np.ndarray,
+    x: np.ndarray,
+    r: np.ndarray,
+    p: np.ndarray,
+) -> np.ndarray:
+    """Return which of m states have no `violations`, as far as their residuals alone tell."""
+    return _residuals_at(len(definition.equations.coordinates), model, (t, x, r, p))[1]
+
+
+def _residuals_at(
+    n: int,
+    model: CompiledModel,
+    at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return residuals (m, rows), and which states they are nothing in."""
+    residuals = np.concatenate(list(model.interpreted(_residuals, at).values()), axis=1)
+    # Residuals may be squares of lengths: of micrometres these are 1e-12 m².
+    lengths = np.abs(at[1][:, :n]).max(axis=1, initial=0.0)
+    lengths = np.where(lengths > 0.0, np.minimum(lengths, 1.0), 1.0)
+    within = np.abs(residuals).max(axis=1, initial=0.0) < HELD * lengths**2  # NaN is not
+    return residuals, within
+
+
 def violations(
     definition: Definition,
     model: CompiledModel,
@@ -69,14 +95,12 @@ def violations(
     str
         A sentence, or nothing.
     """
-    equations = definition.equations
+    n = len(definition.equations.coordinates)
     at = (np.array([t]), x[None], r[None], p)
-    residuals = np.concatenate([part[0] for part in model.interpreted(_residuals, at).values()])
-    n = len(equations.coordinates)
-    # Residuals may be squares of lengths: of micrometres these are 1e-12 m².
-    length = min(1.0, float(np.abs(x[:n]).max(initial=0.0)) or 1.0)
-    if np.abs(residuals).max(initial=0.0) < HELD * length**2:  # NaN is not
+    residuals, within = _residuals_at(n, model, at)
+    if within[0]:
         return ""
+    residuals = residuals[0]
     size = np.abs(x)
     for part in (slice(n), slice(n, None)):
         size[part] = np.maximum(size[part], size[part].max(initial=0.0) or 1.0)
@@ -87,7 +111,7 @@ def violations(
     far = np.flatnonzero(~(np.abs(residuals) <= allowed))
     if not far.size:
         return ""
-    names = constraint_names(equations)
+    names = constraint_names(definition.equations)
     worst = far[np.argsort(-np.abs(residuals[far]))][:3]
     told = "; ".join(f"{residuals[k]:.3g} in the {names[k]}" for k in worst)
     more = f"; and {far.size - 3} more" if far.size > 3 else ""

@@ -45,7 +45,7 @@ def _(v):
     return _ensemble(times=v)
 
 
-@target("integrate_ensemble.ode_solver", choice("dop853", "tsit5"))
+@target("integrate_ensemble.ode_solver", choice(None, "dop853", "tsit5"))
 def _(v):
     return _ensemble(ode_solver=v)
 
