@@ -24,7 +24,7 @@ from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, is_symmetric
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Block, Program
-from pydy._graph.split import Parting
+from pydy._graph.split import Parting, TakesApart
 from pydy._graph.switches import Passes
 from pydy._graph.tuning import ANOTHER_PART, COLUMNS_TOGETHER, FROM_OPERATIONS, LESS_WORK
 
@@ -60,7 +60,7 @@ class Part:
 
 
 @dataclass(frozen=True, eq=False)
-class JacobianColumns:
+class JacobianColumns(TakesApart):
     """The Jacobian of some nodes, in parts; it has those attributes of a Program that kernels need.
 
     Attributes
@@ -80,16 +80,6 @@ class JacobianColumns:
     def num_states(self) -> int:
         """Number of states x."""
         return self.shared.num_states
-
-    @property
-    def num_specifieds(self) -> int:
-        """Number of specifieds r."""
-        return self.shared.num_specifieds
-
-    @property
-    def num_constants(self) -> int:
-        """Number of constants p."""
-        return self.shared.num_constants
 
     @property
     def carried(self) -> tuple[int, ...]:

@@ -18,11 +18,27 @@ from pydy._forks import cached_property
 from pydy._graph.operations import TRUTHS, operands, with_operands
 from pydy._graph.program import Block, Program, Tape
 
-__all__ = ["SplitProgram", "split"]
+__all__ = ["Parting", "SplitProgram", "TakesApart", "split"]
+
+
+class TakesApart:
+    """The inputs of what is taken apart: they are those of the shared part."""
+
+    shared: Program
+
+    @property
+    def num_specifieds(self) -> int:
+        """Number of specifieds r."""
+        return self.shared.num_specifieds
+
+    @property
+    def num_constants(self) -> int:
+        """Number of constants p."""
+        return self.shared.num_constants
 
 
 @dataclass(frozen=True, eq=False)
-class SplitProgram:
+class SplitProgram(TakesApart):
     """The derivatives of states and of their sensitivities, apart; see `columns.Columns`.
 
     It has those attributes of a Program that say what goes in and what comes out.
@@ -53,16 +69,6 @@ class SplitProgram:
         """Number of states and sensitivities."""
         number: int = self.shared.num_states * (1 + self.columns)
         return number
-
-    @property
-    def num_specifieds(self) -> int:
-        """Number of inputs r."""
-        return self.shared.num_specifieds
-
-    @property
-    def num_constants(self) -> int:
-        """Number of constants p."""
-        return self.shared.num_constants
 
     @property
     def carried(self) -> range:

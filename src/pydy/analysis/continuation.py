@@ -19,10 +19,10 @@ import numpy as np
 from pydy._names import place_of
 from pydy._optional import require
 from pydy.analysis.pictures import plot_branch
+from pydy.analysis.scaling import sizes_along
 from pydy.analysis.tuning import (
     BISECTED,
     FREE,
-    NOTHING,
     ON_BRANCH,
     SHORTEST_STEP,
     STEEPEST_TURN,
@@ -137,7 +137,7 @@ class _Curve:
     def __init__(self, F: Function, J: Function, spectrum: Function, z: np.ndarray, span: float):
         self._F, self._J, self.spectrum = F, J, spectrum
         first = J(z)
-        self.scale = _scales(first, z, span)
+        self.scale = sizes_along(first, z, span)
         sizes = np.abs(first * self.scale).max(axis=1, initial=0.0)
         self.sizes = np.where(sizes > 0.0, sizes, 1.0)
         slopes = self.J(z)[:, :-1] * self.scale[:-1]
@@ -188,24 +188,6 @@ class _Curve:
         tangent = tangent if tangent @ before >= 0.0 else -tangent
         sign = float(np.linalg.slogdet(np.vstack([square, tangent]))[0])
         return _Point(z, tangent, sign, self.spectrum(z))
-
-
-def _scales(slopes: np.ndarray, z: np.ndarray, span: float) -> np.ndarray:
-    """Return sizes of the unknowns; of the parameter, which is the last, its span.
-
-    Unknowns that the parameter moves are as large as what it moves them by, or as they are: with
-    each entry of the Jacobian times the size of its column as large as its row, as far as least
-    squares of logarithms allow (Curtis and Reid, J. Inst. Maths Applics 10 (1972) 118-124). That
-    does not depend on the units that a user works in. What nothing tells of has the size 1.
-    """
-    m, k = slopes.shape
-    sizes = np.abs(slopes)
-    sizes[:, -1] *= span
-    row, column = np.nonzero(sizes > NOTHING * sizes.max(axis=1, initial=0.0, keepdims=True))
-    table = np.zeros((len(row), m + k))
-    table[np.arange(len(row)), row] = table[np.arange(len(row)), m + column] = 1.0
-    logs = np.linalg.lstsq(table[:, :-1], -np.log(sizes[row, column]), rcond=None)[0]
-    return np.append(np.maximum(np.abs(z[:-1]), np.exp(logs[m:])), span)
 
 
 def trace(

@@ -6,7 +6,7 @@ import numpy as np
 
 from pydy.analysis.tuning import NOTHING
 
-__all__ = ["equilibrated", "scaled_step"]
+__all__ = ["equilibrated", "scaled_step", "sizes_along"]
 
 _SWEEPS = 8  # the exponents' error halves at each
 
@@ -60,6 +60,24 @@ def scaled_step(slopes: np.ndarray, values: np.ndarray, rank: float) -> np.ndarr
     columns = 1.0 / _or_one(sizes.max(axis=0, initial=0.0))
     step: np.ndarray = columns * np.linalg.lstsq(slopes * columns, values, rcond=rank)[0]
     return step
+
+
+def sizes_along(slopes: np.ndarray, z: np.ndarray, span: float) -> np.ndarray:
+    """Return sizes of the unknowns; of the parameter, which is the last, its span.
+
+    Unknowns that the parameter moves are as large as what it moves them by, or as they are: with
+    each entry of the Jacobian times the size of its column as large as its row, as far as least
+    squares of logarithms allow (Curtis and Reid, J. Inst. Maths Applics 10 (1972) 118-124). That
+    does not depend on the units that a user works in. What nothing tells of has the size 1.
+    """
+    m, k = slopes.shape
+    sizes = np.abs(slopes)
+    sizes[:, -1] *= span
+    row, column = np.nonzero(sizes > NOTHING * sizes.max(axis=1, initial=0.0, keepdims=True))
+    table = np.zeros((len(row), m + k))
+    table[np.arange(len(row)), row] = table[np.arange(len(row)), m + column] = 1.0
+    logs = np.linalg.lstsq(table[:, :-1], -np.log(sizes[row, column]), rcond=None)[0]
+    return np.append(np.maximum(np.abs(z[:-1]), np.exp(logs[m:])), span)
 
 
 def _or_one(sizes: np.ndarray) -> np.ndarray:
