@@ -14,8 +14,8 @@ from llvmlite import binding
 from graphs import everything, solves
 from pydy import _cache_folder, cli
 from pydy._backends.llvm import jit, native
-from pydy._backends.llvm.backend import kernel_text
 from pydy._backends.llvm.sweep import sweep_module
+from pydy._backends.llvm.text import kernel_text
 from pydy._names import printable
 from pydy.examples import bicycle_ride
 from pydy.solvers.run import shipped as stepper_gate

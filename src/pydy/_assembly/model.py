@@ -13,8 +13,6 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition, Layout
 from pydy._assembly.external import LinearSolver, with_external_solver
 from pydy._assembly.stored import stored_jacobian, stored_program
-from pydy._backends.llvm.backend import LLVMBackend
-from pydy._backends.llvm.jacobian_columns import compile_jacobian
 from pydy._errors import SingularMatrixError
 from pydy._graph.interpret import run
 from pydy._graph.jacobian_columns import JacobianColumns
@@ -122,7 +120,7 @@ class CompiledModel:
     def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`.
 
-        The LLVM back end may take several columns at a time.
+        A back end with a method ``compile_jacobian`` may take several columns at a time.
         """
         return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by))
 
@@ -133,14 +131,16 @@ class CompiledModel:
         def whole() -> Program:
             return stored_program(assembly, what, lambda: assembly.jacobian_program(block, by))
 
-        if isinstance(self.backend, LLVMBackend):
+        in_parts = getattr(self.backend, "compile_jacobian", None)
+        if in_parts is not None:
             made = stored_jacobian(
                 assembly, f"{what}, in parts", lambda: assembly.jacobian_in_parts(block, by)
             )
             if isinstance(made, JacobianColumns):
-                return _with_finite_columns(compile_jacobian(made), whole)
-            return self.backend.compile(made)
-        kernel: Kernel = self.backend.compile(whole())
+                return _with_finite_columns(in_parts(made), whole)
+        else:
+            made = whole()
+        kernel: Kernel = self.backend.compile(made)
         return kernel
 
     def compiled_bounded(self, block: str) -> Kernel:

@@ -17,8 +17,7 @@ import numpy as np
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.stored import stored_program
-from pydy._backends.llvm.backend import LLVMBackend
-from pydy._backends.llvm.columns import compile_columns, lanes_for
+from pydy._backends.llvm.columns import lanes_for
 from pydy._checks import describe
 from pydy._graph.columns import Columns
 from pydy._graph.program import Program
@@ -91,8 +90,11 @@ class Sensitive:
     @property
     def _side_by_side(self) -> bool:
         """Whether several columns are taken at a time."""
-        native = isinstance(self.model.backend, LLVMBackend)
-        return native if self.apart is None else self.apart
+        return self._compile_columns is not None if self.apart is None else self.apart
+
+    @property
+    def _compile_columns(self) -> Callable[[SplitProgram], Kernel] | None:
+        return getattr(self.model.backend, "compile_columns", None)
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -101,10 +103,10 @@ class Sensitive:
 
         By default it is that of the derivatives of the states and of their sensitivities by time.
         """
-        if not blocks and self._side_by_side:
-            columns = self.columns
+        in_columns = self._compile_columns
+        if not blocks and self._side_by_side and in_columns is not None:
             return self.model.kernel_by(
-                ("sensitivities", columns), lambda: compile_columns(self.split_program())
+                ("sensitivities", self.columns), lambda: in_columns(self.split_program())
             )
         return self.model.compiled_by(
             ("sensitivities", blocks, self.columns), lambda: self.program(*blocks)

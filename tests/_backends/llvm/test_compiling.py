@@ -15,7 +15,8 @@ import pytest
 
 from graphs import on_tape
 from pydy._backends.llvm import background, compiling, jit
-from pydy._backends.llvm.backend import LLVMBackend, _Text
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.tiers import _Text
 from pydy._graph.node import Graph
 
 THREE = "define double @three() {\nret double 3.0\n}"

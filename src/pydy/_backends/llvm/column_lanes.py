@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.backend import wide_code
 from pydy._backends.llvm.ir import Function
+from pydy._backends.llvm.tiers import wide_code
 from pydy._graph.split import SplitProgram
 
 __all__ = ["LanesOfColumns", "compile_lanes_of_columns"]

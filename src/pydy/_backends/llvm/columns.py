@@ -20,13 +20,10 @@ import numpy as np
 
 from pydy._array_layout import address
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.backend import (
-    LLVMBackend,
-    calls_routines,
-    kernel_text,
-    shared_routines,
-)
 from pydy._backends.llvm.ir import WIDTHS, Function
+from pydy._backends.llvm.text import kernel_text
+from pydy._backends.llvm.tiers import calls_routines, shared_routines
+from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Kernel
@@ -54,7 +51,7 @@ class _Text:
 
 def compile_columns(split: SplitProgram) -> Kernel:
     """Return the Kernel of states and sensitivities, of whole blocks of columns."""
-    shared = LLVMBackend().compile(split.shared)
+    shared = compile_program(split.shared, "llvm", {})
     lanes = lanes_for(split.columns)
     program = split.column
     source = jit.Source(
@@ -84,11 +81,7 @@ def compile_columns(split: SplitProgram) -> Kernel:
         return int(failed[0])
 
     program_like = cast("Program", split)
-    return Kernel(program_like, sweep, call, _again, (), settled, 1, keep)
-
-
-def _again(split: SplitProgram) -> Kernel:
-    return compile_columns(split)
+    return Kernel(program_like, sweep, call, compile_columns, (), settled, 1, keep)
 
 
 def _sweep(

@@ -12,18 +12,12 @@ from dataclasses import dataclass
 from typing import Any, cast
 
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.backend import (
-    KERNEL_PARAMETERS,
-    Tiers,
-    calls_routines,
-    module_text,
-    prepare_text,
-    stage_text,
-)
 from pydy._backends.llvm.emit import BRANCH_WEIGHTS
 from pydy._backends.llvm.ir import WIDTHS, Function
 from pydy._backends.llvm.native import Entry, native_kernel
 from pydy._backends.llvm.targets import target
+from pydy._backends.llvm.text import KERNEL_PARAMETERS, module_text, prepare_text, stage_text
+from pydy._backends.llvm.tiers import Tiers, calls_routines
 from pydy._graph.jacobian_columns import JacobianColumns
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
