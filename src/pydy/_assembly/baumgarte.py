@@ -81,7 +81,8 @@ def _shares(assembly: Assembly) -> np.ndarray:
     program = lower(graph, assembly.sizes, blocks)
     found: list[np.ndarray] = []
     for seed in range(_TRIALS):
-        part = values_of(program, *generic_inputs(assembly.sizes, seed))
+        values = values_of(program, *generic_inputs(assembly.sizes, [seed]))
+        part = {name: block[0] for name, block in values.items()}
         if not np.allclose(part["rows"], part["motion"], rtol=SAME_RATE, atol=NO_SHARE):
             raise ValueError(
                 "`constraints='baumgarte'` needs acceleration constraints that are the rates of "

@@ -10,6 +10,7 @@ from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
+from pydy._graph.switches import Passes
 from pydy._mechanics.tuning import SAME_AXES, SAME_DIRECTION
 
 _STATES = 3
@@ -64,7 +65,8 @@ def same_numbers(graph: Graph, pairs: Sequence[tuple[Sequence[int], Sequence[int
     inputs = [n for n in graph.reachable(flat) if graph.ops[n] == "input"]
     places = {n: graph.input("x", k) for k, n in enumerate(inputs)}
     nodes = substitute(graph, flat, places)
-    program = lower(graph, (len(inputs), 0, 0), [("all", (len(nodes),), nodes)])
+    blocks = [("all", (len(nodes),), nodes)]
+    program = lower(graph, (len(inputs), 0, 0), blocks, passes=Passes.none())
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
     found, _ = run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))
     same, start = [], 0

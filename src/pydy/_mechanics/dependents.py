@@ -204,20 +204,24 @@ def _choose(
 
 def _check_linear(equations: Equations, states: GenericStates, tables: Sequence[Block]) -> None:
     """Refuse holonomic constraints that hold speeds, and others that are not linear in them."""
-    table = tables[1]
-    n = table[1][1]
-    held: list[tuple[str, list[int]]] = []
+    n, cells = tables[1][1][1], tables[1][2]
+    speeds = set(states.speeds)
+
+    def held(nodes: Sequence[int]) -> bool:
+        return not speeds.isdisjoint(states.graph.reachable(nodes))
+
     for k, (e, node) in enumerate(zip(equations.holonomic, states.holonomic, strict=True)):
-        what = (
-            f"holonomic constraint {k}, `{e}`, holds speeds or derivatives. Give it as a velocity"
-        )
-        held.append((f"The {what} constraint.", [node]))
+        if held([node]):
+            raise ValueError(
+                f"The holonomic constraint {k}, `{e}`, holds speeds or derivatives. Give it as a "
+                "velocity constraint."
+            )
     for k, e in enumerate(equations.velocity):
-        what = f"The velocity constraint {k}, `{e}`, is not linear in the speeds."
-        held.append((f"{what} Replace it with one that is.", table[2][k * n : (k + 1) * n]))
-    for message, nodes in held:
-        if not set(states.speeds).isdisjoint(states.graph.reachable(nodes)):
-            raise ValueError(message)
+        if held(cells[k * n : (k + 1) * n]):
+            raise ValueError(
+                f"The velocity constraint {k}, `{e}`, is not linear in the speeds. Replace it with "
+                "one that is."
+            )
 
 
 def _of_full_rank(matrices: list[np.ndarray]) -> list[np.ndarray]:

@@ -19,6 +19,7 @@ from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
+from pydy._graph.switches import Passes
 from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
@@ -118,33 +119,45 @@ class GenericStates:
             ]
         )
         wanted = self._program(blocks)
-        for seed in range(trials):
-            values = values_of(wanted, *self._consistent(closing, seed))
-            if all(np.isfinite(v).all() for v in values.values()):
-                yield values
+        values = values_of(wanted, *self._consistent(closing, trials))
+        for k in range(trials):
+            own = {name: block[k] for name, block in values.items()}
+            if all(np.isfinite(v).all() for v in own.values()):
+                yield own
 
     def _program(self, blocks: Sequence[Block]) -> Program:
-        return lower(self.graph, self._sizes, blocks)
+        # Evaluated a few times: to look for what is shared takes longer than it saves.
+        return lower(self.graph, self._sizes, blocks, passes=Passes.none())
 
-    def _consistent(self, closing: Program, seed: int) -> Inputs:
+    def _consistent(self, closing: Program, trials: int) -> Inputs:
+        """Return states that keep the constraints, as far as Newton's method finds them."""
         n = len(self.coordinates)
-        t, x, r, p = generic_inputs(self._sizes, seed)
+        t, x, r, p = generic_inputs(self._sizes, range(trials))
+
+        def residuals(rows: Sequence[int]) -> dict[str, np.ndarray]:
+            return values_of(closing, t[rows], x[rows], r[rows], p)
+
+        searching, usable = list(range(trials)), list(range(trials))
         for share in FULL_STEPS:
             for _ in range(_STEPS):
-                now = values_of(closing, t, x, r, p)
-                if not all(np.isfinite(now[k]).all() for k in ("gradient", "holonomic")):
-                    return t, x, r, p
-                if np.abs(now["holonomic"]).max(initial=0.0) < CLOSED:
+                if not searching:
                     break
-                step = -_solved(now["gradient"], now["holonomic"], share)
-                x[:n] += step[:n]
-                r += step[n:]
-            else:
-                continue
-            break
-        now = values_of(closing, t, x, r, p)
-        if now["velocity"].size and np.isfinite(now["slope"]).all():
-            x[n:] -= np.linalg.lstsq(now["slope"], now["velocity"], rcond=None)[0]
+                now, still = residuals(searching), []
+                for k, gradient, left in zip(
+                    searching, now["gradient"], now["holonomic"], strict=True
+                ):
+                    if not (np.isfinite(gradient).all() and np.isfinite(left).all()):
+                        usable.remove(k)
+                    elif np.abs(left).max(initial=0.0) >= CLOSED:
+                        step = -_solved(gradient, left, share)
+                        x[k, :n] += step[:n]
+                        r[k] += step[n:]
+                        still.append(k)
+                searching = still
+        now = residuals(usable)
+        for k, slope, left in zip(usable, now["slope"], now["velocity"], strict=True):
+            if left.size and np.isfinite(slope).all():
+                x[k, n:] -= np.linalg.lstsq(slope, left, rcond=None)[0]
         return t, x, r, p
 
 
@@ -157,16 +170,26 @@ def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.nda
     return step
 
 
-def generic_inputs(sizes: tuple[int, int, int], seed: int) -> Inputs:
-    """Return time, shape (1,), and arrays x, r and p that have nothing particular about them."""
-    rng = np.random.default_rng(seed)
+def generic_inputs(sizes: tuple[int, int, int], seeds: Sequence[int]) -> Inputs:
+    """Return times, states and specifieds of samples, and constants, all nothing particular.
+
+    Parameters
+    ----------
+    sizes : (int, int, int)
+        How many states, specifieds and constants there are.
+    seeds : sequence of int
+        One for each sample; that of the first gives the constants.
+    """
     n, s, k = sizes
-    x, r, p = rng.uniform(0.3, 1.3, n), rng.uniform(0.5, 1.5, s), rng.uniform(0.5, 1.5, k)
-    return rng.uniform(0.1, 1.0, 1), x, r, p
+    rngs = [np.random.default_rng(seed) for seed in seeds]
+    x = np.array([rng.uniform(0.3, 1.3, n) for rng in rngs])
+    r = np.array([rng.uniform(0.5, 1.5, s) for rng in rngs])
+    t = np.array([rng.uniform(0.1, 1.0) for rng in rngs])
+    return t, x, r, rngs[0].uniform(0.5, 1.5, k)
 
 
 def values_of(
     program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Return the blocks of a Program at one state."""
-    return program.by_block(run(program, t, x[None], r[None], p)[0][0])
+    """Return the blocks of a Program at several states."""
+    return program.by_block(run(program, t, x, r, p)[0])
