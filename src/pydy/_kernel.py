@@ -32,8 +32,9 @@ class Kernel:
         to, contiguous in the order of x, as a fifth argument.
     gate : callable
         ``gate(x, t, r, p, out) -> int`` for one state. There is no checking beyond what keeps it
-        safe: −1 asks the caller to convert its arguments and use `call`, otherwise it is the bit
-        mask of failed lanes. It compiles nothing: before `begin` it answers −1.
+        safe: −1 asks the caller to convert its arguments and use `at`, otherwise it is the bit
+        mask of failed lanes. It compiles nothing: before `begin`, and where code that is missing is
+        needed, it answers −1.
     rebuild : callable
         ``rebuild(program, *recipe)`` gives this Kernel again, where it is unpickled.
     recipe : tuple
@@ -73,6 +74,14 @@ class Kernel:
         if self.begin is not None:
             self.begin()
         return self.gate
+
+    def at(self, x: np.ndarray, t: float, r: np.ndarray, p: np.ndarray, out: np.ndarray) -> int:
+        """Evaluate one state; return 1 where a linear solve is singular, else 0."""
+        status = self.call(x, t, r, p, out)
+        if status < 0:
+            values, failed = self.evaluate(np.array([t]), x[None], r[None], p)
+            out[:], status = values[0], int(failed[0])
+        return status
 
     @property
     def addresses(self) -> tuple[int, int] | None:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
+from pydy._backends.base import strict
 from pydy._checks import real_array, shown
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
@@ -80,12 +81,11 @@ def with_external_solver(
     n = system.program.block("forcing").stop - system.program.block("forcing").start
 
     def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
-        if not all(type(a) is np.ndarray for a in (x, r, p)):
+        if type(t) is not float or not strict(system.program, x, r, p):
             return -1
         matrices = np.empty(n * n + n)
-        status = system.call(x, t, r, p, matrices)
-        if status:
-            return status
+        if system.at(x, t, r, p, matrices):
+            return 1
         try:
             solution = solver(matrices[: n * n].reshape(n, n), matrices[n * n :])
         except np.linalg.LinAlgError:
@@ -99,7 +99,7 @@ def with_external_solver(
                 f"`linear_sys_solver` must return the shape ({n},) or ({n}, 1), got "
                 f"{solution.shape}."
             )
-        return rest.call(x, t, np.concatenate([r, solution.ravel()]), p, out)
+        return rest.at(x, t, np.concatenate([r, solution.ravel()]), p, out)
 
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray

@@ -15,6 +15,7 @@ __all__ = [
     "LINES",
     "LOOP",
     "MOST_RESULTS",
+    "MOST_WITHOUT_FALLBACKS",
     "QUIET_SECONDS",
     "SHORT",
     "SPARSE",
@@ -54,6 +55,10 @@ SHORT = 6
 # Results beyond which LLVM is not asked to look for them, which takes it the square of their
 # number: 40 s in place of 4 for the Jacobian of 50 masses, 100 by 100.
 MOST_RESULTS = 2000
+
+# The share of operations that are needed without fallbacks up to which those are compiled only when
+# they are needed: compiled later they take longer.
+MOST_WITHOUT_FALLBACKS = 0.75
 
 # Entries of a matrix for each one that is computed at every call, from which only those are kept
 # for a fallback: 100 springs have 10,000 entries and compute none.

@@ -271,6 +271,18 @@ class Program:
                 user[other] = who if user.get(other, who) == who else hot
         return {guard: nodes[::-1] for guard, nodes in found.items()}
 
+    def without_fallbacks(self) -> set[int]:
+        """Return the nodes that are needed while all guards are sound."""
+        wanted = bytearray(len(self.ops))
+        for node in self.outputs:
+            wanted[node] = 1
+        for node in reversed(range(len(self.ops))):
+            if wanted[node]:
+                op, args = self.ops[node], self.args[node]
+                for other in (args[3], *args[4]) if op == "guard" else operands(op, args):
+                    wanted[other] = 1
+        return {node for node, flag in enumerate(wanted) if flag}
+
     @cached_property
     def operation_count(self) -> dict[str, Counter[str]]:
         """Operations by kind, for the stages 'setup' and 'run'.

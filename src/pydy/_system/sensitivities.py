@@ -173,11 +173,8 @@ class Sensitive:
             out = np.empty(self.columns.size)
             state = np.ascontiguousarray(x, dtype=float)
             r = call.inputs_at(state, float(t))
-            status = kernel.call(state, float(t), r, p, out)
-            if status > 0:
+            if kernel.at(state, float(t), r, p, out):
                 raise model.singular(float(t), state[:n])
-            if status < 0:
-                out[:] = model.evaluate(kernel, np.array([float(t)]), state[None], r[None], p)[0]
             return out
 
         f.native = lambda args: call  # type: ignore[attr-defined]

@@ -262,11 +262,8 @@ def _call_strict(
     p: np.ndarray,
     out: np.ndarray,
 ) -> None:
-    status = kernel.call(x, t, r, p, out)
-    if status > 0:
+    if kernel.at(x, t, r, p, out):
         raise model.singular(t, x)
-    if status < 0:
-        out[:] = model.evaluate(kernel, np.array([t]), x[None], r[None], p)[0]
 
 
 def make_backend(generator: Any, options: dict[str, Any]) -> Any:

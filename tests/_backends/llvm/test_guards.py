@@ -6,6 +6,7 @@ import pytest
 
 from graphs import on_tape
 from pydy._backends.c.cython_ import CythonBackend
+from pydy._backends.llvm import jit, tiers
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.counting import operations
@@ -89,6 +90,74 @@ def test_cython_solves_by_pivoting_too():
     found, failed = kernel.evaluate(np.zeros(19), x, np.empty((19, 0)), p)
     assert not failed.any()
     np.testing.assert_allclose(found, [exact(row, p, 4) for row in x], rtol=1e-9)
+
+
+@pytest.fixture
+def quick(monkeypatch):
+    """What is compiled quickly, with nothing cached and all fallbacks left out at first."""
+    monkeypatch.setenv("PYDY_CACHE_DIR", "off")
+    jit.memory.clear()
+    monkeypatch.setattr(tiers, "MOST_WITHOUT_FALLBACKS", 2.0)
+    compiled, load = [], jit.load_quickly
+    monkeypatch.setattr(
+        jit, "load_quickly", lambda s, c=None: compiled.append(s.what) or load(s, c)
+    )
+    return compiled
+
+
+def scaled(n):
+    """The same with a fallback that needs a value of the setup stage for itself."""
+    graph, nodes, sizes = by_hand(n)
+    _, entries, column, sound, fast = graph.args[graph.args[nodes[0]][0]]
+    scale = graph.call("exp", graph.input("p", 0))
+    entries, column = ([graph.mul(scale, k) for k in part] for part in (entries, column))
+    rows = [entries[k * n : k * n + n] for k in range(n)]
+    return on_tape(graph, graph.guard(rows, column, sound, fast), sizes)
+
+
+def test_fallbacks_are_compiled_when_one_is_needed(quick):
+    n = 5
+    program = scaled(n)
+    x, p = states(n)
+    kernel = BACKENDS["llvm"].compile(program)
+    weak = [k for k in range(19) if (x[k, :n] < 0.0).any()]
+    sound = np.delete(x, weak, axis=0)
+    found, failed = kernel.evaluate(np.zeros(len(sound)), sound, np.empty((1, 0)), p)
+    assert not failed.any()
+    assert [what for what in quick if program.digest in what] == [
+        f"kernel {program.digest} without fallbacks"
+    ]
+    every, failed = kernel.evaluate(np.zeros(19), x, np.empty((1, 0)), p)
+    assert not failed.any()
+    assert len([what for what in quick if program.digest in what]) == 2
+    np.testing.assert_allclose(every, [exact(row, p, n) for row in x], rtol=1e-9)
+    np.testing.assert_array_equal(np.delete(every, weak, axis=0), found)
+    assert kernel.addresses
+    best, _ = kernel.evaluate(np.zeros(19), x, np.empty((1, 0)), p)
+    np.testing.assert_array_equal(best, every)
+
+
+def test_one_state_has_its_fallback_compiled_with_the_constants_that_are_bound(quick):
+    n = 5
+    program = scaled(n)
+    x, p = states(n)
+    x[3, n - 1] = -5.0
+    kernel = BACKENDS["llvm"].compile(program)
+    r, out = np.empty(0), np.empty(n)
+    assert kernel.at(x[1], 0.0, r, p, out) == 0
+    assert kernel.gate(x[3], 0.0, r, p, out) == -1
+    assert kernel.at(x[3], 0.0, r, p, out) == 0
+    np.testing.assert_allclose(out, exact(x[3], p, n), rtol=1e-9)
+    out[:] = np.nan
+    assert kernel.gate(x[3], 0.0, r, p, out) == 0
+    np.testing.assert_allclose(out, exact(x[3], p, n), rtol=1e-9)
+
+
+def test_a_singular_system_is_one_where_fallbacks_were_left_out(quick):
+    program = on_tape(*by_hand(1))
+    kernel = BACKENDS["llvm"].compile(program)
+    state, p = np.array([-0.7, 1.0, 0.0]), np.array([0.7])
+    assert kernel.at(state, 0.0, np.empty(0), p, np.empty(1)) == 1
 
 
 def test_simplification_leaves_the_system_of_a_guard_alone():

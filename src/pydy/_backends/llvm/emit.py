@@ -43,6 +43,8 @@ class Emitter:
         Call routines where there are any.
     whole : bool
         Write one basic block, and leave the choice of what waits in memory to LLVM.
+    fallbacks : bool
+        Whether a guard that is not sound solves its system; else it reports status -1.
     """
 
     def __init__(
@@ -54,6 +56,7 @@ class Emitter:
         setup: bool,
         brief: bool = False,
         whole: bool = False,
+        fallbacks: bool = True,
     ) -> None:
         self.f = f
         self.program = program
@@ -64,7 +67,9 @@ class Emitter:
         self.b = vector_type("i1", lanes)
         self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
         self.fused, self.swallowed = fusion(program)
-        uses = readers(program, self.swallowed, setup)
+        self.fallbacks = fallbacks
+        wanted = None if fallbacks else program.without_fallbacks()
+        uses = readers(program, self.swallowed, setup, wanted)
         self.whole = whole
         self.capacity = len(program.ops) if whole else max(registers - TEMPORARY, 4)
         self.names = Registers(f, self.v, self.capacity, uses)
@@ -75,7 +80,12 @@ class Emitter:
         self.places: dict[int, list[tuple[str, int, int]]] = {}
         self.solves = Solves(self)
         self.angles: dict[int, tuple[Place, Place]] = {}
-        self.put_off = {k for nodes in program.fallback.values() for k in nodes}
+        # What is not written as it comes.
+        self.put_off = (
+            {k for nodes in program.fallback.values() for k in nodes}
+            if wanted is None
+            else set(range(len(program.ops))) - wanted
+        )
         self.carried: dict[int, int] = {}
         if not setup:
             self.carried = {node: index for index, node in enumerate(program.carried)}

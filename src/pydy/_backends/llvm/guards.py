@@ -34,6 +34,8 @@ class Writer(Protocol):
     setup: bool
     names: Registers
 
+    fallbacks: bool
+
     def computed(self, node: int) -> bool:
         """Return whether an operation of the stage gives the value."""
 
@@ -77,13 +79,8 @@ class Solves:
         for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
             if op != "guard" or program.setup[k] != self.e.setup:
                 continue
-            stored = _stored(*args[:2])
-            moving = self._moving(stored)
-            sparse = len(stored) > SPARSE * len(moving)
-            self._kept[k] = self.f.slot(self.v, max(len(moving if sparse else stored), 1))
-            for place, node in enumerate(moving if sparse else stored):
-                if self.e.computed(node):
-                    self.e.place(node, self._kept[k], place, k)
+            if self.e.fallbacks:
+                self._keep_matrix(k, _stored(*args[:2]))
             fast = args[4]
             guards[k] = fast
             self.vectors[k] = [("", 0)] * len(fast)
@@ -104,6 +101,14 @@ class Solves:
             for node, (pointer, index) in zip(fast, vector, strict=True):
                 if self.e.computed(node):
                     self.e.place(node, pointer, index, guard)
+
+    def _keep_matrix(self, guard: int, stored: list[int]) -> None:
+        moving = self._moving(stored)
+        sparse = len(stored) > SPARSE * len(moving)
+        self._kept[guard] = self.f.slot(self.v, max(len(moving if sparse else stored), 1))
+        for place, node in enumerate(moving if sparse else stored):
+            if self.e.computed(node):
+                self.e.place(node, self._kept[guard], place, guard)
 
     def _moving(self, stored: list[int]) -> list[int]:
         """Return the entries of a matrix that are computed at every call."""
@@ -220,6 +225,9 @@ class Solves:
                 f.store(v, names[value], names.place(pointer, index))
         need = f.let(f"xor i32 {mask(f, names[sound], self.lanes)}, {(1 << self.lanes) - 1}")
         with self._fallback(f.let(f"icmp ne i32 {need}, 0")):
+            if not self.e.fallbacks:
+                self._report("-1")
+                return
             self.e.write_fallback(node)
             stored = _stored(n, entries)
             symmetric = len(stored) < n * n

@@ -9,6 +9,8 @@ offsets of `_array_layout`; where those do not hold, ctypes does it after all.
 What a kernel is, and the binding of its constants, lies in an array of 64-bit words::
 
     0 kernel   1 prepare   2 n   3 s   4 k   5 carried   6 outputs   7 bound   8… p   8+k… c
+
+`bound` is the `prepare` that gave c of p, or 0.
 """
 
 from __future__ import annotations
@@ -16,6 +18,7 @@ from __future__ import annotations
 import ctypes
 import sysconfig
 from collections.abc import Callable
+from enum import Enum
 from functools import cache, partial
 from typing import Any, Literal, Protocol
 from weakref import ref
@@ -43,16 +46,28 @@ from pydy._backends.llvm.sweep import (
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["Entry", "Tiers", "native_kernel"]
+__all__ = ["Entry", "Quality", "Tiers", "native_kernel"]
 
 _HEADER = 8
+
+
+class Quality(Enum):
+    """What native functions are like.
+
+    Short ones give the status -1 where a guard is not sound: they have no fallbacks.
+    """
+
+    SHORT, COMPLETE, BEST = range(3)
 
 
 class Tiers(Protocol):
     """How the native functions of a Program are compiled: quickly, and at LLVM's best."""
 
-    def at_hand(self) -> tuple[jit.Code, bool]:
-        """Return what is ready soonest, and whether it is the best."""
+    def at_hand(self) -> tuple[jit.Code, Quality]:
+        """Return what is ready soonest."""
+
+    def complete(self) -> jit.Code:
+        """Return code with all fallbacks, compiled quickly."""
 
     def best(self, compile_source: Compile) -> jit.Code:
         """Return the best code, compiled by the given function unless there is some."""
@@ -74,6 +89,7 @@ class Entry:
         self._tiers = tiers
         self._lock = _forks.Lock()
         self.addresses = 0, 0
+        self.short = False
         self.better: Task | None = None
         self._owners: list[Any] = []  # a call may be under way in the old code: it stays
         self._words: list[np.ndarray] = []
@@ -85,11 +101,25 @@ class Entry:
         with self._lock:
             if self.addresses[0] or self._tiers is None:
                 return
-            code, best = self._tiers.at_hand()
+            code, quality = self._tiers.at_hand()
+            self.short = quality is Quality.SHORT
             self._use(code)
-            if not best:
+            if quality is not Quality.BEST:
                 self.better = Task(partial(_improve, ref(self), self._tiers))
                 background.submit(self.better)
+
+    def complete(self) -> None:
+        """Have code with fallbacks."""
+        with self._lock:
+            if self.short and self._tiers is not None:
+                self._use(self._tiers.complete())
+                self.short = False
+
+    def improve(self, code: jit.Code) -> None:
+        """Use the best code from now on."""
+        with self._lock:
+            self._use(code)
+            self.short = False
 
     def settled(self) -> tuple[int, int]:
         """Return the addresses of the best code, compiling it now if need be."""
@@ -124,7 +154,7 @@ def _improve(known: ref[Entry], tiers: Tiers, compile_source: Compile) -> None:
     code = tiers.best(compile_source)
     entry = known()
     if entry is not None:
-        entry._use(code)
+        entry.improve(code)
 
 
 def native_kernel(
@@ -218,7 +248,12 @@ def _make_sweep(
             x, r = np.ascontiguousarray(x), np.ascontiguousarray(r)
         values = np.empty((m, outputs), order=order) if out is None else out
         failed = np.zeros(m, dtype=np.bool_)
+        short = entry.short
         run(words, t, x, r, p, values, failed, np.empty(room))
+        if short and failed.any():
+            entry.complete()
+            failed[:] = False
+            run(words, t, x, r, p, values, failed, np.empty(room))
         return values, failed
 
     return sweep
@@ -312,16 +347,16 @@ def _gate_text() -> str:
     same = f.let(
         f"icmp eq i32 {f.let(f'call i32 @memcmp(ptr {p_bound}, ptr {p_data}, i64 {size})')}, 0"
     )
-    bound = f.let(f"icmp ne i64 {f.load('i64', words, '7')}, 0")
+    bound = f.let(f"icmp eq ptr {f.load('ptr', words, '7')}, {prepare}")
     current = f.let(f"and i1 {same}, {bound}")
     with f.when(f.let(f"xor i1 {current}, true")):
         f.let(f"call ptr @memcpy(ptr {p_bound}, ptr {p_data}, i64 {size})")
         f.do(f"call void {prepare}(ptr {p_bound}, ptr {c})")
-        f.store("i64", "1", words, "7")
+        f.store("ptr", prepare, words, "7")
     status = f.let(
         f"call i32 {kernel}(ptr {t_slot}, ptr {x_data}, ptr {r_data}, ptr {c}, ptr {out_data})"
     )
-    wide = f.let(f"zext i32 {status} to i64")
+    wide = f.let(f"sext i32 {status} to i64")
     f.do(f"ret ptr {f.let(f'call ptr @PyLong_FromLongLong(i64 {wide})')}")
     f.label(slow)
     f.do(f"ret ptr {f.let('call ptr @PyLong_FromLongLong(i64 -1)')}")

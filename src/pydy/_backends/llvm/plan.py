@@ -134,8 +134,12 @@ class Registers:
         self._slots, self._free = slots, free
 
 
-def readers(program: Program, swallowed: set[int], setup: bool) -> dict[int, list[int]]:
+def readers(
+    program: Program, swallowed: set[int], setup: bool, wanted: set[int] | None = None
+) -> dict[int, list[int]]:
     """Return which operations of a stage read each value, in order.
+
+    With `wanted` only those operations are written, and no fallbacks.
 
     What only a guard's fallback needs is read by the guard, and a product that goes into a sum
     is read, with its factors, by the sum. A matrix that is kept for a fallback is not read.
@@ -145,7 +149,10 @@ def readers(program: Program, swallowed: set[int], setup: bool) -> dict[int, lis
 
     def read(node: int, reader: int) -> None:
         op, args = program.ops[node], program.args[node]
-        for other in (*args[2], args[3], *args[4]) if op == "guard" else operands(op, args):
+        needs = operands(op, args)
+        if op == "guard":
+            needs = (*args[2], args[3], *args[4]) if wanted is None else (args[3], *args[4])
+        for other in needs:
             if other in swallowed:
                 read(other, reader)
             else:
@@ -153,7 +160,7 @@ def readers(program: Program, swallowed: set[int], setup: bool) -> dict[int, lis
                 position = reader if other in guards else guards.get(reader, reader)
                 uses.setdefault(other, []).append(position)
 
-    for k in range(len(program.ops)):
+    for k in range(len(program.ops)) if wanted is None else sorted(wanted):
         if program.setup[k] == setup and k not in swallowed:
             read(k, k)
     return {node: sorted(places) for node, places in uses.items()}

@@ -29,13 +29,19 @@ __all__ = [
 
 
 def kernel_text(
-    program: Program, lanes: int, width: int = 0, brief: bool = False, columns: int = 0
+    program: Program,
+    lanes: int,
+    width: int = 0,
+    brief: bool = False,
+    columns: int = 0,
+    fallbacks: bool = True,
 ) -> str:
     """Return the module of a Program, with the functions `kernel` and `prepare`.
 
     A `brief` one calls a routine for sines and cosines instead of writing them in line. With
     `columns` a lane is one of so many columns, which lie side by side in each row of x and of the
-    output, and the inputs r are numbers that all have in common.
+    output, and the inputs r are numbers that all have in common. Without `fallbacks` code of one
+    lane gives the status -1 where a guard is not sound.
     """
     width = width or lanes
     if width < lanes:
@@ -45,7 +51,8 @@ def kernel_text(
         parts = [stage_text(program, lanes, brief, steps=steps), *BRANCH_WEIGHTS, ""]
         body = prepare_text(program, lanes, brief) + "\n".join(parts)
     else:
-        body = prepare_text(program, lanes, brief) + _kernel(program, lanes, brief)
+        body = prepare_text(program, lanes, brief, fallbacks=fallbacks)
+        body += _kernel(program, lanes, brief, fallbacks)
     return module_text(body, [(program, width)])
 
 
@@ -120,11 +127,14 @@ def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
     return f.text()
 
 
-def prepare_text(program: Program, lanes: int, brief: bool, prefix: str = "") -> str:
+def prepare_text(
+    program: Program, lanes: int, brief: bool, prefix: str = "", fallbacks: bool = True
+) -> str:
     """Return the function of the setup stage."""
     linkage = "internal" if prefix else ""
     f = Function(f"{prefix}prepare", "void", _PREPARES, f"{linkage}|nounwind")
-    Emitter(f, program, lanes, target().vectors(lanes), True, brief).stage()
+    vectors = target().vectors(lanes)
+    Emitter(f, program, lanes, vectors, True, brief, fallbacks=fallbacks).stage()
     f.do("ret void")
     f.label("%bail")
     f.do("ret void")
@@ -143,7 +153,7 @@ def _parameters(suffix: str = "") -> str:
 KERNEL_PARAMETERS = _parameters()
 
 
-def _kernel(program: Program, lanes: int, brief: bool) -> str:
+def _kernel(program: Program, lanes: int, brief: bool, fallbacks: bool) -> str:
     """Return the functions of the second stage; wide code has a `strided` form beside `kernel`.
 
     It reads from memory, after the arrays, the distances between two items of x, r and out; how
@@ -158,7 +168,7 @@ def _kernel(program: Program, lanes: int, brief: bool) -> str:
     parts = [*BRANCH_WEIGHTS, ""]
     small = is_small(program)
     if lanes == 1 or small:
-        parts.insert(0, stage_text(program, lanes, brief))
+        parts.insert(0, stage_text(program, lanes, brief, fallbacks=fallbacks))
     else:
         parts.append(_packed_kernel(lanes))
     if lanes > 1:
@@ -173,6 +183,7 @@ def stage_text(
     name: str = "kernel",
     steps: Mapping[str, int] | None = None,
     linkage: str = "",
+    fallbacks: bool = True,
 ) -> str:
     """Return the function of the run stage.
 
@@ -187,9 +198,12 @@ def stage_text(
         Distances between the items of %x and %out: lanes are then columns, which lie side by side
         in each row, and the inputs r are numbers that all have in common.
     linkage : str
+    fallbacks : bool
+        See `kernel_text`.
     """
     f = Function(name, "i32", KERNEL_PARAMETERS, f"{linkage}|nounwind")
-    e = Emitter(f, program, lanes, target().vectors(lanes), False, brief)
+    vectors = target().vectors(lanes)
+    e = Emitter(f, program, lanes, vectors, False, brief, fallbacks=fallbacks)
     e.solves.status = f.variable("i32", "0")
     if steps:
         e.names.steps.update({group: str(step) for group, step in steps.items()})

@@ -1,8 +1,9 @@
 """Code of a Program and of the routines it calls: at hand at once, or the best.
 
 Code that is not in the cache is compiled quickly first, so that a simulation can begin, and at
-LLVM's best on the side, which takes its place when it is ready. Both compute the same bits. Code
-for several states is for long work and gets the best at once.
+LLVM's best on the side, which takes its place when it is ready. Both compute the same bits. What
+only fallbacks need, most of a long chain's code, is left out at first; where a guard is not sound,
+it is compiled after all. Code for several states is for long work and gets the best at once.
 """
 
 from __future__ import annotations
@@ -16,11 +17,12 @@ from pydy._backends.llvm import jit
 from pydy._backends.llvm.background import Compile
 from pydy._backends.llvm.compiling import object_code
 from pydy._backends.llvm.emit import SOLVES
+from pydy._backends.llvm.native import Quality
 from pydy._backends.llvm.sincos import sincos_names
 from pydy._backends.llvm.solve import solver_names
 from pydy._backends.llvm.targets import target
 from pydy._backends.llvm.text import is_small, kernel_text, routines_text
-from pydy._backends.tuning import LARGE, MOST_RESULTS, SHORT, TEMPORARY
+from pydy._backends.tuning import LARGE, MOST_RESULTS, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
 from pydy._graph.collector import collector_paused
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
@@ -30,16 +32,34 @@ __all__ = ["Tiers", "calls_routines", "shared_routines", "tiers_of", "wide_code"
 
 @dataclass(frozen=True)
 class Tiers:
-    """Code for one state; `calls` are the lanes of the shared routines that it needs."""
+    """Code for one state.
+
+    Attributes
+    ----------
+    source : Source
+    calls : tuple of int
+        The lanes of the shared routines that it needs.
+    short : Source or None
+        The same without fallbacks, where that is much less.
+    """
 
     source: jit.Source
     calls: tuple[int, ...]
+    short: jit.Source | None = None
 
-    def at_hand(self) -> tuple[jit.Code, bool]:
-        routines = jit.Joined([shared_routines(lanes, at_best=False) for lanes in self.calls])
-        code = jit.find(self.source, routines)
-        best = code is not None
-        return code or jit.load_quickly(self.source, routines), best
+    def at_hand(self) -> tuple[jit.Code, Quality]:
+        code = jit.find(self.source, self._routines())
+        if code is not None:
+            return code, Quality.BEST
+        if self.short is not None:
+            return jit.load_quickly(self.short, self._routines()), Quality.SHORT
+        return self.complete(), Quality.COMPLETE
+
+    def complete(self) -> jit.Code:
+        return jit.load_quickly(self.source, self._routines())
+
+    def _routines(self) -> jit.Joined:
+        return jit.Joined([shared_routines(lanes, at_best=False) for lanes in self.calls])
 
     def best(self, compile_source: Compile) -> jit.Code:
         routines = [shared_routines(lanes, True, compile_source) for lanes in self.calls]
@@ -49,7 +69,16 @@ class Tiers:
 def tiers_of(program: Program) -> Tiers:
     """Return the code of a Program for one state."""
     calls = (1,) if calls_routines(program) else ()
-    return Tiers(_source(program, 1, 1, loops=_repeats(program)), calls)
+    short = None
+    if len(program.without_fallbacks()) < MOST_WITHOUT_FALLBACKS * len(program.ops):
+        name = f"kernel {program.digest} without fallbacks"
+        short = jit.Source(name, partial(_short_text, program), ("kernel", "prepare"))
+    return Tiers(_source(program, 1, 1, loops=_repeats(program)), calls, short)
+
+
+@collector_paused()
+def _short_text(program: Program, brief: bool) -> str:
+    return kernel_text(program, 1, brief=brief, fallbacks=False)
 
 
 @dataclass(frozen=True)
