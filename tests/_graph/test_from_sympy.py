@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import sympy as sm
 from sympy.functions.elementary.piecewise import ExprCondPair
+from sympy.physics.biomechanics import TendonForceLengthDeGroote2016
 
 from graphs import P, T, X, evaluate, nodes_of, on_tape, program_of, values
 from pydy._backends.llvm.backend import LLVMBackend
@@ -318,6 +319,12 @@ def test_an_unevaluated_derivative_is_named(argument):
 def test_an_unsupported_function_is_named(expression, name):
     with pytest.raises(UnsupportedFunctionError, match=f"the function `{name}` in `"):
         nodes_of([1 + expression])
+
+
+def test_a_function_that_stands_for_an_expression_is_read_as_that():
+    curve = TendonForceLengthDeGroote2016.with_defaults(sm.sin(x) + 1)
+    expected = float(curve.doit().subs(x, sm.Rational(3, 10)).evalf(30))
+    assert evaluate(curve + curve**2, 0.3) == pytest.approx(expected + expected**2, rel=1e-13)
 
 
 def test_what_was_being_read_is_named():

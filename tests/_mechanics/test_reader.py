@@ -101,6 +101,13 @@ def test_a_speed_that_moves_no_mass_is_named():
         formed(bodies, frame=frame)
 
 
+def test_a_speed_of_the_same_name_with_other_assumptions_is_named():
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, me.dynamicsymbols("u", real=True) * frame.x)
+    with pytest.raises(ValueError, match=r"The speed `u\(t\)` .* another `u\(t\)`, with other"):
+        formed([me.Particle("p", point, 1)], frame=frame)
+
+
 def test_a_method_without_kinematic_equations_is_refused():
     frame, point = me.ReferenceFrame("N"), me.Point("P")
     q, u = me.dynamicsymbols("q u")
@@ -116,3 +123,17 @@ def test_a_velocity_whose_components_are_speeds_is_not_replaced_by_the_rate_of_i
     ways = Tree(model.kane._inertial).paths([centre, tip], {})
     assert ways[centre] == (None, ())
     assert ways[tip][0] is centre
+
+
+def test_where_nothing_rests_the_point_that_may_rest_is_named():
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    hinge = origin.locatenew("H", me.dynamicsymbols("q") * frame.x)
+    point = hinge.locatenew("P", frame.y)
+    with pytest.raises(ValueError, match=r"point P.* no velocity .* If O.*`O\.set_vel\(N, 0\)`"):
+        formed([me.Particle("p", point, 1)], frame=frame)
+
+
+def test_a_load_that_is_not_a_number_is_named():
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    with pytest.raises(ValueError, match=r"The load at P is NaN times a vector\."):
+        read_loads([(point, sm.nan * frame.x)])

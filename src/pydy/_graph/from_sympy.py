@@ -293,7 +293,8 @@ class SymPyReader:
                     continue
                 handler = _handler(expr.func)
                 if handler is None:
-                    raise UnsupportedFunctionError(self._unsupported(expr))
+                    seen[key] = self(self._written_out(expr))
+                    continue
             stack.append((expr, handler))
             stack += [(a, None) for a in reversed(args) if id(a) not in seen]
         return seen[id(root)]
@@ -332,6 +333,13 @@ class SymPyReader:
                 "or restrict its symbols so that it cannot arise."
             )
         raise UnsupportedFunctionError(self._unsupported(expr))
+
+    def _written_out(self, expr: Any) -> Any:
+        """Return the expression that a function stands for, as the curves of muscles do."""
+        written = expr.doit(deep=False) if isinstance(expr, sm.Function) else expr
+        if isinstance(written, type(expr)):
+            raise UnsupportedFunctionError(self._unsupported(expr))
+        return written
 
     def _unsupported(self, expr: Any) -> str:
         text = str(expr)

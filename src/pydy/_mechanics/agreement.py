@@ -22,7 +22,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.generic import GenericStates
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import AGREEING
+from pydy._mechanics.tuning import AGREEING, CANCELLED
 
 __all__ = ["formed_alike"]
 
@@ -99,8 +99,23 @@ def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:
         rates = np.linalg.solve(formed[: n * n].reshape(n, n), formed[n * n :])
     except np.linalg.LinAlgError:
         return False
-    size = np.abs(matrix) @ np.abs(rates) + np.abs(forcing)
+    size = _magnitudes(matrix) @ np.abs(rates) + np.abs(forcing)
     return bool((np.abs(matrix @ rates - forcing) <= AGREEING * size + np.finfo(float).tiny).all())
+
+
+def _magnitudes(matrix: np.ndarray) -> np.ndarray:
+    """Return the sizes of entries; what is nearly nothing may be what cancelling terms left.
+
+    Rows and columns are scaled until their largest entries are about 1, as units would do.
+    """
+    sizes = np.abs(matrix)
+    scaled, scale = sizes, np.ones(matrix.shape)
+    for axis in (0, 1, 0, 1):
+        most = np.sqrt(scaled.max(axis=axis, keepdims=True))
+        most[most == 0.0] = 1.0
+        scaled, scale = scaled / most, scale * most
+    found: np.ndarray = np.maximum(sizes, CANCELLED * scale)
+    return found
 
 
 def _costs_less(equations: Equations, formed: Formed) -> bool:

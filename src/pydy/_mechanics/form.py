@@ -163,7 +163,7 @@ def forms(
     matrix, forcing = composite(*parts)
     moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
     if not moved:
-        _check_masses(body, g, matrix)
+        _check_masses(body, g, matrix, read.specifieds)
     accelerations = None
     if body.velocity:
         matrix, forcing, accelerations = reduced(kinematics, matrix, forcing, moved)
@@ -228,17 +228,26 @@ def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
     return [NodeExpression.of(g, node, kinematics.symbols()) for node in found]
 
 
-def _check_masses(body: Multibody, graph: Graph, matrix: list[list[int]]) -> None:
+def _check_masses(
+    body: Multibody, graph: Graph, matrix: list[list[int]], others: Collection[Any]
+) -> None:
     """Refuse an independent speed that moves nothing: no equation determines its derivative."""
     n = len(body.speeds)
     free = n - len(body.velocity)
     bound = any(matrix[k][k] != graph.zero for k in range(free, n))
     for k, speed in enumerate(body.speeds[:free]):
         if matrix[k][k] == graph.zero and not bound:
+            alike = any(str(other) == str(speed) for other in others)
             raise ValueError(
                 f"The speed `{speed}` moves no mass and no inertia, so that nothing determines its "
-                "derivative. Give one of the bodies that it moves a mass or an inertia, or make it "
-                "a dependent speed, with a velocity constraint."
+                "derivative. "
+                + (
+                    f"The bodies and loads hold another `{speed}`, with other assumptions: make it "
+                    "once and use it everywhere."
+                    if alike
+                    else "Give one of the bodies that it moves a mass or an inertia, or make it a "
+                    "dependent speed, with a velocity constraint."
+                )
             )
 
 

@@ -13,6 +13,7 @@ from pydy._mechanics.classify import classify
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.formed import equations_of, kinematics_of
+from pydy._mechanics.idle import without_idle
 from pydy._mechanics.mechanism import Mechanism
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
 
@@ -86,12 +87,13 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
     body = multibody_of_kane(kane)
     if formed:
         return equations_of(body)
+    auxiliary = tuple(kane.auxiliary_eqs) if body.auxiliary else ()
     base = classify(
         replace(
             kinematics_of(body),
             mass_matrix=kane.mass_matrix,
-            forcing=tuple(kane.forcing),
-            auxiliary_equations=tuple(kane.auxiliary_eqs) if body.auxiliary else (),
+            forcing=without_idle(kane.forcing, auxiliary, {*body.coordinates, *body.speeds}),
+            auxiliary_equations=auxiliary,
             mechanism=Mechanism(body.frame, body.bodies, body.loads),
         )
     )

@@ -127,8 +127,15 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
                 f"The load ({where}, {vector}) must end with a Vector, such as {vector}*N.x with "
                 f"the axis of a frame N, got a {type(vector).__name__}."
             )
-        if vector != 0:
-            found.append((where, vector))
+        if vector == 0:
+            continue
+        if not all(isinstance(part, sm.MatrixBase) for part, _ in vector.args):
+            # SymPy makes this of a vector that is multiplied by NaN, and cannot print it.
+            raise ValueError(
+                f"The load at {where} is NaN times a vector. Give it a force or torque that is "
+                "defined."
+            )
+        found.append((where, vector))
     return tuple(found)
 
 
@@ -296,10 +303,16 @@ class Tree:
         for point in wanted:
             if point not in nearest:
                 role = f", {roles[point]}," if point in roles else ""
+                rest = _beginning(point)
+                remedy = (
+                    f"Use `{point}.set_vel({self.inertial}, ...)` or `{point}.set_pos(...)`."
+                    if rest is point
+                    else f"If {rest}, from which it is placed, is at rest, use `{rest}.set_vel("
+                    f"{self.inertial}, 0)`."
+                )
                 raise ValueError(
                     f"The point {point}{role} has no velocity in the inertial frame "
-                    f"{self.inertial}, and no place from a point that has one. Use "
-                    f"`{point}.set_vel({self.inertial}, ...)` or `{point}.set_pos(...)`."
+                    f"{self.inertial}, and no place from a point that has one. {remedy}"
                 )
         hung = self._hung(wanted, nearest)
         found: dict[Any, Way] = {}
@@ -414,6 +427,14 @@ def _breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
 
 def _component(points: Sequence[Any]) -> list[Any]:
     return list(_breadth_first_from(points))
+
+
+def _beginning(point: Any) -> Any:
+    """Return the point from which a chain of places began, as far as their order tells."""
+    seen = [point]
+    while (before := next(iter(places(seen[-1])), None)) not in (None, *seen):
+        seen.append(before)
+    return seen[-1]
 
 
 def _of_speeds(vector: Any) -> bool:

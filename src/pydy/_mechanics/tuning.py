@@ -9,6 +9,7 @@ from __future__ import annotations
 __all__ = [
     "AGREEING",
     "ALIKE",
+    "CANCELLED",
     "CLEAR",
     "CLOSED",
     "FORMS_COUNTED_UP_TO",
@@ -31,6 +32,10 @@ __all__ = [
 
 AGREEING = 1e-8
 """The difference of two values that are the same, in units of the terms they are sums of."""
+
+CANCELLED = 1e-4
+"""The share of its row and column below which an entry of a mass matrix may be what is left of
+terms that cancel: with `AGREEING`, differences of 1e-12 of them are rounding."""
 
 WITHIN_SPAN = 1e-8
 """What is left of a unit row that lies in the span of others."""

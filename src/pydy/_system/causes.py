@@ -123,15 +123,15 @@ def _without_inertia(speeds: Sequence[Any], here: np.ndarray, beside: np.ndarray
     free = _weightless(here)
     if not free.size:
         return None
-    names = describe([speeds[k] for k in free])
+    change = f"{describe([speeds[k] for k in free])} can change{' together' * (free.size > 1)}"
     if _weightless(beside).size:
         return (
-            f"The mass matrix is singular in every configuration: {names} can change together so "
-            "that no mass and no inertia moves, and nothing determines them. Give the bodies "
+            f"The mass matrix is singular in every configuration: {change} so that no "
+            "mass and no inertia moves, and nothing determines them. Give the bodies "
             "between them a mass or an inertia, leave out a coordinate, or add a constraint."
         )
     return (
-        f"The mass matrix is singular in this configuration: {names} can change together so that "
+        f"The mass matrix is singular in this configuration: {change} so that "
         "no mass and no inertia moves, as angles in gimbal lock can. Start elsewhere, choose other "
         "coordinates, or give the bodies between them a mass or an inertia."
     )

@@ -1,0 +1,107 @@
+"""Actuators of SymPy along every kind of pathway, against SymPy's own equations in 30 digits."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from sympy.physics.biomechanics import (
+    FirstOrderActivationDeGroote2016,
+    MusculotendonDeGroote2016,
+)
+from sympy.physics.biomechanics.musculotendon import MusculotendonFormulation
+
+from cases import close
+from mechanisms import derived
+from oracle import Oracle
+from pydy.system import System
+from zoo import Model, T, _numbers
+
+
+def _arm():
+    """A rod about a vertical axis; returns what a test needs to pull at it."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    q, u = me.dynamicsymbols("q u")
+    arm = me.ReferenceFrame("A")
+    arm.orient_axis(frame, frame.z, q)
+    arm.set_ang_vel(frame, u * frame.z)
+    return frame, origin, arm, q, u
+
+
+def _model(frame, origin, arm, q, u, load, numbers, inputs=None):
+    m, l, g, size = sm.symbols("m l g I")
+    centre = origin.locatenew("C", l * arm.x)
+    centre.v2pt_theory(origin, frame, arm)
+    body = me.RigidBody("arm", centre, arm, m, (me.inertia(arm, 0, 0, size), centre))
+    loads = [load, (centre, -m * g * frame.y)]
+    kane = me.KanesMethod(frame, [q], [u], kd_eqs=[q.diff(T) - u], bodies=[body], forcelist=loads)
+    return Model(kane, _numbers(m, l, g, size) | numbers, inputs or {})
+
+
+def _muscle(formulation):
+    frame, origin, arm, q, u = _arm()
+    wrist, shoulder = origin.locatenew("W", 0.3 * arm.x), origin.locatenew("S", 0.5 * frame.y)
+    wrist.v2pt_theory(origin, frame, arm)
+    shoulder.set_vel(frame, 0)
+    muscle = MusculotendonDeGroote2016.with_defaults(
+        "biceps",
+        me.LinearPathway(wrist, shoulder),
+        FirstOrderActivationDeGroote2016("biceps"),
+        musculotendon_dynamics=formulation,
+        tendon_slack_length=sm.Rational(1, 10),
+        peak_isometric_force=sm.Integer(30),
+        optimal_fiber_length=sm.Rational(2, 5),
+        maximal_fiber_velocity=sm.Integer(10),
+        optimal_pennation_angle=sm.Rational(1, 10),
+        fiber_damping_coefficient=sm.Rational(1, 10),
+    )
+    inputs = {s: 0.4 + 0.2 * k for k, s in enumerate(muscle.x)}
+    return _model(frame, origin, arm, q, u, muscle, {}, inputs)
+
+
+def _wrapped():
+    """A spring that wraps a cylinder, from the ground to the arm."""
+    frame, origin, arm, q, u = _arm()
+    r, k, free = sm.symbols("r k L", positive=True)
+    start, end = me.Point("E"), me.Point("F")
+    start.set_pos(origin, r * frame.x)
+    start.set_vel(frame, 0)
+    end.set_pos(origin, r * sm.cos(q) * frame.x + r * sm.sin(q) * frame.y)
+    end.set_vel(frame, r * u * (sm.cos(q) * frame.y - sm.sin(q) * frame.x))
+    path = me.WrappingPathway(start, end, me.WrappingCylinder(r, origin, frame.z))
+    spring = me.LinearSpring(k, path, free)
+    return _model(frame, origin, arm, q, u, spring, _numbers(r, k, free))
+
+
+def _over_an_obstacle():
+    frame, origin, arm, q, u = _arm()
+    k = sm.Symbol("k")
+    tip, peg = origin.locatenew("F", 0.8 * arm.x), origin.locatenew("K", frame.x + frame.y)
+    tip.v2pt_theory(origin, frame, arm)
+    peg.set_vel(frame, 0)
+    wall = origin.locatenew("L", 2 * frame.x)
+    wall.set_vel(frame, 0)
+    pull = me.ForceActuator(k * q * u, me.ObstacleSetPathway(tip, peg, wall))
+    return _model(frame, origin, arm, q, u, pull, _numbers(k))
+
+
+ACTUATORS = {
+    "a muscle with a rigid tendon": lambda: _muscle(MusculotendonFormulation.RIGID_TENDON),
+    "a muscle with a tendon": lambda: _muscle(MusculotendonFormulation.FIBER_LENGTH_EXPLICIT),
+    "around a cylinder": _wrapped,
+    "over an obstacle": _over_an_obstacle,
+}
+
+
+@pytest.mark.parametrize("name", ACTUATORS)
+def test_actuators_pull_as_sympys_equations_say(name):
+    model = ACTUATORS[name]()
+    systems = [System(model.kane, equations="graph")]
+    oracle = Oracle(derived(model))
+    systems.append(System(model.kane, equations="method"))
+    for system in systems:
+        system.constants = dict(model.constants)
+        system.specifieds = {s: model.specifieds[s] for s in system.specifieds_symbols}
+        for seed in (1, 2):
+            x = np.random.default_rng(seed).uniform(0.3, 0.9, 2)
+            close(system.evaluate_ode(x, 0.4), oracle.xdot(x, 0.4), 1e-11)
