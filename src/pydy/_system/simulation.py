@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.integrate import odeint
 
+from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import flag, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
@@ -19,7 +20,7 @@ from pydy._system.scipy_odeint import ODEINT_OPTIONS, call_odeint
 from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import prepare
-from pydy._system.start import check_start
+from pydy._system.start import check_resets, check_start
 from pydy.codegen.right_hand_side import rates_function
 from pydy.solvers.options import check_option_names
 from pydy.solvers.solver import Solver
@@ -122,12 +123,15 @@ def begin(now: Snapshot, solver: SolverFunction, options: dict[str, Any]) -> Sta
     times = check_times(now.times)  # the array may have been edited in place
     definition, plan = now.definition, now.plan
     plan.check_times(times, "times")
-    equations = definition.equations
-    if (equations.velocity or equations.holonomic) and options.get("constraints") is None:
+    if _is_constrained(definition) and options.get("constraints") is None:
         t = float(times[0])
         check_start(definition, now.driven, t, now.x, plan(now.x, t), now.p)
     model, options = prepare(solver, definition, now.model, plan, options)
     return Start(times, model, options)
+
+
+def _is_constrained(definition: Definition) -> bool:
+    return bool(definition.equations.velocity or definition.equations.holonomic)
 
 
 def _solve(
@@ -140,6 +144,7 @@ def _solve(
     dependent: Any = None,
 ) -> Any:
     """Call the solver; `checked` tells whether odeint's giving up is an error."""
+    free, full = options.get("constraints") is None, options.get("full_output", False)
     ready = begin(now, solver, options)
     definition, plan, model, options = now.definition, now.plan, ready.model, ready.options
     times, x0, p = ready.times, now.x, now.p
@@ -153,9 +158,14 @@ def _solve(
         start = (x0, float(times[0]))
         f, x0, options = wanted.problem(definition, model, plan, start, p, places, solver, options)
     args = (plan.values if plan.constant else plan, p)
+    if watched := "events" in options and free and _is_constrained(definition):
+        options = {**options, "full_output": True}
     try:
         if not checked or solver is not odeint:
-            return solver(f, x0, times, args=args, **options)
+            result = solver(f, x0, times, args=args, **options)
+            if watched:
+                check_resets(definition, now.driven, result[1]["events"], plan, p)
+            return result[0] if watched and not full else result
         result = call_odeint(f, x0, times, args, definition.states, options)
     except TypeError as error:
         if not isinstance(solver, (Solver, SolveIvp)):
@@ -172,5 +182,8 @@ def _solve(
         if wanted is not None:
             wanted.cut(error)
         explain(error, definition, model, plan, p)
+        if watched and isinstance(error, IntegrationError):
+            info: Any = error.info
+            check_resets(definition, now.driven, info["events"], plan, p)
         raise
     return result if options.get("full_output") else result[0]

@@ -1,8 +1,8 @@
-"""Whether initial conditions satisfy the constraints."""
+"""Whether a motion begins on the constraints: initially, and after the reset of an event."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -13,8 +13,9 @@ from pydy._errors import warn_user
 from pydy._graph.derivative import dense_jacobian
 from pydy._system.solving import constraint_names
 from pydy._system.tuning import DIGITS, HELD, TRIED
+from pydy.trajectory import EventRecord
 
-__all__ = ["check_samples", "check_start", "surely_held", "violations"]
+__all__ = ["check_resets", "check_samples", "check_start", "surely_held", "violations"]
 
 
 def check_start(
@@ -41,6 +42,39 @@ def check_start(
             "`system.set_dependent_initial_conditions()` first."
         )
     return bool(told)
+
+
+def check_resets(
+    definition: Definition,
+    model: CompiledModel,
+    records: Iterable[EventRecord],
+    specified: Callable[[np.ndarray, float], np.ndarray],
+    p: np.ndarray,
+) -> None:
+    """Warn of the first reset of each event that leaves the constraints.
+
+    Parameters
+    ----------
+    definition : Definition
+    model : CompiledModel
+        With all expressions compiled in.
+    records : iterable of EventRecord
+    specified : callable
+        Gives r at a state and time.
+    p : ndarray
+    """
+    told: set[str] = set()
+    for record in records:
+        if record.name in told or (record.after == record.before).all():
+            continue
+        x, t = record.after, record.time
+        if off := violations(definition, model, t, x, specified(x, t), p):
+            told.add(record.name)
+            warn_user(
+                f"The reset of the event `{record.name}` leaves the constraints, and nothing will "
+                f"bring the motion back onto them. {off} Let the reset give all states that "
+                "change, the dependent ones too."
+            )
 
 
 def surely_held(

@@ -21,6 +21,7 @@ __all__ = [
     "NO_CONVERGENCE",
     "OUTCOMES",
     "RESET_NOT_FINITE",
+    "RESET_OFF_CONSTRAINTS",
     "SINGULAR",
     "SINGULAR_CONFIGURATION",
     "SPEEDS_NOT_GIVEN",
@@ -38,6 +39,7 @@ FINISHED, TOO_MANY_STEPS, STEP_UNDERFLOW, SINGULAR, NOT_FINITE, TERMINATED = ran
 CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = range(6, 10)
 INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
 SINGULAR_CONFIGURATION, EVENT_GRAZES, SPEEDS_NOT_GIVEN, DEPENDENTS_NOT_GIVEN = range(14, 18)
+RESET_OFF_CONSTRAINTS = 18
 
 
 class Outcome(NamedTuple):
@@ -150,5 +152,10 @@ OUTCOMES = {
         "conditions follow from the others,",
         "Call `system.set_dependent_initial_conditions(dep_vars=…)` with variables for which they "
         "do, or simulate without `sensitivities`.",
+    ),
+    RESET_OFF_CONSTRAINTS: Outcome(
+        "reset_off_constraints",
+        "met the event `{event}`, whose reset leaves the constraints (the projection {change}),",
+        "Let the reset give all states that change, the dependent ones too.",
     ),
 }

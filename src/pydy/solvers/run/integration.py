@@ -29,6 +29,7 @@ from pydy.solvers.outcome import (
     NOT_COMPUTED,
     OUTCOMES,
     RESET_NOT_FINITE,
+    RESET_OFF_CONSTRAINTS,
     SINGULAR_CONFIGURATION,
     SPEEDS_NOT_GIVEN,
     START_OFF_CONSTRAINTS,
@@ -218,7 +219,7 @@ class Integration:
         if self.options.constraints is not None:
             self.arrays.seen[:] = 0.0
             self._tell_dependent(self.options.constraints)
-            self._project_start(self.options.constraints.coordinates)
+            self._project(self.memory.x, self.options.constraints, START_OFF_CONSTRAINTS)
         if self.options.events is not None:
             self._check_events(self.options.events)
             self._look_at_start(self.options.events)
@@ -250,11 +251,11 @@ class Integration:
         nearness, names = wanted.combination(values, longest, int(seen[at.RANK]))
         return nearness, "; ".join(names), wanted.determinacy(values)
 
-    def _project_start(self, first: int) -> None:
-        """Move the initial state onto the constraints, unless it is far from them."""
-        x = self.memory.x
-        before = x.copy()
-        t = float(self.progress.state[at.TIME])
+    def _project(
+        self, x: np.ndarray, wanted: CompiledConstraints, off: int, **details: Any
+    ) -> None:
+        """Move a state that begins a motion onto the constraints, unless it is far from them."""
+        before, first, t = x.copy(), wanted.coordinates, float(self.progress.state[at.TIME])
         code = _PROJECT(int(self.arrays.constraints.words[at.PROJECT]))(self._place, t, address(x))
         self._raise_callback()
         size = 1.0 + np.abs(before[: self.states])
@@ -262,10 +263,9 @@ class Integration:
         moved = np.abs(x[: self.states] - before[: self.states])
         if code != 0 or (moved > STARTING_MOVE * size).any():
             k = int(np.argmax(moved / size))
-            after = float(x[k])
-            self.memory.x[:] = before
-            mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {after:.6g}"
-            self._stop(START_OFF_CONSTRAINTS, change="did not converge" if code else mended)
+            mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {x[k]:.6g}"
+            x[:] = before
+            self._stop(off, change="did not converge" if code else mended, **details)
 
     def _check_events(self, events: CompiledEvents) -> None:
         for name, constant in zip(events.names, events.constant, strict=True):
@@ -339,11 +339,13 @@ class Integration:
                 after = call.evaluate(wanted.resets, before, t)[k * n : (k + 1) * n]
             if not np.isfinite(after).all():
                 self._stop(RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
-            record = self._record(t, k, before, after, acting=True)
-            self.records.append(record)
-            before = np.concatenate([after[: self.states], before[self.states :]])
+            following = np.concatenate([after[:n], before[n:]])
+            if wanted.resetting[k] and (held := self.options.constraints) is not None:
+                self._project(following, held, RESET_OFF_CONSTRAINTS, event=wanted.names[k])
+            self.records.append(self._record(t, k, before, following, acting=True))
+            before = following
             if beside is not None:
-                beside.table(before)[:, : beside.wanted] = record.sensitivity_after
+                beside.table(before)[:, : beside.wanted] = self.records[-1].sensitivity_after
         self.memory.x[: self.n] = before
         if any(wanted.terminal[k] for k in fired):
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])

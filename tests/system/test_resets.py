@@ -1,0 +1,110 @@
+"""Resets of events of constrained systems: they keep the constraints, or are reported."""
+
+import warnings
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from cases import close
+from pydy.errors import IntegrationError, PyDyUserWarning
+from pydy.mechanics import Definition
+from pydy.solvers import Event
+from pydy.system import System
+
+
+def bob():
+    """A pendulum in Cartesian coordinates, let go beside its pivot: it swings over x = -1/2."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    x, y, vx, vy = me.dynamicsymbols("x y vx vy")
+    m, g, l = sm.symbols("m g l")
+    end = origin.locatenew("P", x * frame.x + y * frame.y)
+    definition = Definition(
+        frame,
+        [x, y],
+        [vx, vy],
+        bodies=[me.Particle("bob", end, m)],
+        loads=[(end, -m * g * frame.y)],
+        holonomic_constraints=[x**2 + y**2 - l**2],
+    )
+    system = System(definition, {g: 10.0}, times=np.linspace(0.0, 0.9, 10), ode_solver="dop853")
+    system.initial_conditions = {x: 1.0}
+    return system, (x, y, vx, vy)
+
+
+def wall(x, reset):
+    return Event(x + 0.5, direction=-1, reset=reset, name="wall")
+
+
+SOLVERS = ["dop853", "radau", "rk4"]
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+@pytest.mark.parametrize("method", ["integrate", "simulate"])
+def test_a_reset_that_leaves_the_constraints_warns_with_residual_and_remedy(method, solver):
+    system, (x, _, vx, _) = bob()
+    system.ode_solver = solver
+    system.times = system.times[:9]  # the motion it leads to soon comes to nothing
+    message = r"reset of the event `wall` leaves .* velocity constraint 0.*dependent ones"
+    with pytest.warns(PyDyUserWarning, match=message) as told:
+        result = getattr(system, method)(
+            events=[wall(x, {vx: -vx})], **({"step": 0.01} if solver == "rk4" else {})
+        )
+    assert [str(w.message)[:9] for w in told].count("The reset") == 1
+    if method == "integrate":
+        assert result.shape == (9, 4)
+
+
+def test_it_also_warns_where_the_motion_comes_to_nothing():
+    system, (x, _, vx, _) = bob()
+    system.times = np.linspace(0.0, 3.0, 31)
+    with (
+        pytest.warns(PyDyUserWarning, match="reset of the event `wall` leaves"),
+        pytest.raises(IntegrationError),
+    ):
+        system.simulate(events=[wall(x, {vx: -vx})])
+
+
+@pytest.mark.parametrize("solver", SOLVERS)
+def test_projection_refuses_a_reset_that_leaves_the_constraints(solver):
+    # It used to go on from there, with an energy that the first step decided.
+    system, (x, _, vx, _) = bob()
+    system.ode_solver = solver
+    options = {"step": 0.01} if solver == "rk4" else {}
+    message = r"met the event `wall`, whose reset leaves the constraints \(the projection moved vy"
+    with pytest.raises(IntegrationError, match=message) as caught:
+        system.simulate(events=[wall(x, {vx: -vx})], constraints="project", **options)
+    assert caught.value.info["status"].startswith("met the event `wall`")
+    close(caught.value.state[system.states.index(x)], -0.5, 1e-2)
+
+
+@pytest.mark.parametrize("constraints", [None, "project"])
+@pytest.mark.parametrize("full_output", [False, True])
+def test_a_reset_of_all_speeds_bounces_back(constraints, full_output):
+    system, (x, _, vx, vy) = bob()
+    event = wall(x, {vx: -0.5 * vx, vy: -0.5 * vy})
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        result = system.integrate(events=[event], constraints=constraints, full_output=full_output)
+    states = result[0] if full_output else result
+    before, after = 0.0, 0.75 * -10.0 * np.sqrt(0.75)  # three quarters of the kinetic energy go
+    energies = system.evaluate_energy(states, system.times).total
+    close(energies[[0, -1]], [before, after], 1e-6)
+
+
+def test_what_a_reset_rounds_off_is_brought_back():
+    system, (x, _, vx, vy) = bob()
+    event = wall(x, {vx: -vx * (1 + 1e-5), vy: -vy})
+    run = system.simulate(events=[event], constraints="project")
+    after = run.events[0].after
+    assert np.abs(system.evaluate_velocity_constraints(after)).max() < 1e-14
+
+
+def test_other_events_and_unconstrained_systems_are_not_looked_at():
+    system, (x, *_) = bob()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        run = system.simulate(events=[Event(x + 0.5, name="passage")])
+    assert len(run.events) >= 1
