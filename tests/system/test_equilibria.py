@@ -12,6 +12,7 @@ import zoo
 from cases import system_of
 from hoop import bead_on_a_hoop
 from pydy.errors import EquilibriumError
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 
@@ -183,3 +184,59 @@ def test_a_small_column_is_not_a_free_direction():
     assert found.free == ()
     found = system.find_equilibrium(["x0", "f0", "f1", "v0", "v1"], {"x1": 1.0})
     assert found.free == ("1e-08 x0 + f0",)
+
+
+def chaplygin_sleigh():
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    x, y, angle = me.dynamicsymbols("x y theta")
+    along, turn, across = me.dynamicsymbols("u omega v")
+    m, inertia, a = sm.symbols("m I a")
+    sleigh = me.ReferenceFrame("A")
+    sleigh.orient_axis(frame, frame.z, angle)
+    sleigh.set_ang_vel(frame, turn * frame.z)
+    blade = origin.locatenew("C", x * frame.x + y * frame.y)
+    blade.set_vel(frame, along * sleigh.x + across * sleigh.y)
+    centre = blade.locatenew("G", a * sleigh.x)
+    centre.v2pt_theory(blade, frame, sleigh)
+    motion = blade.vel(frame)
+    definition = Definition(
+        frame,
+        [x, y, angle],
+        [along, turn, across],
+        bodies=[me.RigidBody("s", centre, sleigh, m, (me.inertia(sleigh, 0, 0, inertia), centre))],
+        kinematic_equations=[
+            x.diff() - motion.dot(frame.x),
+            y.diff() - motion.dot(frame.y),
+            angle.diff() - turn,
+        ],
+        nonholonomic_constraints=[across],
+    )
+    return System(definition, {m: 2.0, inertia: 0.3, a: 0.5}), (x, y, angle, along, turn)
+
+
+@pytest.mark.parametrize("heading", [0.0, 0.3, -2.0])
+def test_what_no_equation_tells_of_stays_and_is_named_by_itself(heading):
+    # The search used to move the sleigh 23 m aside, and to name `0.736 y + theta` free.
+    sleigh, (x, y, angle, along, turn) = chaplygin_sleigh()
+    sleigh.initial_conditions = {x: 3.0, y: 1.0, angle: heading, along: -0.7, turn: 2.0}
+    found = sleigh.find_equilibrium()
+    np.testing.assert_allclose([found[s] for s in (x, y, angle)], [3.0, 1.0, heading], atol=1e-9)
+    assert found.free == ("x", "y", "theta")
+
+
+def test_a_combination_that_is_free_is_named_beside_what_is_free_alone():
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    m, k = sm.symbols("m k")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    ends = [origin.locatenew(f"P{i}", s * frame.x) for i, s in enumerate(q)]
+    bodies = [me.Particle(f"p{i}", end, m) for i, end in enumerate(ends)]
+    pull = k * (q[1] - 2 * q[0])  # of a lever
+    loads = [(ends[0], 2 * pull * frame.x), (ends[1], -pull * frame.x)]
+    system = System(Definition(frame, q, u, bodies=bodies, loads=loads), {k: 3.0})
+    system.initial_conditions = {q[0]: 1.0, q[2]: 7.0}
+    found = system.find_equilibrium()
+    assert found.free == ("0.5 q1 + q2", "q3")
+    assert found[q[1]] == pytest.approx(2.0 * found[q[0]], abs=1e-12)
+    assert found[q[2]] == pytest.approx(7.0, abs=1e-9)

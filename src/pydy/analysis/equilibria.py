@@ -110,10 +110,40 @@ def solve_equilibrium(
     for size in (_sizes(jacobian(z), z), np.ones(len(rows))):
         found, message = _search(residual, jacobian, z, bounds, size)
         try:
-            return _accepted(residual, jacobian, found, bounds, unknowns, rows, message)
+            accepted = _accepted(residual, jacobian, found, bounds, unknowns, rows, message)
         except EquilibriumError as error:
             missed = error
+            continue
+        return _as_begun(accepted, residual, jacobian, z, bounds, unknowns, rows)
     raise missed
+
+
+def _as_begun(
+    accepted: tuple[np.ndarray, float, tuple[str, ...]],
+    residual: Callable[[np.ndarray], np.ndarray],
+    jacobian: Callable[[np.ndarray], np.ndarray],
+    start: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    unknowns: Sequence[str],
+    rows: Sequence[str],
+) -> tuple[np.ndarray, float, tuple[str, ...]]:
+    """Return the same equilibrium with what is free as it was at the start, where that is one too.
+
+    The search moves what no equation tells of as well: a sleigh comes to rest anywhere.
+    """
+    found = accepted[0]
+    free, columns = _free(jacobian(found))
+    back = free.T @ (free @ ((start - found) / columns)) * columns
+    if not np.abs(back).max(initial=0.0) > 0.0:
+        return accepted
+    with np.errstate(all="ignore"):
+        there = _polished(residual, jacobian, np.clip(found + back, *bounds), *bounds)
+        try:
+            again = _accepted(residual, jacobian, there, bounds, unknowns, rows, "")
+        except EquilibriumError:
+            return accepted
+    nearer = np.linalg.norm((there - start) / columns) < np.linalg.norm((found - start) / columns)
+    return again if nearer else accepted
 
 
 def _search(
@@ -325,10 +355,34 @@ def _undetermined(slopes: np.ndarray, unknowns: Sequence[str]) -> tuple[str, ...
     """Return the directions in which no equation changes, as sums of unknowns."""
     if not slopes.size:
         return tuple(unknowns)
+    free, columns = _free(slopes)
+    free = _reduced(free)
+    # What takes part is told in units of the columns, and how far it moves in the user's.
+    free = np.where(np.abs(free) >= NAMED * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
+    return tuple(direction_text(direction, unknowns, 0.0) for direction in free * columns)
+
+
+def _free(slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return orthonormal directions in which no equation changes, in units that come with them."""
+    if not slopes.size:
+        return np.eye(slopes.shape[1]), np.ones(slopes.shape[1])
     scaled, _, columns = equilibrated(slopes)
     _, singular, right = np.linalg.svd(scaled)
     rank = int((singular > FREE * max(singular.max(initial=0.0), np.finfo(float).tiny)).sum())
-    # What takes part is told in units of the columns, and how far it moves in the user's.
-    free = right[rank:]
-    free = np.where(np.abs(free) >= NAMED * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
-    return tuple(direction_text(direction, unknowns, 0.0) for direction in free * columns)
+    return right[rank:], columns[0]
+
+
+def _reduced(rows: np.ndarray) -> np.ndarray:
+    """Return rows that span the same, each with an entry 1 where the others have 0.
+
+    So unknowns that are free by themselves are named by themselves.
+    """
+    rows, pivots = rows.copy(), []
+    for k in range(len(rows)):
+        i, j = np.unravel_index(np.abs(rows[k:]).argmax(), rows[k:].shape)
+        rows[[k, k + i]] = rows[[k + i, k]]
+        rows[k] /= rows[k, j]
+        others = np.arange(len(rows)) != k
+        rows[others] -= np.outer(rows[others, j], rows[k])
+        pivots.append(int(j))
+    return rows[np.argsort(pivots)]
