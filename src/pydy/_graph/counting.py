@@ -30,7 +30,7 @@ def operations(graph: Graph, roots: Sequence[int], known: dict[int, int] | None 
 def _own(graph: Graph, node: int) -> int:
     """Estimate a node's own operations."""
     constant, op, args = graph.constant, graph.ops[node], graph.args[node]
-    if constant[node] or op in ("input", "factor", "solve", "guard", "item"):
+    if constant[node] or op in ("input", "factor", "solve", "guard", "item", "kept"):
         return 0
     if op == "sum":
         c0, terms = args

@@ -117,6 +117,8 @@ class _Lowering:
             return -1
         if op == "solve":
             return self.factors[args[0]].solve([new[b] for b in args[1]])
+        if op == "kept":
+            return new[args[0]]
         if op == "item":
             return tape.make("item", new[args[0]], args[1])
         if op == "guard":

@@ -137,6 +137,10 @@ def _select(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
     return yes if yes == no else None
 
 
+def _kept(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+    return nodes[0] if values[0] is not None or g.ops[nodes[0]] == "kept" else None
+
+
 # -- derivatives ----------------------------------------------------------------------------------
 
 
@@ -270,6 +274,15 @@ register(
     Operation("not", 1, np.logical_not, "!{0}", "inversion", rewrite=_not, truth=True, sympy="Not")
 )
 register(Operation("select", 3, np.where, "{0} ? {1} : {2}", "selection", rewrite=_select))
+
+# A number as it was found: rewriting does not look through it, since formulas that are equal may
+# lose different numbers of digits. Lowering leaves it out.
+register(
+    Operation(
+        "kept", 1, np.positive, "+{0}", "intrinsic arithmetic.fence",
+        lambda g, n, x: (g.one,), _kept,
+    )
+)  # fmt: skip
 
 SHIPPED = dict(OPERATIONS)
 """The rows of the package itself."""

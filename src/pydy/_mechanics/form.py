@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
@@ -14,20 +14,13 @@ from pydy._graph.symbols import input_symbols
 from pydy._mechanics import axes
 from pydy._mechanics.alignment import align
 from pydy._mechanics.axes import move_along_axes
-from pydy._mechanics.divided import divided
 from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.gravity import take_gravity_off
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.lumps import lumped
-from pydy._mechanics.multipliers import (
-    accelerations_of_held,
-    accelerations_written_out,
-    orthogonal,
-    solved_soundly,
-)
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, LIGHTEST, SOUND_SHARE
+from pydy._mechanics.reduction import reduced, slopes
 
 __all__ = [
     "Formed",
@@ -36,7 +29,6 @@ __all__ = [
     "forms",
     "in_a_plane",
     "moving",
-    "reduced",
 ]
 
 
@@ -217,8 +209,8 @@ def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
     found = rest[n:]
     if d := len(body.velocity):
         nodes = kinematics.read.all(body.velocity)
-        held = [row[n - d :] for row in _slopes(g, nodes, kinematics.speeds)]
-        moved = _slopes(g, nodes, kinematics.auxiliary)
+        held = [row[n - d :] for row in slopes(g, nodes, kinematics.speeds)]
+        moved = slopes(g, nodes, kinematics.auxiliary)
         columns = [[g.neg(row[k]) for row in moved] for k in range(len(found))]
         shares = g.solve(held, columns, "lu")
         for k, share in enumerate(shares):
@@ -314,138 +306,12 @@ def moving(
         honoured.update(wrong)
 
 
-def reduced(
-    kinematics: Kinematics, matrix: list[list[int]], forcing: list[int], moved: bool
-) -> tuple[list[list[int]], list[int], list[int] | None]:
-    """Return M, F and u' with the dependent speeds' equations by the acceleration constraints.
-
-    With u_d' = A u_i' + b the equations of the independent speeds are
-    [1; A]ᵀ M [1; A] u_i' = [1; A]ᵀ (F − M [0; b]).
-    """
-    g, n = kinematics.graph, len(forcing)
-    d = len(kinematics.body.velocity)
-    p = n - d
-    rows, drift = _constraints(kinematics, kinematics.body.velocity)
-    held = [row[p:] for row in rows]
-    columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in drift]]
-    solved, clear = divided(g, held, columns) or (g.solve(held, columns, "lu"), g.boolean(True))
-    a, b = solved[:p], solved[p]
-
-    def joined(column: Sequence[int], i: int) -> int:
-        """Return row i of [1; A]ᵀ times a column."""
-        return g.sum([(column[i], 1.0), *((g.mul(a[i][k], column[p + k]), 1.0) for k in range(d))])
-
-    upper = [[joined([matrix[r][j] for r in range(n)], i) for j in range(n)] for i in range(p)]
-    force = [joined(forcing, i) for i in range(p)]
-    given = _given_accelerations(kinematics, rows, drift)
-    below, pull = given or (rows, drift)
-    whole = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
-    if given or moved:
-        return *whole, None
-    heavy = all(matrix[k][k] != g.zero for k in range(n))
-    if kinematics.body.changing and heavy:
-        more, pull = _constraints(kinematics, kinematics.body.redundant)
-        parts = (matrix, forcing, [*rows, *more], [*drift, *pull])
-        return *whole, accelerations_of_held(g, *parts, rank=d)
-    both = [
-        [
-            g.sum([(upper[i][j], 1.0), *((g.mul(upper[i][p + k], a[j][k]), 1.0) for k in range(d))])
-            for j in range(p)
-        ]
-        for i in range(p)
-    ]
-    rest = [
-        g.sum([(force[i], 1.0), *((g.mul(upper[i][p + k], b[k]), -1.0) for k in range(d))])
-        for i in range(p)
-    ]
-    sound = clear
-    if 1 < p <= GUARDED_UP_TO:
-        sizes = [g.zero, *(g.sum([(both[i][i], SOUND_SHARE)]) for i in range(1, p))]
-        free, well = solved_soundly(g, both, rest, sizes)
-        sound = g.call("and", sound, well)
-    else:
-        free = g.solve(both, [rest], "ldl")[0]
-    for i in range(p):
-        if matrix[i][i] != g.zero:
-            limit = g.sum([(both[i][i], LIGHT if p <= GUARDED_UP_TO else LIGHTEST)])
-            sound = g.call("and", sound, g.call("not", g.call("lt", matrix[i][i], limit)))
-    bound = [
-        g.sum([(b[k], 1.0), *((g.mul(a[i][k], free[i]), 1.0) for i in range(p))]) for k in range(d)
-    ]
-    fallback = _with_multipliers(g, matrix, forcing, rows, drift, clear, heavy=heavy)
-    return *whole, g.guard(*fallback, sound, [*free, *bound, *[g.zero] * d])[:n]
-
-
-def _with_multipliers(
-    g: Graph,
-    matrix: list[list[int]],
-    forcing: list[int],
-    rows: list[list[int]],
-    drift: list[int],
-    clear: int,
-    *,
-    heavy: bool,
-) -> tuple[list[list[int]], list[int]]:
-    """Return a system for u' and multipliers that any dependent speeds may be chosen for.
-
-    It is M u' + Kᵀ μ = F, −K u' = b, with the rows of K made orthogonal: where they are nearly
-    parallel, μ of the rows as they are swallows F. In a singular position its solution is taken
-    instead, with the least multipliers, if all speeds move masses.
-    """
-    n, d = len(forcing), len(drift)
-    across, pull = orthogonal(g, rows, drift) if n <= GUARDED_UP_TO else (rows, drift)
-    system = [
-        *([*line, *(row[i] for row in across)] for i, line in enumerate(matrix)),
-        *([*(g.neg(node) for node in row), *[g.zero] * d] for row in across),
-    ]
-    column = [*forcing, *pull]
-    if not heavy or g.constant[clear] or n > GUARDED_UP_TO:
-        return system, column
-    held, definite = accelerations_written_out(g, matrix, forcing, rows, drift)
-    taken = g.call("and", g.call("not", clear), definite)
-    known = [*held, *[g.zero] * d]
-    return (
-        [
-            [g.call("select", taken, g.one if i == j else g.zero, e) for j, e in enumerate(line)]
-            for i, line in enumerate(system)
-        ],
-        [g.call("select", taken, a, b) for a, b in zip(known, column, strict=True)],
-    )
-
-
-def _constraints(
-    kinematics: Kinematics, velocity: Sequence[Any]
-) -> tuple[list[list[int]], list[int]]:
-    """Return K and b of differentiated velocity constraints K u' + b = 0."""
-    nodes = kinematics.read.all(velocity)
-    return _slopes(kinematics.graph, nodes, kinematics.speeds), kinematics.dt(nodes)
-
-
-def _given_accelerations(
-    kinematics: Kinematics, rows: list[list[int]], drift: list[int]
-) -> tuple[list[list[int]], list[int]] | None:
-    """Return K and b of the user's acceleration constraints, unless they are those of `rows`."""
-    g, body = kinematics.graph, kinematics.body
-    if not body.acceleration:
-        return None
-    nodes = kinematics.read.all(body.acceleration)
-    slopes = _slopes(g, nodes, kinematics.accelerations)
-    rest = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
-    flat = [n for row in (*slopes, rest) for n in row]
-    own = [n for row in (*rows, drift) for n in row]
-    return None if kinematics.equal(flat, own) else (slopes, rest)
-
-
 def _idle(kinematics: Kinematics, forcing: Sequence[int]) -> list[int]:
     """Return the specifieds that are in the forcing, but do no work: noncontributing forces."""
     g = kinematics.graph
     inputs = [g.input("r", k) for k in range(len(kinematics.read.specifieds))]
-    slopes: dict[int, list[int]] = {k: [] for k in range(len(inputs))}
+    found: dict[int, list[int]] = {k: [] for k in range(len(inputs))}
     for row in jacobian(g, forcing, inputs):
         for k, node in row.items():
-            slopes[k].append(node)
-    return [inputs[k] for k, nodes in slopes.items() if kinematics.vanishes(nodes)]
-
-
-def _slopes(graph: Graph, nodes: Sequence[int], by: Sequence[int]) -> list[list[int]]:
-    return dense_rows(graph, jacobian(graph, nodes, by), len(by))
+            found[k].append(node)
+    return [inputs[k] for k, nodes in found.items() if kinematics.vanishes(nodes)]

@@ -10,9 +10,10 @@ from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._mechanics.dynamics import loads_and_inertias
 from pydy._mechanics.elimination import composite
-from pydy._mechanics.form import Formed, moving, reduced
+from pydy._mechanics.form import Formed, moving
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody
+from pydy._mechanics.reduction import reduced
 
 __all__ = ["form_lagrangian", "lagranges_equations"]
 

@@ -15,11 +15,14 @@ __all__ = [
     "FORMS_COUNTED_UP_TO",
     "FULL_STEPS",
     "GUARDED_UP_TO",
+    "LARGE_PART",
+    "LESS_OFTEN",
     "LIGHT",
     "LIGHTEST",
     "NEARLY_DEPENDENT",
     "NEAR_ESTIMATES",
     "NOTHING",
+    "OFTEN",
     "OPEN",
     "SAME_AXES",
     "SAME_DIRECTION",
@@ -92,7 +95,14 @@ singular position."""
 GUARDED_UP_TO = 12
 """Independent speeds up to which their elimination is written out, with its pivots looked at."""
 
-LIGHT, LIGHTEST = 1e-6, 1e-4
+OFTEN, LESS_OFTEN = 0.03, 0.7
+"""The share of random states from which independent speeds whose motions are nearly parallel are
+taken apart, a ninth with a rider's arms, none with a bicycle; and how far that must lower it."""
+
+LARGE_PART = 0.01
+"""The part of such a motion from which a dependent speed is solved for with pivoting."""
+
+LIGHT, LIGHTEST = 2e-7, 1e-4
 """What an independent speed moves by itself, as a share of what moves with it: below, three digits
 of the dependent speeds' derivatives are lost; the second where pivots are not looked at, since of
 the independent ones' equations twice as many are."""

@@ -1,0 +1,133 @@
+"""Which independent speeds move a mechanism in nearly the same way at many states.
+
+Where dependent speeds hardly follow from the constraints, the motion that they are most of is that
+of several independent speeds, and their part of the mass matrix is nearly singular. Forms are
+chosen by how often that is so at random states; what is chosen holds everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+
+from pydy._graph.interpret import run
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._mechanics.tuning import (
+    GUARDED_UP_TO,
+    LARGE_PART,
+    LESS_OFTEN,
+    OFTEN,
+    SOUND_PIVOT,
+    SOUND_SHARE,
+)
+
+__all__ = ["Spread", "nearly_parallel"]
+
+_STATES = 512
+_RANGE = 1.0  # of states; constants and specifieds are between a half and three halves
+
+
+class Spread(NamedTuple):
+    """What is done about motions that are nearly parallel.
+
+    Attributes
+    ----------
+    apart : list of int
+        The independent speeds to take apart from one another.
+    loose : set of int
+        The dependent speeds, of d, that these motions mostly consist of.
+    """
+
+    apart: list[int]
+    loose: set[int]
+
+
+def nearly_parallel(
+    graph: Graph, matrix: Sequence[Sequence[int]], rows: Sequence[Sequence[int]]
+) -> Spread:
+    """Return which independent speeds are to be taken apart from one another.
+
+    Parameters
+    ----------
+    graph : Graph
+    matrix : n lists of n nodes
+        M.
+    rows : d lists of n nodes
+        The constraints K u' + b = 0, which give the last d speeds.
+    """
+    n, d = len(matrix), len(rows)
+    p = n - d
+    none = Spread([], set())
+    if not 1 < p <= GUARDED_UP_TO:
+        return none
+    values = _at_states(graph, [*(e for row in matrix for e in row), *(e for r in rows for e in r)])
+    if values is None:
+        return none
+    masses = values[:, : n * n].reshape(-1, n, n)
+    held = values[:, n * n :].reshape(-1, d, n)
+    with np.errstate(all="ignore"):
+        try:
+            given = np.linalg.solve(held[:, :, p:], -held[:, :, :p])
+        except np.linalg.LinAlgError:
+            return none
+        unit = np.broadcast_to(np.eye(p), (len(values), p, p))
+        moves = np.concatenate([unit, given], axis=1)
+        square = np.swapaxes(moves, 1, 2) @ masses @ moves
+        found: list[int] = []
+        share = _weak(square, found)
+        while share > OFTEN and len(found) < p:
+            # Two at first: one by itself changes nothing.
+            tried = [
+                [*found, *more]
+                for more in combinations([k for k in range(p) if k not in found], 1 if found else 2)
+            ]
+            shares = [_weak(square, some) for some in tried]
+            if min(shares) > LESS_OFTEN * share:
+                break
+            share, found = min(zip(shares, tried, strict=True))
+        weights = np.diagonal(masses, axis1=1, axis2=2)
+        sizes = np.diagonal(square, axis1=1, axis2=2)[:, found]
+        part = weights[:, p:, None] * given[:, :, found] ** 2 / sizes[:, None, :]
+        large = (part > LARGE_PART) & (weights[:, None, found] < SOUND_PIVOT * sizes[:, None, :])
+        loose = np.flatnonzero(large.any(axis=2).any(axis=0))
+    return Spread(sorted(found), {int(k) for k in loose})
+
+
+def _weak(square: np.ndarray, apart: Sequence[int]) -> float:
+    """Return at which share of states a pivot is small if some directions are made orthogonal."""
+    work = square.copy()
+    for place, i in enumerate(apart):
+        for j in apart[place + 1 :]:
+            ratio = (work[:, i, j] / work[:, i, i])[:, None]
+            work[:, j] -= ratio * work[:, i]
+            work[:, :, j] -= ratio * work[:, :, i]
+            work[:, i, j] = work[:, j, i] = 0.0
+    sizes = np.diagonal(work, axis1=1, axis2=2).copy()
+    least = np.ones(len(work))
+    for k in range(work.shape[1]):
+        least = np.fmin(least, work[:, k, k] / sizes[:, k])
+        work[:, k + 1 :] -= (
+            work[:, k + 1 :, k : k + 1] * work[:, k : k + 1] / work[:, k : k + 1, k : k + 1]
+        )
+    return float(np.mean(least < SOUND_PIVOT * SOUND_SHARE)) if len(work) else 0.0
+
+
+def _at_states(graph: Graph, nodes: Sequence[int]) -> np.ndarray | None:
+    """Return the values of nodes at random states; None where they depend on other things."""
+    inputs = [graph.args[n] for n in graph.reachable(nodes) if graph.ops[n] == "input"]
+    if not {group for group, _ in inputs} <= {"x", "t", "r", "p"}:
+        return None
+    n, m, k = (1 + max((i for group, i in inputs if group == name), default=-1) for name in "xrp")
+    # Constants differ from state to state too.
+    graph = graph.renamed({("p", i): ("r", m + i) for i in range(k)})
+    program = lower(graph, (n, m + k, 0), [("values", (len(nodes),), list(nodes))])
+    rng = np.random.default_rng(0)
+    x = rng.uniform(-_RANGE, _RANGE, (_STATES, n))
+    r = rng.uniform(0.5, 1.5, (_STATES, m + k))
+    values, _ = run(program, rng.uniform(0.0, 1.0, _STATES), x, r, np.zeros(0))
+    finite: np.ndarray = values[np.isfinite(values).all(axis=1)]
+    return finite
