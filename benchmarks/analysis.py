@@ -77,7 +77,7 @@ def jacobians() -> list[list[str]]:
 def answers() -> list[list[str]]:
     """Times of linear models, a trim and a fit."""
     made = whipple_bicycle.derive()
-    bicycle = System(made.kane, constants=whipple_bicycle.benchmark_parameters(made))
+    bicycle = System(made.definition, constants=whipple_bicycle.benchmark_parameters(made))
     speeds = np.linspace(0.0, 10.0, num=1000)
     rows = [whipple_bicycle.equilibrium(made, v) for v in speeds]
     states = np.array([[row[s] for s in bicycle.states] for row in rows])

@@ -47,7 +47,7 @@ def models() -> dict[str, Any]:
         "200 springs": lambda: _definition(multi_mass_spring_damper, 200),
         "arm of 7 joints, in space": lambda: definition(arm),
         "tree of 29 joints": lambda: definition(humanoid),
-        "bicycle": lambda: whipple_bicycle.derive().kane,
+        "bicycle": lambda: whipple_bicycle.derive().definition,
     }
 
 

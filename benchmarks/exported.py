@@ -45,7 +45,7 @@ def pendulum() -> System:
 
 def bicycle() -> System:
     model = whipple_bicycle.derive()
-    return System(model.kane, constants=whipple_bicycle.benchmark_parameters(model))
+    return System(model.definition, constants=whipple_bicycle.benchmark_parameters(model))
 
 
 def main() -> None:

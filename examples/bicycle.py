@@ -32,7 +32,7 @@ WEAVE_SPEED, CAPSIZE_SPEED = 4.292382536341115, 6.024262015388372  # m/s, publis
 # ground: one holonomic constraint.  Both wheels roll without slip: four more on the speeds.
 
 bicycle = whipple_bicycle.derive()
-system = System(bicycle.kane, constants=whipple_bicycle.benchmark_parameters(bicycle))
+system = System(bicycle.definition, constants=whipple_bicycle.benchmark_parameters(bicycle))
 print("coordinates:", system.coordinates)
 print(f"{system.num_holonomic_constraints} holonomic constraint, "
       f"{system.num_nonholonomic_constraints} nonholonomic ones")  # fmt: skip

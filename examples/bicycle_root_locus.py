@@ -27,7 +27,7 @@ PUBLISHED = (4.292382536341, 6.024262015388)  # weave and capsize speed, m/s
 # the linear model of the independent states and follows each eigenvalue from speed to speed.
 
 bicycle = whipple_bicycle.derive()
-system = System(bicycle.kane, constants=whipple_bicycle.benchmark_parameters(bicycle))
+system = System(bicycle.definition, constants=whipple_bicycle.benchmark_parameters(bicycle))
 speeds = np.linspace(0.0, 10.0, num=101 if small else 1001)
 sweep = system.eigenvalues({"u_x": speeds}, moving=["x", "theta_R", "theta_F"])
 

@@ -35,7 +35,7 @@ bicycle = whipple_bicycle.derive()
 values = whipple_bicycle.benchmark_parameters(bicycle)
 start = whipple_bicycle.equilibrium(bicycle, SPEED)
 system = System(
-    bicycle.kane,
+    bicycle.definition,
     constants=values,
     specifieds={bicycle.push: SampledInput([0.0, 0.1, 0.2, 12.0], [0.0, 4.0, 0.0, 0.0])},
     initial_conditions=start,

@@ -77,10 +77,11 @@ def test_no_model_costs_more_operations_than_it_did(kane, limit):
         (lambda: revolute(range(-1, 6)), 1428),
         (lambda: straight_arm(7), 1193),
         (lambda: revolute(HUMANOID), 7187),
+        (lambda: whipple_bicycle.derive().definition, 1058),
     ],
-    ids=["rods-3", "rods-5", "rods-10", "arm of 7 joints", "straight arm", "tree of 29 joints"],
+    ids=["rods-3", "rods-5", "rods-10", "arm", "straight arm", "tree of 29 joints", "bicycle"],
 )
-def test_no_tree_costs_more_operations_than_it_did(source, limit):
+def test_no_definition_costs_more_operations_than_it_did(source, limit):
     program = System(source()).model.assembly.program("rates")
     assert sum(program.operation_count["run"].values()) <= limit
 

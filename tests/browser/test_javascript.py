@@ -38,7 +38,7 @@ def rates(page, x, r=()):
 def test_rates_are_as_accurate_as_numpys(tmp_path, loaded, monkeypatch, longest):
     monkeypatch.setattr("pydy.export.straight.LONGEST", longest)
     bicycle = whipple_bicycle.derive()
-    system = System(bicycle.kane, constants=whipple_bicycle.benchmark_parameters(bicycle))
+    system = System(bicycle.definition, constants=whipple_bicycle.benchmark_parameters(bicycle))
     x = np.random.default_rng(1).uniform(-0.3, 0.3, system.num_states)
     page = loaded(system.export(tmp_path / "bicycle.js").path)
     failed, found = rates(page, x, [0.0] * system.num_specifieds)

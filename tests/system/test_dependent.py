@@ -223,7 +223,7 @@ def test_velocity_constraints_of_any_size_are_solved():
 def test_the_rounding_of_terms_that_cancel_is_no_failure():
     # Rolling straight ahead, the terms of the wheels' sideways slip cancel to 3e-17.
     bicycle = whipple_bicycle.derive()
-    system = System(bicycle.kane, constants=whipple_bicycle.benchmark_parameters(bicycle))
+    system = System(bicycle.definition, constants=whipple_bicycle.benchmark_parameters(bicycle))
     start = whipple_bicycle.equilibrium(bicycle, 4.0)
     system.initial_conditions = {**start, bicycle["u_phi"]: 0.02}
     system.set_dependent_initial_conditions()  # warnings are errors here

@@ -22,7 +22,7 @@ from singular import slider_crank
 def bicycle():
     made = whipple_bicycle.derive()
     constants = whipple_bicycle.benchmark_parameters(made)
-    return made, System(made.kane, constants=constants)
+    return made, System(made.definition, constants=constants)
 
 
 def upright(made, system, speeds):

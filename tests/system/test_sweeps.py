@@ -23,7 +23,7 @@ MOVING = ["x", "theta_R", "theta_F"]
 @pytest.fixture(scope="module")
 def bicycle():
     made = whipple_bicycle.derive()
-    return made, System(made.kane, constants=whipple_bicycle.benchmark_parameters(made))
+    return made, System(made.definition, constants=whipple_bicycle.benchmark_parameters(made))
 
 
 @pytest.fixture(scope="module")

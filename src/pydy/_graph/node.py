@@ -220,6 +220,12 @@ class Graph(Nodes):
 
     def mul(self, *nodes: int) -> int:
         """Return the product of `nodes`."""
+        if len(nodes) == 2:
+            a, b = nodes
+            # Most products of forms and slopes are by one.
+            for one, other in ((a, b), (b, a)):
+                if one == self.one and _is_counted(self.ops[other], self.args[other]):
+                    return other
         return self.product([(n, 1) for n in nodes])
 
     def div(self, a: int, b: int) -> int:

@@ -17,6 +17,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import equations_of
 from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
+from pydy._mechanics.symbols import rate_of
 
 __all__ = ["Definition", "equations_of_definition"]
 
@@ -97,13 +98,14 @@ class Definition:
         t = dynamicsymbols._t
         self.frame = frame
         self.coordinates = _functions("coordinates", coordinates)
-        rates = self._rates = tuple(q.diff(t) for q in self.coordinates)
+        rates = self._rates = tuple(rate_of(q, t) for q in self.coordinates)
         self.speeds = rates if speeds is None else _functions("speeds", speeds, rates)
         self.bodies = check_bodies(listed("bodies", bodies, "Particle and RigidBody objects"))
         if not self.bodies:
             raise ValueError("`bodies` must have at least one Particle or RigidBody.")
         self.loads = read_loads(listed("loads", loads, "loads"))
         self.auxiliary_speeds = _functions("auxiliary_speeds", auxiliary_speeds)
+        self._each_a_rate = kinematic_equations is None
         self.kinematic_equations = self._kinematic(kinematic_equations, rates)
         self.holonomic_constraints = _expressions("holonomic_constraints", holonomic_constraints)
         self.nonholonomic_constraints = _expressions(
@@ -161,11 +163,13 @@ class Definition:
     def multibody(self) -> Multibody:
         """The same, with q' solved for and dependent coordinates and speeds behind the others."""
         rates, speeds = self._rates, set(self.speeds)
-        wanted = [rate for rate in rates if rate not in speeds]
-        equations = [e for e in self.kinematic_equations if e != 0]
-        solved = dict(
-            zip(wanted, solve_rates(equations, wanted, "kinematic_equations"), strict=True)
-        )
+        if self._each_a_rate and (self.speeds == rates or speeds.isdisjoint(rates)):
+            solved = dict(zip(rates, self.speeds, strict=True))
+        else:
+            wanted = [rate for rate in rates if rate not in speeds]
+            equations = [e for e in self.kinematic_equations if e != 0]
+            found = solve_rates(equations, wanted, "kinematic_equations")
+            solved = dict(zip(wanted, found, strict=True))
         body = Multibody(
             frame=self.frame,
             bodies=self.bodies,

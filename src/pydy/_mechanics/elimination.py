@@ -24,6 +24,7 @@ from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.tuning import SINGULAR
+from pydy._mechanics.components import transposed
 from pydy._mechanics.dynamics import Inertia, Load
 from pydy._mechanics.turns import joined_turns, turn_of
 
@@ -221,9 +222,17 @@ class _Push:
         key = _key(a, b)
         if key not in self.cells:
             return self.graph.zero
-        node = self.graph.sum(self.cells[key])
+        cells = self.cells[key]
+        if len(cells) == 1 and cells[0][1] == 1.0:
+            return cells[0][0]
+        node = self.graph.sum(cells)
         self.cells[key] = [(node, 1.0)]
         return node
+
+    def _dot(self, a: list[int], b: list[int]) -> int:
+        graph, zero = self.graph, self.graph.zero
+        terms = [graph.mul(x, y) for x, y in zip(a, b, strict=True) if x != zero and y != zero]
+        return terms[0] if len(terms) == 1 else graph.add(*terms)
 
     def pass_on(self, group: list[int]) -> _Passed:
         """Let a group of anchors hand its form and forces over to what it is made of."""
@@ -231,22 +240,19 @@ class _Push:
         rows = {k: self.own[k] for k in group}
         within = [[self.entry(a, b) for b in group] for a in group]
         others = sorted({s for k in group for s in self.near[k]} - set(group))
-        across = [[self.entry(k, s) for s in others] for k in group]
+        across = transposed([[self.entry(k, s) for s in others] for k in group])
         columns = sorted({c for row in rows.values() for c in row})
         forces = [graph.sum(self.forces[k]) for k in group]
-        places = range(len(group))
         turned = self._turn(group, within)
         for c in columns:
             slope = [rows[k].get(c, graph.zero) for k in group]
             if not turned:
                 self._reduce(c, columns, [rows[k] for k in group], within)
-            for j, s in enumerate(others):
-                terms = [(graph.mul(slope[i], across[i][j]), 1.0) for i in places]
-                self.add(c, s, graph.sum(terms), 2.0 if c == s else 1.0)
+            for s, column in zip(others, across, strict=True):
+                self.add(c, s, self._dot(slope, column), 2.0 if c == s else 1.0)
             if c in self.floors:
                 self._found(c, dict(zip(group, slope, strict=True)))
-            terms = [(graph.mul(slope[i], forces[i]), 1.0) for i in places]
-            self.forces[c].append((graph.sum(terms), 1.0))
+            self.forces[c].append((self._dot(slope, forces), 1.0))
         for k in group:
             self._forget(k)
             for c in rows[k]:
@@ -255,17 +261,12 @@ class _Push:
 
     def _reduce(self, c: int, columns: list[int], rows: list[Row], within: list[list[int]]) -> None:
         """Add the column c, up to the diagonal, of Rᵀ K R."""
-        graph = self.graph
-        slope = [row.get(c, graph.zero) for row in rows]
-        image = [
-            graph.sum([(graph.mul(a, b), 1.0) for a, b in zip(line, slope, strict=True)])
-            for line in within
-        ]
+        zero = self.graph.zero
+        slope = [row.get(c, zero) for row in rows]
+        image = [self._dot(line, slope) for line in within]
         for d in columns:
             if d <= c:
-                own = [row.get(d, graph.zero) for row in rows]
-                terms = [(graph.mul(a, b), 1.0) for a, b in zip(own, image, strict=True)]
-                self.add(c, d, graph.sum(terms))
+                self.add(c, d, self._dot([row.get(d, zero) for row in rows], image))
 
     def _turn(self, group: list[int], within: list[list[int]]) -> bool:
         """Add Rᵀ K R where all anchors turn by one angle; say whether they do."""

@@ -10,6 +10,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import auxiliary_equations
 from pydy._mechanics.mechanism import Mechanism
 from pydy._mechanics.reader import Multibody
+from pydy._mechanics.symbols import rate_of
 
 __all__ = ["equations_of", "kinematics_of"]
 
@@ -33,7 +34,7 @@ def kinematics_of(body: Multibody) -> Equations:
         dependent_speeds=body.dependent_speeds,
         auxiliary_speeds=auxiliary,
         # In motion the auxiliary speeds are zero at all times.
-        zeros=(*auxiliary, *(u.diff(body.time) for u in auxiliary)),
+        zeros=(*auxiliary, *(rate_of(u, body.time) for u in auxiliary)),
         multibody=body if body.bodies or body.lagrangian is not None else None,
     )
 

@@ -22,7 +22,7 @@ from pydy._graph.program import Program
 from pydy._graph.switches import Passes
 from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.symbols import find_symbols, sort_symbols
+from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import CLOSED, FULL_STEPS
 
 __all__ = ["Block", "GenericStates", "generic_inputs", "values_of"]
@@ -72,7 +72,7 @@ class GenericStates:
             )
             if s not in known
         }
-        found |= {s.diff(t) for s in found if isinstance(s, AppliedUndef)}
+        found |= {rate_of(s, t) for s in found if isinstance(s, AppliedUndef)}
         others = sort_symbols(found)
         atoms = input_nodes(graph, x=states, r=others, t=[t])
         self.coordinates, self.speeds = [atoms[s] for s in q], [atoms[s] for s in u]

@@ -17,6 +17,7 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, 
 from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
+from pydy._mechanics.symbols import rate_of
 
 __all__ = [
     "InputReader",
@@ -92,7 +93,7 @@ class Multibody:
     @cached_property
     def speed_rates(self) -> tuple[Any, ...]:
         """The derivatives of the speeds."""
-        return tuple(u.diff(self.time) for u in self.speeds)
+        return tuple(rate_of(u, self.time) for u in self.speeds)
 
 
 def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
@@ -340,20 +341,23 @@ class Tree:
                 own[point] = way
                 root[point] = root.get(own[point][0], own[point][0])
         ways: dict[Any, Way] = {}
+        ends: dict[Any, Any] = {}  # where the ways that agree lead to
 
         def hung(point: Any) -> Way:
             return ways.get(point) or (nearest[point], (places(point)[nearest[point]],))
 
         for point in own:
             chain, end = [], point
-            while nearest[end] is not None:
+            while nearest[end] is not None and end not in ends:
                 chain.append(end)
                 end = hung(end)[0]
+            end = ends.get(end, end)
             agrees = all(root.get(p, end) is end for p in chain)
             if not agrees and point not in ways:
                 ways[point] = own[point]
             elif agrees:
                 ways |= {p: hung(p) for p in chain}
+                ends |= dict.fromkeys(chain, end)
         return hung
 
     def _nearest_given(self, point: Any, resolved: Container[Any]) -> Way | None:

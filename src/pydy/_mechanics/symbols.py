@@ -12,7 +12,7 @@ from sympy.core.function import AppliedUndef
 
 from pydy._names import written_out
 
-__all__ = ["find_symbols", "replace_symbols", "sort_symbols"]
+__all__ = ["find_symbols", "rate_of", "replace_symbols", "sort_symbols"]
 
 
 def sort_symbols(symbols: Iterable[Any]) -> list[Any]:
@@ -26,6 +26,16 @@ def sort_symbols(symbols: Iterable[Any]) -> list[Any]:
     if any(a[0] == b[0] for a, b in pairwise(keyed)):
         keyed.sort(key=lambda pair: (pair[0], written_out(pair[1])))
     return [symbol for _, symbol in keyed]
+
+
+def rate_of(symbol: Any, time: Any) -> Any:
+    """Return the derivative of a function of time, or of one of its derivatives.
+
+    That of a function is made without SymPy's rules, which take thirty times as long.
+    """
+    if isinstance(symbol, AppliedUndef) and symbol.args == (time,):
+        return sm.Derivative(symbol, time, evaluate=False)
+    return symbol.diff(time)
 
 
 def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:

@@ -163,7 +163,7 @@ def ride() -> Ride:
     with clock.stage("extract"):
         constants = whipple_bicycle.benchmark_parameters(bicycle)
         system = System(
-            bicycle.kane,
+            bicycle.definition,
             constants=constants,
             times=TIMES,
             outputs={sm.Symbol("energy"): kinetic + potential},
@@ -261,13 +261,13 @@ def simulate(ride: Ride, path: Path) -> None:
         Where to, conventionally with the suffix ``.html``.
     """
     bicycle = ride.bicycle
-    t, speed, most = bicycle.kane.q[0].args[0], sm.Symbol("speed"), sm.Symbol("push")
+    t, speed, most = bicycle.coordinates[0].args[0], sm.Symbol("speed"), sm.Symbol("push")
     pulse = most * sm.sin(sm.pi * (t - PUSH_START) / (PUSH_END - PUSH_START)) ** 2
     pushing = (t > PUSH_START) & (t < PUSH_END)
     phi, delta = bicycle["phi"], bicycle["delta"]
     states = (*bicycle.coordinates, *bicycle.speeds)
     system = System(
-        bicycle.kane,
+        bicycle.definition,
         constants={**whipple_bicycle.benchmark_parameters(bicycle), most: PUSH},
         specifieds={bicycle.push: sm.Piecewise((pulse, pushing), (0, True))},
         initial_conditions={s: ride.system.initial_conditions[s] for s in states},

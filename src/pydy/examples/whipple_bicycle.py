@@ -88,6 +88,9 @@ from typing import Any
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy._forks import cached_property
+from pydy.mechanics import Definition
+
 __all__ = [
     "BENCHMARK",
     "PUBLISHED_EIGENVALUES",
@@ -98,43 +101,37 @@ __all__ = [
     "equilibrium",
 ]
 
-# SymPy publishes no types, so what is one of its objects can only be called Any.
-Expr = Any
+Expr = Any  # SymPy publishes no types
 
 BENCHMARK: Mapping[str, float] = {
-    # Table 1 of the benchmark: metres, kilograms, seconds, radians; exact, not rounded.
     "w": 1.02,  # wheel base
     "c": 0.08,  # trail
     "lam": pi / 10,  # steer axis tilt, back from the vertical (head angle 72 degrees)
     "g": 9.81,
-    # rear wheel R
-    "r_R": 0.3,
+    "r_R": 0.3,  # rear wheel R
     "m_R": 2.0,
     "I_Rxx": 0.0603,
     "I_Ryy": 0.12,
-    # rear frame and rider B
-    "x_B": 0.3,
+    "x_B": 0.3,  # rear frame and rider B
     "z_B": -0.9,
     "m_B": 85.0,
     "I_Bxx": 9.2,
     "I_Bxz": 2.4,
     "I_Byy": 11.0,
     "I_Bzz": 2.8,
-    # front frame H: handlebar and fork
-    "x_H": 0.9,
+    "x_H": 0.9,  # front frame H: handlebar and fork
     "z_H": -0.7,
     "m_H": 4.0,
     "I_Hxx": 0.05892,
     "I_Hxz": -0.00756,
     "I_Hyy": 0.06,
     "I_Hzz": 0.00708,
-    # front wheel F
-    "r_F": 0.35,
+    "r_F": 0.35,  # front wheel F
     "m_F": 3.0,
     "I_Fxx": 0.1405,
     "I_Fyy": 0.28,
 }
-"""Value of every constant by its name, from table 1 of the benchmark."""
+"""Value of every constant by its name, from table 1 of the benchmark, in SI units; exact."""
 
 PUBLISHED_EIGENVALUES: Mapping[float, tuple[complex, ...]] = {
     5.0: (
@@ -156,9 +153,8 @@ class Bicycle:
 
     Attributes
     ----------
-    kane : sympy.physics.mechanics.KanesMethod
-        With bodies and loads, from which `System` forms the equations of motion; call its
-        ``kanes_equations(bodies, loads)`` for SymPy's own.
+    definition : pydy.mechanics.Definition
+        What `System` forms the equations of motion from.
     coordinates : tuple of 8 functions of time
         x, y, psi, phi, delta, theta_R, theta_F, and the dependent pitch theta, in m and rad.
     speeds : tuple of 8 functions of time
@@ -188,7 +184,7 @@ class Bicycle:
         What ``bicycle[name]`` looks up.
     """
 
-    kane: Any
+    definition: Definition
     coordinates: tuple[Expr, ...]
     speeds: tuple[Expr, ...]
     auxiliary_speeds: tuple[Expr, ...]
@@ -201,6 +197,17 @@ class Bicycle:
     frames: Mapping[str, Any]
     points: Mapping[str, Any]
     symbols: Mapping[str, Expr]
+
+    @cached_property
+    def kane(self) -> Any:
+        """The same as SymPy's KanesMethod, constructed when it is first used."""
+        made = self.definition
+        return me.KanesMethod(
+            *(made.frame, self.coordinates[:7], self.speeds[:3], made.kinematic_equations),
+            *(self.coordinates[7:], made.holonomic_constraints),
+            *(self.speeds[3:], made.velocity_constraints, None),
+            *(self.auxiliary_speeds, self.bodies, made.loads),
+        )
 
     def __getitem__(self, name: str) -> Expr:
         """Return the symbol called `name`."""
@@ -217,7 +224,7 @@ def derive() -> Bicycle:
     Returns
     -------
     Bicycle
-        The equations and their symbols.  It takes a second.
+        The equations and their symbols.  It takes half a second.
 
     Notes
     -----
@@ -392,24 +399,22 @@ def derive() -> Bicycle:
 
     coordinates = (x, y, psi, phi, delta, theta_R, theta_F, theta)
     speeds = (u_phi, u_delta, omega_R, u_theta, u_psi, omega_F, u_x, u_y)
-    kane = me.KanesMethod(
-        N,
-        q_ind=coordinates[:7],
-        u_ind=speeds[:3],
-        kd_eqs=[coordinate.diff(t) - rates[coordinate] for coordinate in coordinates],
-        q_dependent=coordinates[7:],
-        configuration_constraints=[height_Pf],
-        u_dependent=speeds[3:],
-        velocity_constraints=velocity_constraints,
-        u_auxiliary=[u_r, u_f],
+    definition = Definition(
+        *(N, coordinates, speeds),
         bodies=bodies,
-        forcelist=loads,
+        loads=loads,
+        kinematic_equations=[q.diff(t) - rate for q, rate in rates.items()],
+        holonomic_constraints=[height_Pf],
+        velocity_constraints=velocity_constraints,
+        dependent_coordinates=coordinates[7:],
+        dependent_speeds=speeds[3:],
+        auxiliary_speeds=[u_r, u_f],
     )
 
     constants = sm.symbols(tuple(BENCHMARK))
     functions = (*coordinates, *speeds, u_r, u_f, N_r, N_f, F_y, T_phi, T_delta)
     return Bicycle(
-        kane=kane,
+        definition=definition,
         coordinates=coordinates,
         speeds=speeds,
         auxiliary_speeds=(u_r, u_f),
