@@ -211,3 +211,40 @@ def sarrus(rate=2.0, angle=0.6):
     bent = np.array([1.0, -2.0, 1.0, -1.0, 2.0, -1.0])
     start = dict(zip([*q, *u], [*angle * bent, *rate * bent], strict=True))
     return _defined(frame, q, u, bodies, rows), start
+
+
+def peaucellier(rate=0.3, angle=2.6):
+    """Peaucellier and Lipkin's linkage, whose last joint moves along x = -27/8.
+
+    Seven bars: a crank of length 1 about (-1, 0), two arms of length 3 about the origin, and a
+    rhombus of sides 3/2. Where it folds into a line, it may change over to another motion.
+    """
+    frame, origin = _ground()
+    q, u = list(me.dynamicsymbols("q1:8")), list(me.dynamicsymbols("u1:8"))
+    bodies = []
+
+    def bar(start, length):
+        k = len(bodies)
+        own = me.ReferenceFrame(f"B{k}")
+        own.orient_axis(frame, frame.z, q[k])
+        own.set_ang_vel(frame, u[k] * frame.z)
+        centre = start.locatenew(f"C{k}", length / 2 * own.x)
+        inertia = me.inertia(own, 0, 0, length**2 / 12)
+        bodies.append(me.RigidBody(f"bar{k}", centre, own, 1, (inertia, centre)))
+        return start.locatenew(f"E{k}", length * own.x)
+
+    side = sm.Rational(3, 2)
+    tip = bar(origin.locatenew("Q", -frame.x), sm.Integer(1))
+    above, below = bar(origin, sm.Integer(3)), bar(origin, sm.Integer(3))
+    pairs = [(bar(tip, side), above), (bar(tip, side), below), (bar(above, side), bar(below, side))]
+    rows = [a.pos_from(b).dot(e) for a, b in pairs for e in (frame.x, frame.y)]
+    definition = _defined(frame, q, u, bodies, rows)
+    corner = np.array([np.cos(angle) - 1.0, np.sin(angle)])
+    along = corner / np.linalg.norm(corner)
+    part = (9.0 - 2.25 + corner @ corner) / 2.0 / np.linalg.norm(corner)
+    aside = np.sqrt(9.0 - part**2) * np.array([-along[1], along[0]])
+    upper, lower = part * along + aside, part * along - aside
+    last = upper + lower - corner
+    spans = [upper, lower, upper - corner, lower - corner, last - upper, last - lower]
+    angles = [angle, *(float(np.arctan2(s[1], s[0])) for s in spans)]
+    return definition, dict(zip(q, angles, strict=True)) | {u[0]: rate}

@@ -38,7 +38,7 @@ from pydy.solvers.outcome import (
     TOLERANCE_TOO_SMALL,
 )
 from pydy.solvers.run import layout as at
-from pydy.solvers.run.constraints import CompiledConstraints
+from pydy.solvers.run.constraints import CompiledConstraints, passage
 from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.methods import IMPLICIT
 from pydy.solvers.run.pace import SLICE, first_budget, progress_bar
@@ -46,7 +46,7 @@ from pydy.solvers.run.problem import address
 from pydy.solvers.run.shipped import stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
-from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
+from pydy.solvers.tuning import BLOCK, LOST, NEAR_SINGULAR, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
 
 __all__ = ["Integration"]
 
@@ -422,21 +422,16 @@ class Integration:
         }
 
     def passage(self) -> str:
-        """Return where the latest run came too near to a singular configuration, or nothing.
-
-        Beyond it the branches of the motion may have been mixed up.
-        """
+        """Return where the latest run came too near to a singular configuration, or nothing."""
         seen = self.arrays.seen
-        if not seen.size or not seen[at.RANK] or seen[at.NEARNESS] > NEARLY_SINGULAR:
+        if not seen.size or not seen[at.RANK] or seen[at.NEARNESS] > NEAR_SINGULAR:
             return ""
-        t = float(seen[at.WHEN])
-        rows = self._combined(seen[at.WHERE : at.WHERE + self.n].copy(), t)[1]
-        return (
-            f"`{self.name}` passed a singular configuration of the constraints at t = {t!r}, where "
-            f"a combination of these rows vanishes: {rows}. From there the motion may have gone on "
-            "along another branch, with another energy. Compare the energy before and after, and "
-            "runs at other tolerances; other constraints may have no such configuration."
-        )
+        t, x = float(seen[at.WHEN]), seen[at.WHERE : at.WHERE + self.n].copy()
+        lost = 1.0
+        if seen[at.NEARNESS] > NEARLY_SINGULAR:
+            held, call = self.options.constraints, self.call
+            lost = 0.0 if held is None or call is None else held.lost(call, x, t)
+        return passage(self.name, t, self._combined(x, t)[1], lost) if lost > LOST else ""
 
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()
