@@ -1,4 +1,4 @@
-; sources 6b6044c40fb7b10d37dd4909974c312ba70f0626fad12867a382049f6a7c6074
+; sources 3d0d938926ca35f42c614c4b9d78dc402e473152e5051f58e2c3ed390ddd7aab
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, i64 %5, ptr %6, i64 %7, ptr %8, i64 %9, i64 %10, double %11) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources a65f955d7ba3de43f91ef0f68fefaa6223cc129c275a1f74695a2cdfe756c024
+; sources 73e2e3446a49f5088ed6dcb56206d455664568b73945ceae5837b55f7413a3ec
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8

@@ -1,4 +1,4 @@
-; sources 8cc789310ec0160ae707e6d4f31c51fcf8ff3f4898f4381785b5bbcc85b0940f
+; sources e57e10dc40fb248b9091d290f4430fd5aca6b39e43464940b8d0097a9380bbb6
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, i64 %7, ptr %8, i64 %9, i64 %10, ptr %11, i64 %12, ptr %13, i64 %14, i64 %15) unnamed_addr #0 {

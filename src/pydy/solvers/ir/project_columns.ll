@@ -1,4 +1,4 @@
-; sources 4f3001cbffe57c2302fe2f4387cb2f4100a60201698c1dd9c14e29fc69ae27e4
+; sources f64025d5ed9d601f5933be052cc0668f9a00b065a6362beb89e5f83a8b39083f
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

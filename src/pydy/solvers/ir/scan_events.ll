@@ -1,4 +1,4 @@
-; sources 8753b9cc88323e868fda87711d4f2b7ecb2a63c169b4749680c9da07cef812ca
+; sources 566bde085b203d05c8a9cbd8bd71debf7c154d43e267ddfe2cb91c953b16b9d7
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

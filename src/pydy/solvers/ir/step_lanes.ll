@@ -1,4 +1,4 @@
-; sources 155b881feff99972e522bb704dc72989e47c467b87cc414265a35e0ede86b4ba
+; sources 0bd54898d38a23795e8d4a798cc19fa5b9eaf68a02a9e15ddee18be333ae65af
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #0
