@@ -65,7 +65,8 @@ OUTCOMES = {
     TOO_MANY_STEPS: Outcome(
         "too_many_steps",
         "took {max_steps} steps, `max_steps`",
-        "Raise `max_steps`, loosen `rtol` and `atol`, or try 'radau' if the system is stiff.",
+        "Raise `max_steps`, loosen `rtol` and `atol`, or try 'radau' if the system is stiff. If a "
+        "load jumps back and forth, as dry friction with `sign(v)` does where v = 0, smooth it.",
     ),
     STEP_UNDERFLOW: Outcome(
         "step_underflow",
