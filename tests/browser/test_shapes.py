@@ -116,3 +116,28 @@ def test_an_iframe_as_in_a_notebook_shows_the_same(zoo, browser, tmp_path):
     assert len(inner.evaluate("pydy.positions()")) == len(zoo.scene.visuals)
     assert errors == []
     page.close()
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1e9])
+def test_a_scene_looks_the_same_in_every_unit(unit, tmp_path, open_page, screenshot):
+    def picture(unit):
+        N, O = ReferenceFrame("N"), Point("O")
+        B = N.orientnew("B", "Axis", (q, N.z))
+        P = O.locatenew("P", x * N.x)
+        Q = P.locatenew("Q", unit * B.y)
+        shapes = [
+            Visual(Box(0.1 * unit, 0.3 * unit, 0.2 * unit), B, Q),
+            Visual(Arrow(x * B.y - unit * N.x, scale=0.5, radius=0.02 * unit), P),
+            Visual(Line([O, P, Q], radius=0.03 * unit)),
+            Visual(Trace(duration=0.5), Q),
+        ]
+        scene = Scene(N, O, *shapes, up="y")
+        times = np.linspace(0, 2, 41)
+        states = np.stack([2 * times, unit * np.sin(3 * times)], 1)
+        scene.animate(times, states, symbols=[q, x])
+        page = open_page(scene.to_html(tmp_path / f"{unit}.html"))
+        page.evaluate("pydy.seek(0.95)")
+        return screenshot(page, f"unit-{unit:g}", "#stage")
+
+    differs = np.abs(picture(unit) - picture(1.0)).max(axis=-1) > 30
+    assert differs.mean() < 3e-4  # pixels at edges

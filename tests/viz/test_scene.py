@@ -244,6 +244,14 @@ def test_a_scene_without_extent_has_a_size():
     assert frame(still._animation, Look(np.array([0.0, 1.0, 0.0]))).radius > 0
 
 
+@pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
+def test_the_longer_level_edge_lies_across_the_view_in_every_unit(unit):
+    ends = O, O.locatenew("P", unit * (N.x + 2 * N.y + 3 * N.z))
+    scene = Scene(N, O, *(Visual(Trace(), end) for end in ends), up="z")
+    scene.animate([0.0], np.zeros((1, 0)), symbols=[])
+    assert np.abs(framed(scene).right).tolist() == [0, 1, 0]
+
+
 def test_between_instants_poses_are_interpolated(trajectory):
     B = N.orientnew("B", "Axis", (q, N.z))
     scene = Scene(N, O, Visual(Sphere(1), B, O)).animate([0, 1], [[0.0], [1.0]], symbols=[q])

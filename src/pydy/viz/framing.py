@@ -119,7 +119,9 @@ def _level_axes(up: np.ndarray, extent: np.ndarray) -> tuple[np.ndarray, np.ndar
     level = np.eye(3) - np.outer(up, up)
     # Of a slanting `up`, the two axes that are closest to level.
     axes = sorted(np.eye(3), key=lambda e: abs(float(e @ up)))[:2]
-    axes.sort(key=lambda e: (-round(float(e @ extent), 9), int(e.argmax())))
+    # Edges that are as long but for rounding are in their usual order.
+    unit = float(np.linalg.norm(extent))
+    axes.sort(key=lambda e: (-round(float(e @ extent) / unit, 9), int(e.argmax())))
     right = level @ axes[0]
     right /= np.linalg.norm(right)
     return right, np.cross(right, up)

@@ -101,7 +101,7 @@ class ArrowShape extends THREE.Group {
     this.shaft.visible = this.head.visible = size > 1e-6;
     if (size <= 1e-6) return;
     this.quaternion.setFromUnitVectors(Y, v.divideScalar(length));
-    this.shaft.scale.set(size * r, Math.max(neck, 1e-9), size * r);
+    this.shaft.scale.set(size * r, Math.max(neck, 1e-9 * r), size * r);
     this.head.position.y = neck;
     this.head.scale.set(size * HEAD_RADIUS * r, size * HEAD_LENGTH * r, size * HEAD_RADIUS * r);
   }
@@ -136,7 +136,7 @@ class RodShape extends THREE.Group {
       if (i + 1 === this.count) break;
       const length = end.fromArray(row, 3 * i + 3).sub(part.position).length();
       if (length > 0) part.quaternion.setFromUnitVectors(Y, end.divideScalar(length));
-      part.scale.set(r, Math.max(length, 1e-9), r);
+      part.scale.set(r, Math.max(length, 1e-9 * r), r);
       part.updateMatrix();
       this.rods.setMatrixAt(i, part.matrix);
     }
