@@ -411,3 +411,10 @@ def test_projection_needs_a_native_solver():
 def test_no_constraints_option_means_none(solver):
     system = at_times(zoo.fourbar(), 1.0, solver=solver)
     np.testing.assert_array_equal(system.integrate(constraints=None), system.integrate())
+
+
+def test_constraints_are_printed_only_for_messages(monkeypatch):
+    # Those of a Stewart platform take a second to print.
+    system = at_times(zoo.fourbar(), 0.1)
+    monkeypatch.setattr("pydy._system.solving.constraint_names", lambda equations: 1 / 0)
+    system.integrate(constraints="project")

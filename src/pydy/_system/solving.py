@@ -219,7 +219,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
         speeds=len(equations.speeds),
         dependent_speeds=len(equations.dependent_speeds),
         weighted=weighted,
-        names=constraint_names(equations),
+        names=_Names(equations),
     )
 
 
@@ -230,6 +230,31 @@ def constraint_names(equations: Equations) -> tuple[str, ...]:
         for kind, rows in (("holonomic", equations.holonomic), ("velocity", equations.velocity))
         for k, text in enumerate(map(str, rows))
     )
+
+
+class _Names(Sequence[str]):
+    """The names of constraints, made when one is needed.
+
+    To print those of a Stewart platform takes longer than to compile them.
+    """
+
+    def __init__(self, equations: Equations) -> None:
+        self._equations: Equations | None = equations
+        self._names: tuple[str, ...] = ()
+
+    def _made(self) -> tuple[str, ...]:
+        if self._equations is not None:
+            self._names, self._equations = constraint_names(self._equations), None
+        return self._names
+
+    def __len__(self) -> int:
+        return len(self._made())
+
+    def __getitem__(self, k: Any) -> Any:
+        return self._made()[k]
+
+    def __reduce__(self) -> tuple[Any, ...]:  # a worker has no SymPy to print with
+        return tuple, (self._made(),)
 
 
 def projection_program(assembly: Assembly) -> Program:

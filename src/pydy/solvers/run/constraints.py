@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -74,7 +75,7 @@ class CompiledConstraints:
         How many speeds, the last ones, the equations of motion take from the velocity constraints.
     weighted : bool
         Whether corrections are measured by the mass matrix; by their square sum otherwise.
-    names : tuple of str
+    names : sequence of str
         What to call the holonomic residuals, then the velocity residuals.
     """
 
@@ -85,7 +86,7 @@ class CompiledConstraints:
     speeds: int
     dependent_speeds: int
     weighted: bool
-    names: tuple[str, ...]
+    names: Sequence[str]
 
     def dependent(self, values: np.ndarray) -> list[str]:
         """Return the names of redundant constraints: combinations of those before them.
@@ -100,7 +101,7 @@ class CompiledConstraints:
             *(_dependent(part["gradient"].reshape(self.holonomic, self.coordinates))),
             *(_dependent(part["velocity_gradient"].reshape(self.velocity, self.speeds))),
         ]
-        return [name for name, found in zip(self.names, rows, strict=True) if found]
+        return [self.names[k] for k, found in enumerate(rows) if found]
 
     def combination(
         self, values: np.ndarray, longest: np.ndarray, rank: int
