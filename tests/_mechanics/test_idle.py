@@ -1,15 +1,16 @@
-"""Noncontributing forces that cancel in the equations of a method without being simplified away."""
+"""Noncontributing forces that cancel in equations of motion without being simplified away."""
 
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 from cases import close
 from oracle import Oracle
 from pydy._mechanics.idle import without_idle
 from pydy.system import System
 from rolling import ball_on_a_turntable
-from zoo import T
+from zoo import Model, T, _numbers
 
 
 def test_what_cancels_is_left_out_and_what_contributes_is_not():
@@ -34,3 +35,46 @@ def test_the_forces_in_a_rolling_contact_are_outputs_whatever_the_source(equatio
     wide = np.append(x, np.zeros(3))  # forces that depend on accelerations have integrals
     close(system.evaluate_ode(wide, 0.7)[: len(x)], oracle.xdot(x, 0.7), 1e-12)
     close(system.evaluate_outputs(wide, 0.7)[-3:], oracle.forces(x, 0.7), 1e-12)
+
+
+def hinge_between_rods():
+    """Two rods; the hinge's velocity is written in the axes of either, so that angles add up."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    q, u = list(me.dynamicsymbols("q1:3")), list(me.dynamicsymbols("u1:3"))
+    slip, force = me.dynamicsymbols("s F")
+    m, n, l, g = sm.symbols("m n l g")
+    inner, outer = me.ReferenceFrame("A"), me.ReferenceFrame("B")
+    inner.orient_axis(frame, frame.z, q[0])
+    outer.orient_axis(frame, frame.z, q[0] + q[1])
+    inner.set_ang_vel(frame, u[0] * frame.z)
+    outer.set_ang_vel(frame, (u[0] + u[1]) * frame.z)
+    tip, hinge = origin.locatenew("P", l * inner.x), origin.locatenew("H", l * inner.x)
+    tip.set_vel(frame, l * u[0] * (sm.cos(q[0]) * frame.y - sm.sin(q[0]) * frame.x))
+    across = sm.sin(q[1]) * outer.x + sm.cos(q[1]) * outer.y
+    hinge.set_vel(frame, l * u[0] * across + slip * inner.y)
+    end = hinge.locatenew("C", l * outer.x)
+    end.v2pt_theory(hinge, frame, outer)
+    loads = [
+        (tip, -m * g * frame.y - force * inner.y),
+        (hinge, force * inner.y),
+        (end, -n * g * frame.y),
+    ]
+    kane = me.KanesMethod(
+        frame, q, u, kd_eqs=[a.diff(T) - b for a, b in zip(q, u, strict=True)], u_auxiliary=[slip]
+    )
+    kane.kanes_equations([me.Particle("p", tip, m), me.Particle("c", end, n)], loads)
+    return Model(kane, _numbers(m, n, l, g), {force: 0.37}, forces=(force,))
+
+
+@pytest.mark.parametrize("equations", [None, "graph", "method"])
+def test_a_force_that_cancels_by_an_identity_of_angles_is_noncontributing(equations):
+    model = hinge_between_rods()
+    system = System(
+        model.kane, dict(model.constants), noncontributing_forces=model.forces, equations=equations
+    )
+    assert not system.specifieds_symbols
+    x, oracle = np.array([0.4, 0.7, -0.5, 0.9]), Oracle(model)
+    wide = np.append(x, 0.0)
+    close(system.evaluate_ode(wide, 0.0)[:4], oracle.xdot(x), 1e-12)
+    close(system.evaluate_outputs(wide, 0.0)[-1:], oracle.forces(x), 1e-12)

@@ -137,3 +137,18 @@ def test_a_load_that_is_not_a_number_is_named():
     frame, point = me.ReferenceFrame("N"), me.Point("P")
     with pytest.raises(ValueError, match=r"The load at P is NaN times a vector\."):
         read_loads([(point, sm.nan * frame.x)])
+
+
+@pytest.mark.parametrize("equations", ["graph", "method"])
+def test_an_inertia_that_is_not_symmetric_is_named(equations):
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    q, u, m = *me.dynamicsymbols("q u"), sm.Symbol("m")
+    axes = frame.orientnew("A", "Axis", (q, frame.x + frame.y))
+    axes.set_ang_vel(frame, u * (frame.x + frame.y).normalize())
+    point.set_vel(frame, 0)
+    inertia = me.inertia(axes, m, 2, 3) + m * me.outer(axes.x, axes.y)
+    body = me.RigidBody("plate", point, axes, m, (inertia, point))
+    kane = me.KanesMethod(frame, [q], [u], kd_eqs=[q.diff(T) - u], bodies=[body])
+    kane.kanes_equations([body])
+    with pytest.raises(ValueError, match=r"body plate is not symmetric: it has m at \(A.x\|A.y\)"):
+        System(kane, equations=equations)

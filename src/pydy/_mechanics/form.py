@@ -6,7 +6,6 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
@@ -17,6 +16,7 @@ from pydy._mechanics.axes import move_along_axes
 from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.gravity import take_gravity_off
+from pydy._mechanics.idle import idle_inputs
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.lumps import lumped
 from pydy._mechanics.reader import Multibody
@@ -159,10 +159,6 @@ def forms(
     accelerations = None
     if body.velocity:
         matrix, forcing, accelerations = reduced(kinematics, matrix, forcing, moved)
-        if body.auxiliary:
-            idle = dict.fromkeys(_idle(kinematics, forcing), g.zero)
-            forcing = substitute(g, forcing, idle)
-            accelerations = accelerations and substitute(g, accelerations, idle)
     found = [
         Formed(
             g,
@@ -182,7 +178,20 @@ def forms(
         solution = eliminated(*parts, plain)
         solved = g.guard(matrix, forcing, solution.sound, solution.accelerations)
         found.append(replace(found[0], accelerations=solved))
-    return found
+    return [_without_idle(formed) for formed in found] if body.auxiliary else found
+
+
+def _without_idle(formed: Formed) -> Formed:
+    """Leave out specifieds that do no work: noncontributing forces."""
+    g = formed.graph
+    inputs = [g.input("r", k) for k in range(len(formed.specifieds))]
+    nothing = dict.fromkeys(idle_inputs(g, formed.forcing, inputs), g.zero)
+    solved = formed.accelerations
+    return replace(
+        formed,
+        forcing=substitute(g, formed.forcing, nothing),
+        accelerations=solved and substitute(g, solved, nothing),
+    )
 
 
 def in_a_plane(body: Multibody) -> bool:
@@ -304,14 +313,3 @@ def moving(
         if not wrong:
             return kinematics
         honoured.update(wrong)
-
-
-def _idle(kinematics: Kinematics, forcing: Sequence[int]) -> list[int]:
-    """Return the specifieds that are in the forcing, but do no work: noncontributing forces."""
-    g = kinematics.graph
-    inputs = [g.input("r", k) for k in range(len(kinematics.read.specifieds))]
-    found: dict[int, list[int]] = {k: [] for k in range(len(inputs))}
-    for row in jacobian(g, forcing, inputs):
-        for k, node in row.items():
-            found[k].append(node)
-    return [inputs[k] for k, nodes in found.items() if kinematics.vanishes(nodes)]

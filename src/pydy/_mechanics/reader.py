@@ -146,7 +146,15 @@ def is_rigid(body: Any) -> bool:
 
 
 def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
-    """Return bodies as a tuple, or raise a TypeError that names what is none."""
+    """Return bodies as a tuple.
+
+    Raises
+    ------
+    TypeError
+        One is no body; the message names it.
+    ValueError
+        An inertia is not symmetric.
+    """
     found = tuple(bodies)
     for body in found:
         if not isinstance(body, (RigidBody, Particle)):
@@ -154,7 +162,27 @@ def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
                 f"`bodies` must hold Particle and RigidBody objects, got {body!r} of type "
                 f"{type(body).__name__}."
             )
+        if is_rigid(body):
+            _check_symmetric(body)
     return found
+
+
+def _check_symmetric(body: Any) -> None:
+    """Refuse an inertia dyadic in one frame of which a product is there only once."""
+    terms = body.central_inertia.args
+    # A dyadic holds its frame's own unit vectors: to compare them takes longer.
+    axes = {id(axis) for axis in terms[0][1].args[0][1]} if terms else set()
+    if any(id(v) not in axes for _, *both in terms for v in both):
+        return
+    cells = {(id(a), id(b)): size for size, a, b in terms}
+    for size, a, b in terms:
+        other = cells.get((id(b), id(a)), sm.S.Zero)
+        if a is not b and size != other and sm.sympify(size - other).equals(0) is False:
+            raise ValueError(
+                f"The inertia of the body {body.name} is not symmetric: it has {size} at "
+                f"({a}|{b}), and {other} at ({b}|{a}). Give both, as `inertia(frame, ixx, iyy, "
+                "izz, ixy, iyz, izx)` does."
+            )
 
 
 class InputReader(SymPyReader):

@@ -10,6 +10,7 @@ __all__ = [
     "AGREEING",
     "ALIKE",
     "CANCELLED",
+    "CANCELLING",
     "CLEAR",
     "CLOSED",
     "FORMS_COUNTED_UP_TO",
@@ -35,6 +36,9 @@ __all__ = [
 
 AGREEING = 1e-8
 """The difference of two values that are the same, in units of the terms they are sums of."""
+
+CANCELLING = 1e-12
+"""What rounding leaves of a sum of terms that cancel, in units of these."""
 
 CANCELLED = 1e-4
 """The share of its row and column below which an entry of a mass matrix may be what is left of
