@@ -1,4 +1,4 @@
-; sources 3d0d938926ca35f42c614c4b9d78dc402e473152e5051f58e2c3ed390ddd7aab
+; sources 99da827407f6bc1faf385fa18f7a7a9ee1f98e870cc58300e5750f1b0c9f7201
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, i64 %5, ptr %6, i64 %7, ptr %8, i64 %9, i64 %10, double %11) unnamed_addr #0 {
@@ -963,7 +963,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   br label %211
 
 226:                                              ; preds = %188
-  br label %1374
+  br label %1394
 
 227:                                              ; preds = %188
   %228 = load i64, ptr %26, align 8, !noalias !15
@@ -971,7 +971,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %230 = icmp eq i64 %229, 1
   %231 = getelementptr i8, ptr %26, i64 8
   %232 = load i64, ptr %231, align 8, !noalias !15
-  %233 = icmp sgt i64 %232, 0
+  %233 = icmp slt i64 %232, 1
   %234 = mul nsw i64 %228, %86
   %235 = shl i64 %234, 3
   %236 = add i64 %235, %116
@@ -1025,19 +1025,19 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 261:                                              ; preds = %255, %257
   %262 = phi i32 [ %260, %257 ], [ 0, %255 ]
   %263 = phi i32 [ 0, %257 ], [ %256, %255 ]
-  switch i32 %263, label %1194 [
-    i32 -2, label %1192
-    i32 0, label %1192
+  switch i32 %263, label %1214 [
+    i32 -2, label %1212
+    i32 0, label %1212
   ], !prof !35
 
-264:                                              ; preds = %1192
+264:                                              ; preds = %1212
   %265 = getelementptr i8, ptr %144, i64 72
   store i64 3, ptr %265, align 8, !noalias !15
   %266 = icmp slt i32 %262, 0
   %267 = select i1 %266, i64 -4, i64 2
-  br label %1374
+  br label %1394
 
-268:                                              ; preds = %1192
+268:                                              ; preds = %1212
   store i64 1, ptr %144, align 8, !noalias !15
   %269 = getelementptr i8, ptr %49, i64 40
   %270 = load double, ptr %269, align 8, !noalias !15
@@ -1047,15 +1047,15 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   store double %270, ptr %272, align 8, !noalias !15
   store i8 0, ptr %19, align 1, !noalias !15
   %273 = call fastcc i32 @write_reached(ptr nonnull %19, ptr %52, ptr %87, i64 %86, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %273, label %1198 [
-    i32 -2, label %1195
-    i32 0, label %1195
+  switch i32 %273, label %1218 [
+    i32 -2, label %1215
+    i32 0, label %1215
   ], !prof !35
 
-274:                                              ; preds = %1195
-  br label %1374
+274:                                              ; preds = %1215
+  br label %1394
 
-275:                                              ; preds = %1195
+275:                                              ; preds = %1215
   %276 = fcmp oeq double %244, 0.000000e+00
   br i1 %276, label %277, label %417
 
@@ -1070,7 +1070,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   store double 0.000000e+00, ptr %17, align 8, !noalias !37
   %283 = call fastcc i32 @norm(ptr nonnull %17, ptr %87, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
   %284 = load double, ptr %17, align 8, !noalias !37
-  switch i32 %283, label %1199 [
+  switch i32 %283, label %1219 [
     i32 -2, label %285
     i32 0, label %285
   ], !prof !35
@@ -1079,7 +1079,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   store double 0.000000e+00, ptr %18, align 8, !noalias !37
   %286 = call fastcc i32 @norm(ptr nonnull %18, ptr %119, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
   %287 = load double, ptr %18, align 8, !noalias !37
-  switch i32 %286, label %1199 [
+  switch i32 %286, label %1219 [
     i32 -2, label %288
     i32 0, label %288
   ], !prof !35
@@ -1096,11 +1096,11 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %297 = call i64 @llvm.smax.i64(i64 %278, i64 0)
   br label %298
 
-298:                                              ; preds = %288, %1200
-  %299 = phi i64 [ 0, %288 ], [ %1202, %1200 ]
-  %300 = phi i64 [ %297, %288 ], [ %1201, %1200 ]
+298:                                              ; preds = %288, %1220
+  %299 = phi i64 [ 0, %288 ], [ %1222, %1220 ]
+  %300 = phi i64 [ %297, %288 ], [ %1221, %1220 ]
   %301 = icmp sgt i64 %300, 0
-  br i1 %301, label %1200, label %302
+  br i1 %301, label %1220, label %302
 
 302:                                              ; preds = %298
   %303 = load i64, ptr %248, align 8, !noalias !15
@@ -1143,16 +1143,16 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 319:                                              ; preds = %311, %313
   %320 = phi i1 [ %318, %313 ], [ true, %311 ]
   %321 = phi i32 [ 0, %313 ], [ %312, %311 ]
-  switch i32 %321, label %1218 [
-    i32 -2, label %1217
-    i32 0, label %1217
+  switch i32 %321, label %1238 [
+    i32 -2, label %1237
+    i32 0, label %1237
   ], !prof !35
 
-322:                                              ; preds = %1217
+322:                                              ; preds = %1237
   %323 = fmul double %296, 1.000000e-03
   br label %412
 
-324:                                              ; preds = %1217
+324:                                              ; preds = %1237
   store double 0.000000e+00, ptr %16, align 8, !noalias !49
   %325 = icmp slt i64 %86, 0
   %326 = select i1 %325, i64 %118, i64 0
@@ -1169,7 +1169,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 333:                                              ; preds = %329
   store double 0.000000e+00, ptr %16, align 8, !noalias !49
   %334 = call fastcc i32 @norm(ptr nonnull %16, ptr %342, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
-  switch i32 %334, label %1219 [
+  switch i32 %334, label %1239 [
     i32 -2, label %352
     i32 0, label %352
   ], !prof !35
@@ -1278,21 +1278,21 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %418 = phi double [ %413, %412 ], [ %413, %415 ], [ %244, %275 ], [ %244, %227 ]
   br label %419
 
-419:                                              ; preds = %1136, %417
-  %420 = phi double [ %418, %417 ], [ %1187, %1136 ]
-  %421 = phi double [ %242, %417 ], [ %424, %1136 ]
+419:                                              ; preds = %1206, %417
+  %420 = phi double [ %418, %417 ], [ %1208, %1206 ]
+  %421 = phi double [ %242, %417 ], [ %424, %1206 ]
   br label %422
 
-422:                                              ; preds = %1123, %419
-  %423 = phi double [ %420, %419 ], [ %1117, %1123 ]
-  %424 = phi double [ %421, %419 ], [ %467, %1123 ]
+422:                                              ; preds = %1137, %419
+  %423 = phi double [ %420, %419 ], [ %1131, %1137 ]
+  %424 = phi double [ %421, %419 ], [ %467, %1137 ]
   %425 = load i64, ptr %195, align 8, !noalias !15
   %426 = icmp eq i64 %425, 0
   br i1 %426, label %427, label %428
 
 427:                                              ; preds = %422
   store double %423, ptr %243, align 8, !noalias !15
-  br label %1374
+  br label %1394
 
 428:                                              ; preds = %422
   %429 = add nsw i64 %425, -1
@@ -1309,10 +1309,10 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 
 438:                                              ; preds = %428
   store double %423, ptr %243, align 8, !noalias !15
-  br label %1374
+  br label %1394
 
 439:                                              ; preds = %428
-  br i1 %233, label %440, label %445
+  br i1 %233, label %445, label %440
 
 440:                                              ; preds = %439
   %441 = getelementptr i8, ptr %139, i64 16
@@ -1351,17 +1351,17 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %470 = fcmp ogt double %469, %424
   %471 = fcmp oeq double %467, %459
   %472 = or i1 %470, %471
-  br i1 %472, label %473, label %1190
+  br i1 %472, label %473, label %1210
 
 473:                                              ; preds = %458
   %474 = call i64 @llvm.smax.i64(i64 %101, i64 0)
   br label %475
 
-475:                                              ; preds = %473, %1220
-  %476 = phi i64 [ 0, %473 ], [ %1222, %1220 ]
-  %477 = phi i64 [ %474, %473 ], [ %1221, %1220 ]
+475:                                              ; preds = %473, %1240
+  %476 = phi i64 [ 0, %473 ], [ %1242, %1240 ]
+  %477 = phi i64 [ %474, %473 ], [ %1241, %1240 ]
   %478 = icmp sgt i64 %477, 0
-  br i1 %478, label %1220, label %479
+  br i1 %478, label %1240, label %479
 
 479:                                              ; preds = %475
   %480 = load i64, ptr %26, align 8, !noalias !15
@@ -1369,20 +1369,20 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %482 = call i64 @llvm.smax.i64(i64 %481, i64 0)
   br label %483
 
-483:                                              ; preds = %1260, %479
-  %484 = phi i64 [ 1, %479 ], [ %1229, %1260 ]
-  %485 = phi i64 [ %482, %479 ], [ %1228, %1260 ]
+483:                                              ; preds = %1280, %479
+  %484 = phi i64 [ 1, %479 ], [ %1249, %1280 ]
+  %485 = phi i64 [ %482, %479 ], [ %1248, %1280 ]
   %486 = icmp slt i64 %485, 1
-  br i1 %486, label %489, label %1227
+  br i1 %486, label %489, label %1247
 
-487:                                              ; preds = %1260
-  %488 = sext i32 %1257 to i64
+487:                                              ; preds = %1280
+  %488 = sext i32 %1277 to i64
   br label %491
 
 489:                                              ; preds = %483
   store ptr null, ptr %21, align 8, !noalias !15
   %490 = call fastcc i32 @_combine_latest(ptr nonnull %21, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %480, i64 %89, double %466) #2
-  switch i32 %490, label %1263 [
+  switch i32 %490, label %1283 [
     i32 -2, label %491
     i32 0, label %491
   ], !prof !35
@@ -1437,7 +1437,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 513:                                              ; preds = %505, %507
   %514 = phi i64 [ %512, %507 ], [ 0, %505 ]
   %515 = phi i32 [ 0, %507 ], [ %506, %505 ]
-  switch i32 %515, label %1264 [
+  switch i32 %515, label %1284 [
     i32 -2, label %516
     i32 0, label %516
   ], !prof !35
@@ -1448,14 +1448,14 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   br i1 %518, label %519, label %520
 
 519:                                              ; preds = %516
-  br label %1374
+  br label %1394
 
 520:                                              ; preds = %516
   %521 = icmp eq i64 %517, 0
-  br i1 %521, label %522, label %723
+  br i1 %521, label %522, label %722
 
 522:                                              ; preds = %520
-  br i1 %233, label %523, label %682
+  br i1 %233, label %682, label %523
 
 523:                                              ; preds = %522
   %524 = getelementptr i8, ptr %52, i64 24
@@ -1659,17 +1659,17 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %683 = call i64 @llvm.smax.i64(i64 %86, i64 0)
   br label %684
 
-684:                                              ; preds = %682, %1265
-  %685 = phi i64 [ 0, %682 ], [ %1267, %1265 ]
-  %686 = phi i64 [ %683, %682 ], [ %1266, %1265 ]
-  %687 = phi double [ 0.000000e+00, %682 ], [ %1274, %1265 ]
+684:                                              ; preds = %682, %1285
+  %685 = phi i64 [ 0, %682 ], [ %1287, %1285 ]
+  %686 = phi i64 [ %683, %682 ], [ %1286, %1285 ]
+  %687 = phi double [ 0.000000e+00, %682 ], [ %1294, %1285 ]
   %688 = icmp sgt i64 %686, 0
-  br i1 %688, label %1265, label %689
+  br i1 %688, label %1285, label %689
 
 689:                                              ; preds = %684, %609, %600
   %690 = phi double [ %687, %684 ], [ %612, %609 ], [ %608, %600 ]
   %691 = fcmp olt double %690, 1.000000e+00
-  br i1 %691, label %692, label %723
+  br i1 %691, label %692, label %722
 
 692:                                              ; preds = %689
   br i1 %230, label %697, label %693
@@ -1678,7 +1678,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %694 = getelementptr i8, ptr %26, i64 32
   %695 = load i64, ptr %694, align 8, !noalias !15
   %696 = icmp eq i64 %695, 0
-  br i1 %696, label %704, label %723
+  br i1 %696, label %703, label %722
 
 697:                                              ; preds = %692
   %698 = getelementptr i8, ptr %191, i64 56
@@ -1686,1002 +1686,1035 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %700 = inttoptr i64 %699 to ptr
   %701 = call i64 %700(i64 %0, double %467, i64 %89) #2, !noalias !15
   %702 = icmp eq i64 %701, 0
-  br i1 %702, label %704, label %703
+  br i1 %702, label %703, label %722
 
-703:                                              ; preds = %697
-  store double %466, ptr %243, align 8, !noalias !15
-  br label %1374
-
-704:                                              ; preds = %693, %697
-  %705 = getelementptr i8, ptr %144, i64 24
-  %706 = load i64, ptr %705, align 8, !noalias !15
-  %707 = add nsw i64 %706, 1
-  store i64 %707, ptr %705, align 8, !noalias !15
+703:                                              ; preds = %693, %697
+  %704 = getelementptr i8, ptr %144, i64 24
+  %705 = load i64, ptr %704, align 8, !noalias !15
+  %706 = add nsw i64 %705, 1
+  store i64 %706, ptr %704, align 8, !noalias !15
   store ptr null, ptr %6, align 8, !noalias !75
   store ptr null, ptr %7, align 8, !noalias !75
   store double %467, ptr %55, align 8, !noalias !75
-  %708 = icmp sgt i64 %67, 0
-  br i1 %708, label %709, label %712
+  %707 = icmp sgt i64 %67, 0
+  br i1 %707, label %708, label %711
 
-709:                                              ; preds = %704
+708:                                              ; preds = %703
   store ptr null, ptr %6, align 8, !noalias !75
-  %710 = call fastcc i32 @_sample(ptr nonnull %6, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %467) #2
-  switch i32 %710, label %711 [
-    i32 -2, label %712
-    i32 0, label %712
+  %709 = call fastcc i32 @_sample(ptr nonnull %6, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %467) #2
+  switch i32 %709, label %710 [
+    i32 -2, label %711
+    i32 0, label %711
   ], !prof !35
 
-711:                                              ; preds = %709
-  br label %712
+710:                                              ; preds = %708
+  br label %711
 
-712:                                              ; preds = %709, %709, %704, %711
-  %713 = phi i32 [ %710, %711 ], [ 0, %704 ], [ 0, %709 ], [ 0, %709 ]
-  switch i32 %713, label %719 [
-    i32 -2, label %714
-    i32 0, label %714
+711:                                              ; preds = %708, %708, %703, %710
+  %712 = phi i32 [ %709, %710 ], [ 0, %703 ], [ 0, %708 ], [ 0, %708 ]
+  switch i32 %712, label %718 [
+    i32 -2, label %713
+    i32 0, label %713
   ], !prof !35
 
-714:                                              ; preds = %712, %712
-  %715 = load i64, ptr %52, align 8, !noalias !82
-  %716 = inttoptr i64 %715 to ptr
-  %717 = inttoptr i64 %236 to ptr
-  %718 = call i32 %716(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %717) #2, !noalias !82
-  br label %719
+713:                                              ; preds = %711, %711
+  %714 = load i64, ptr %52, align 8, !noalias !82
+  %715 = inttoptr i64 %714 to ptr
+  %716 = inttoptr i64 %236 to ptr
+  %717 = call i32 %715(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %716) #2, !noalias !82
+  br label %718
 
-719:                                              ; preds = %712, %714
-  %720 = phi i32 [ %718, %714 ], [ 0, %712 ]
-  %721 = phi i32 [ 0, %714 ], [ %713, %712 ]
-  switch i32 %721, label %1278 [
-    i32 -2, label %1275
-    i32 0, label %1275
+718:                                              ; preds = %711, %713
+  %719 = phi i32 [ %717, %713 ], [ 0, %711 ]
+  %720 = phi i32 [ 0, %713 ], [ %712, %711 ]
+  switch i32 %720, label %1298 [
+    i32 -2, label %1295
+    i32 0, label %1295
   ], !prof !35
 
-722:                                              ; preds = %1275
-  br label %1374
+721:                                              ; preds = %1295
+  br label %1394
 
-723:                                              ; preds = %1275, %693, %689, %520
-  %724 = phi i1 [ true, %520 ], [ false, %689 ], [ true, %693 ], [ true, %1275 ]
-  %725 = phi i64 [ %517, %520 ], [ 0, %689 ], [ 0, %693 ], [ %1276, %1275 ]
-  %726 = phi double [ 0.000000e+00, %520 ], [ %690, %689 ], [ %690, %693 ], [ %690, %1275 ]
-  %727 = icmp eq i64 %725, 0
-  %728 = and i1 %727, %724
-  br i1 %728, label %729, label %1127
+722:                                              ; preds = %1295, %697, %693, %689, %520
+  %723 = phi i1 [ true, %520 ], [ false, %689 ], [ true, %693 ], [ true, %697 ], [ true, %1295 ]
+  %724 = phi i64 [ %517, %520 ], [ 0, %689 ], [ 0, %693 ], [ 0, %697 ], [ %1296, %1295 ]
+  %725 = phi double [ 0.000000e+00, %520 ], [ %690, %689 ], [ %690, %693 ], [ %690, %697 ], [ %690, %1295 ]
+  %726 = phi i1 [ true, %520 ], [ true, %689 ], [ true, %693 ], [ false, %697 ], [ true, %1295 ]
+  %727 = icmp eq i64 %724, 0
+  %728 = and i1 %727, %723
+  %729 = and i1 %728, %726
+  br i1 %729, label %730, label %1141
 
-729:                                              ; preds = %723
-  %730 = load i64, ptr %430, align 8, !noalias !15
-  %731 = add nsw i64 %730, 1
-  store i64 %731, ptr %430, align 8, !noalias !15
+730:                                              ; preds = %722
+  %731 = load i64, ptr %430, align 8, !noalias !15
+  %732 = add nsw i64 %731, 1
+  store i64 %732, ptr %430, align 8, !noalias !15
   store double %467, ptr %139, align 8, !noalias !15
-  %732 = getelementptr i8, ptr %139, i64 32
-  store double %466, ptr %732, align 8, !noalias !15
-  %733 = getelementptr i8, ptr %194, i64 8
-  %734 = load i64, ptr %733, align 8, !noalias !15
-  %735 = icmp eq i64 %734, 0
-  br i1 %735, label %736, label %747
+  %733 = getelementptr i8, ptr %139, i64 32
+  store double %466, ptr %733, align 8, !noalias !15
+  %734 = getelementptr i8, ptr %194, i64 8
+  %735 = load i64, ptr %734, align 8, !noalias !15
+  %736 = icmp eq i64 %735, 0
+  br i1 %736, label %737, label %748
 
-736:                                              ; preds = %729
-  %737 = getelementptr i8, ptr %144, i64 48
-  %738 = load i64, ptr %737, align 8, !noalias !15
-  %739 = icmp slt i64 %738, 0
-  %740 = select i1 %739, i64 %148, i64 0
-  %741 = getelementptr double, ptr %149, i64 %738
-  %742 = getelementptr double, ptr %741, i64 %740
-  %743 = load double, ptr %742, align 8, !noalias !15
-  %744 = fcmp ult double %743, %467
-  br i1 %744, label %747, label %745
+737:                                              ; preds = %730
+  %738 = getelementptr i8, ptr %144, i64 48
+  %739 = load i64, ptr %738, align 8, !noalias !15
+  %740 = icmp slt i64 %739, 0
+  %741 = select i1 %740, i64 %148, i64 0
+  %742 = getelementptr double, ptr %149, i64 %739
+  %743 = getelementptr double, ptr %742, i64 %741
+  %744 = load double, ptr %743, align 8, !noalias !15
+  %745 = fcmp ult double %744, %467
+  br i1 %745, label %748, label %746
 
-745:                                              ; preds = %736
+746:                                              ; preds = %737
   store i8 0, ptr %22, align 1, !noalias !15
-  %746 = call fastcc i32 @write_reached(ptr nonnull %22, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %746, label %1279 [
-    i32 -2, label %1008
-    i32 0, label %1008
+  %747 = call fastcc i32 @write_reached(ptr nonnull %22, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
+  switch i32 %747, label %1299 [
+    i32 -2, label %1022
+    i32 0, label %1022
   ], !prof !35
 
-747:                                              ; preds = %736, %729
-  %748 = load i64, ptr %26, align 8, !noalias !15
-  %749 = getelementptr i8, ptr %26, i64 16
-  %750 = load i64, ptr %749, align 8, !noalias !15
-  %751 = call i64 @llvm.smax.i64(i64 %750, i64 0)
-  br label %752
+748:                                              ; preds = %737, %730
+  %749 = load i64, ptr %26, align 8, !noalias !15
+  %750 = getelementptr i8, ptr %26, i64 16
+  %751 = load i64, ptr %750, align 8, !noalias !15
+  %752 = call i64 @llvm.smax.i64(i64 %751, i64 0)
+  br label %753
 
-752:                                              ; preds = %1327, %747
-  %753 = phi i64 [ %748, %747 ], [ %755, %1327 ]
-  %754 = phi i64 [ %751, %747 ], [ %1328, %1327 ]
-  %755 = add i64 %753, 1
-  %756 = icmp sgt i64 %754, 0
-  br i1 %756, label %1280, label %761
+753:                                              ; preds = %1347, %748
+  %754 = phi i64 [ %749, %748 ], [ %756, %1347 ]
+  %755 = phi i64 [ %752, %748 ], [ %1348, %1347 ]
+  %756 = add i64 %754, 1
+  %757 = icmp sgt i64 %755, 0
+  br i1 %757, label %1300, label %762
 
-757:                                              ; preds = %1327
-  %758 = getelementptr i8, ptr %144, i64 72
-  store i64 3, ptr %758, align 8, !noalias !15
-  %759 = icmp slt i32 %1325, 0
-  %760 = select i1 %759, i64 -4, i64 2
-  br label %1374
+758:                                              ; preds = %1347
+  %759 = getelementptr i8, ptr %144, i64 72
+  store i64 3, ptr %759, align 8, !noalias !15
+  %760 = icmp slt i32 %1345, 0
+  %761 = select i1 %760, i64 -4, i64 2
+  br label %1394
 
-761:                                              ; preds = %752
-  %762 = load i64, ptr %150, align 8, !noalias !83
-  %763 = load i64, ptr %26, align 8, !noalias !83
-  %764 = mul nsw i64 %763, %86
-  %765 = icmp slt i64 %764, 0
-  %766 = select i1 %765, i64 %118, i64 0
-  %767 = add i64 %764, %766
-  %768 = icmp slt i64 %767, 0
-  br i1 %768, label %787, label %788, !prof !4
+762:                                              ; preds = %753
+  %763 = load i64, ptr %150, align 8, !noalias !83
+  %764 = load i64, ptr %26, align 8, !noalias !83
+  %765 = mul nsw i64 %764, %86
+  %766 = icmp slt i64 %765, 0
+  %767 = select i1 %766, i64 %118, i64 0
+  %768 = add i64 %765, %767
+  %769 = icmp slt i64 %768, 0
+  br i1 %769, label %788, label %789, !prof !4
 
-769:                                              ; preds = %815, %819
-  %770 = phi i64 [ 0, %815 ], [ %821, %819 ]
-  %771 = phi i64 [ %818, %815 ], [ %820, %819 ]
-  %772 = icmp sgt i64 %771, 0
-  br i1 %772, label %819, label %773
+770:                                              ; preds = %816, %820
+  %771 = phi i64 [ 0, %816 ], [ %822, %820 ]
+  %772 = phi i64 [ %819, %816 ], [ %821, %820 ]
+  %773 = icmp sgt i64 %772, 0
+  br i1 %773, label %820, label %774
 
-773:                                              ; preds = %769
-  %774 = add nsw i64 %763, 1
-  %775 = load i64, ptr %231, align 8, !noalias !83
-  %776 = add nsw i64 %774, %775
-  %777 = load i64, ptr %749, align 8, !noalias !83
-  %778 = add nsw i64 %776, %777
-  %779 = getelementptr i8, ptr %26, i64 24
-  %780 = load i64, ptr %779, align 8, !noalias !83
-  %781 = add i64 %780, -3
-  %782 = call i64 @llvm.smax.i64(i64 %781, i64 0)
-  br label %783
+774:                                              ; preds = %770
+  %775 = add nsw i64 %764, 1
+  %776 = load i64, ptr %231, align 8, !noalias !83
+  %777 = add nsw i64 %775, %776
+  %778 = load i64, ptr %750, align 8, !noalias !83
+  %779 = add nsw i64 %777, %778
+  %780 = getelementptr i8, ptr %26, i64 24
+  %781 = load i64, ptr %780, align 8, !noalias !83
+  %782 = add i64 %781, -3
+  %783 = call i64 @llvm.smax.i64(i64 %782, i64 0)
+  br label %784
 
-783:                                              ; preds = %773, %839
-  %784 = phi i64 [ 3, %773 ], [ %841, %839 ]
-  %785 = phi i64 [ %782, %773 ], [ %840, %839 ]
-  %786 = icmp sgt i64 %785, 0
-  br i1 %786, label %839, label %1331
+784:                                              ; preds = %774, %840
+  %785 = phi i64 [ 3, %774 ], [ %842, %840 ]
+  %786 = phi i64 [ %783, %774 ], [ %841, %840 ]
+  %787 = icmp sgt i64 %786, 0
+  br i1 %787, label %840, label %1351
 
-787:                                              ; preds = %761
-  br label %788
+788:                                              ; preds = %762
+  br label %789
 
-788:                                              ; preds = %787, %761
-  %789 = phi i64 [ 0, %787 ], [ %767, %761 ]
-  %790 = icmp slt i64 %767, %118
-  br i1 %790, label %792, label %791, !prof !8
+789:                                              ; preds = %788, %762
+  %790 = phi i64 [ 0, %788 ], [ %768, %762 ]
+  %791 = icmp slt i64 %768, %118
+  br i1 %791, label %793, label %792, !prof !8
 
-791:                                              ; preds = %788
-  br label %792
+792:                                              ; preds = %789
+  br label %793
 
-792:                                              ; preds = %791, %788
-  %793 = phi i64 [ %118, %791 ], [ %789, %788 ]
-  %794 = getelementptr double, ptr %119, i64 %793
-  %795 = icmp slt i64 %86, 0
-  %796 = select i1 %795, i64 %123, i64 0
-  %797 = add i64 %86, %796
-  %798 = icmp slt i64 %797, 0
-  br i1 %798, label %799, label %800, !prof !4
+793:                                              ; preds = %792, %789
+  %794 = phi i64 [ %118, %792 ], [ %790, %789 ]
+  %795 = getelementptr double, ptr %119, i64 %794
+  %796 = icmp slt i64 %86, 0
+  %797 = select i1 %796, i64 %123, i64 0
+  %798 = add i64 %86, %797
+  %799 = icmp slt i64 %798, 0
+  br i1 %799, label %800, label %801, !prof !4
 
-799:                                              ; preds = %792
-  br label %800
+800:                                              ; preds = %793
+  br label %801
 
-800:                                              ; preds = %799, %792
-  %801 = phi i64 [ 0, %799 ], [ %797, %792 ]
-  %802 = icmp slt i64 %797, %123
-  br i1 %802, label %804, label %803, !prof !8
+801:                                              ; preds = %800, %793
+  %802 = phi i64 [ 0, %800 ], [ %798, %793 ]
+  %803 = icmp slt i64 %798, %123
+  br i1 %803, label %805, label %804, !prof !8
 
-803:                                              ; preds = %800
-  br label %804
+804:                                              ; preds = %801
+  br label %805
 
-804:                                              ; preds = %803, %800
-  %805 = phi i64 [ %123, %803 ], [ %801, %800 ]
-  %806 = getelementptr double, ptr %124, i64 %805
-  %807 = shl nsw i64 %86, 1
-  %808 = add i64 %807, %796
-  %809 = icmp slt i64 %808, 0
-  br i1 %809, label %810, label %811, !prof !4
+805:                                              ; preds = %804, %801
+  %806 = phi i64 [ %123, %804 ], [ %802, %801 ]
+  %807 = getelementptr double, ptr %124, i64 %806
+  %808 = shl nsw i64 %86, 1
+  %809 = add i64 %808, %797
+  %810 = icmp slt i64 %809, 0
+  br i1 %810, label %811, label %812, !prof !4
 
-810:                                              ; preds = %804
-  br label %811
+811:                                              ; preds = %805
+  br label %812
 
-811:                                              ; preds = %810, %804
-  %812 = phi i64 [ 0, %810 ], [ %808, %804 ]
-  %813 = icmp slt i64 %808, %123
-  br i1 %813, label %815, label %814, !prof !8
+812:                                              ; preds = %811, %805
+  %813 = phi i64 [ 0, %811 ], [ %809, %805 ]
+  %814 = icmp slt i64 %809, %123
+  br i1 %814, label %816, label %815, !prof !8
 
-814:                                              ; preds = %811
-  br label %815
+815:                                              ; preds = %812
+  br label %816
 
-815:                                              ; preds = %814, %811
-  %816 = phi i64 [ %123, %814 ], [ %812, %811 ]
-  %817 = getelementptr double, ptr %124, i64 %816
-  %818 = call i64 @llvm.smax.i64(i64 %762, i64 0)
-  br label %769
+816:                                              ; preds = %815, %812
+  %817 = phi i64 [ %123, %815 ], [ %813, %812 ]
+  %818 = getelementptr double, ptr %124, i64 %817
+  %819 = call i64 @llvm.smax.i64(i64 %763, i64 0)
+  br label %770
 
-819:                                              ; preds = %769
-  %820 = add nsw i64 %771, -1
-  %821 = add i64 %770, 1
-  %822 = getelementptr double, ptr %92, i64 %770
-  %823 = load double, ptr %822, align 8, !noalias !83
-  %824 = getelementptr double, ptr %87, i64 %770
-  %825 = load double, ptr %824, align 8, !noalias !83
-  %826 = fsub double %823, %825
-  %827 = getelementptr double, ptr %119, i64 %770
-  %828 = load double, ptr %827, align 8, !noalias !83
-  %829 = fmul double %466, %828
-  %830 = fsub double %829, %826
-  %831 = getelementptr double, ptr %124, i64 %770
-  store double %826, ptr %831, align 8, !noalias !83
-  %832 = getelementptr double, ptr %806, i64 %770
-  store double %830, ptr %832, align 8, !noalias !83
-  %833 = fsub double %826, %830
-  %834 = getelementptr double, ptr %794, i64 %770
-  %835 = load double, ptr %834, align 8, !noalias !83
-  %836 = fmul double %466, %835
-  %837 = fsub double %833, %836
-  %838 = getelementptr double, ptr %817, i64 %770
-  store double %837, ptr %838, align 8, !noalias !83
-  br label %769
+820:                                              ; preds = %770
+  %821 = add nsw i64 %772, -1
+  %822 = add i64 %771, 1
+  %823 = getelementptr double, ptr %92, i64 %771
+  %824 = load double, ptr %823, align 8, !noalias !83
+  %825 = getelementptr double, ptr %87, i64 %771
+  %826 = load double, ptr %825, align 8, !noalias !83
+  %827 = fsub double %824, %826
+  %828 = getelementptr double, ptr %119, i64 %771
+  %829 = load double, ptr %828, align 8, !noalias !83
+  %830 = fmul double %466, %829
+  %831 = fsub double %830, %827
+  %832 = getelementptr double, ptr %124, i64 %771
+  store double %827, ptr %832, align 8, !noalias !83
+  %833 = getelementptr double, ptr %807, i64 %771
+  store double %831, ptr %833, align 8, !noalias !83
+  %834 = fsub double %827, %831
+  %835 = getelementptr double, ptr %795, i64 %771
+  %836 = load double, ptr %835, align 8, !noalias !83
+  %837 = fmul double %466, %836
+  %838 = fsub double %834, %837
+  %839 = getelementptr double, ptr %818, i64 %771
+  store double %838, ptr %839, align 8, !noalias !83
+  br label %770
 
-839:                                              ; preds = %783
-  %840 = add nsw i64 %785, -1
-  %841 = add i64 %784, 1
-  %842 = mul nsw i64 %784, %86
-  %843 = shl i64 %842, 3
-  %844 = add i64 %843, %121
-  %845 = add nsw i64 %778, %784
-  %846 = getelementptr i8, ptr %52, i64 16
-  %847 = load i64, ptr %846, align 8, !noalias !87
-  %848 = icmp slt i64 %845, 3
-  %849 = select i1 %848, i64 %30, i64 0
-  %850 = getelementptr i64, ptr %31, i64 %845
-  %851 = getelementptr i8, ptr %850, i64 -24
-  %852 = getelementptr i64, ptr %851, i64 %849
-  %853 = load i64, ptr %852, align 8, !noalias !91
-  %854 = shl i64 %853, 3
-  %855 = add i64 %854, %33
-  %856 = add i64 %854, %38
-  %857 = icmp slt i64 %845, 2
-  %858 = select i1 %857, i64 %30, i64 0
-  %859 = getelementptr i8, ptr %850, i64 -16
-  %860 = getelementptr i64, ptr %859, i64 %858
-  %861 = load i64, ptr %860, align 8, !noalias !91
-  %862 = xor i64 %853, -1
-  %863 = add i64 %861, %862
-  call fastcc void @pydy_combine(i64 %844, i64 %109, i64 %99, i64 %116, i64 %855, i64 %856, i64 %863, i64 1, i64 %847) #2, !noalias !91
-  br label %783
+840:                                              ; preds = %784
+  %841 = add nsw i64 %786, -1
+  %842 = add i64 %785, 1
+  %843 = mul nsw i64 %785, %86
+  %844 = shl i64 %843, 3
+  %845 = add i64 %844, %121
+  %846 = add nsw i64 %779, %785
+  %847 = getelementptr i8, ptr %52, i64 16
+  %848 = load i64, ptr %847, align 8, !noalias !87
+  %849 = icmp slt i64 %846, 3
+  %850 = select i1 %849, i64 %30, i64 0
+  %851 = getelementptr i64, ptr %31, i64 %846
+  %852 = getelementptr i8, ptr %851, i64 -24
+  %853 = getelementptr i64, ptr %852, i64 %850
+  %854 = load i64, ptr %853, align 8, !noalias !91
+  %855 = shl i64 %854, 3
+  %856 = add i64 %855, %33
+  %857 = add i64 %855, %38
+  %858 = icmp slt i64 %846, 2
+  %859 = select i1 %858, i64 %30, i64 0
+  %860 = getelementptr i8, ptr %851, i64 -16
+  %861 = getelementptr i64, ptr %860, i64 %859
+  %862 = load i64, ptr %861, align 8, !noalias !91
+  %863 = xor i64 %854, -1
+  %864 = add i64 %862, %863
+  call fastcc void @pydy_combine(i64 %845, i64 %109, i64 %99, i64 %116, i64 %856, i64 %857, i64 %864, i64 1, i64 %848) #2, !noalias !91
+  br label %784
 
-864:                                              ; preds = %1331
-  %865 = getelementptr i8, ptr %194, i64 16
-  %866 = load i64, ptr %865, align 8, !noalias !15
-  %867 = inttoptr i64 %866 to ptr
-  %868 = call i64 %867(i64 %0, double %424, double %466) #2, !noalias !15
-  %869 = getelementptr i8, ptr %139, i64 48
-  %870 = load double, ptr %869, align 8, !noalias !15
-  br label %871
+865:                                              ; preds = %1351
+  %866 = getelementptr i8, ptr %194, i64 16
+  %867 = load i64, ptr %866, align 8, !noalias !15
+  %868 = inttoptr i64 %867 to ptr
+  %869 = call i64 %868(i64 %0, double %424, double %466) #2, !noalias !15
+  %870 = getelementptr i8, ptr %139, i64 48
+  %871 = load double, ptr %870, align 8, !noalias !15
+  br label %872
 
-871:                                              ; preds = %864, %1331
-  %872 = phi double [ %870, %864 ], [ 1.000000e+00, %1331 ]
-  %873 = phi i64 [ %868, %864 ], [ 0, %1331 ]
-  %874 = fcmp oeq double %872, 1.000000e+00
-  br i1 %874, label %875, label %877
+872:                                              ; preds = %865, %1351
+  %873 = phi double [ %871, %865 ], [ 1.000000e+00, %1351 ]
+  %874 = phi i64 [ %869, %865 ], [ 0, %1351 ]
+  %875 = fcmp oeq double %873, 1.000000e+00
+  br i1 %875, label %876, label %878
 
-875:                                              ; preds = %871
-  %876 = load double, ptr %139, align 8, !noalias !15
-  br label %880
+876:                                              ; preds = %872
+  %877 = load double, ptr %139, align 8, !noalias !15
+  br label %881
 
-877:                                              ; preds = %871
-  %878 = fmul double %872, %466
-  %879 = fadd double %424, %878
-  br label %880
+878:                                              ; preds = %872
+  %879 = fmul double %873, %466
+  %880 = fadd double %424, %879
+  br label %881
 
-880:                                              ; preds = %877, %875
-  %881 = phi double [ %876, %875 ], [ %879, %877 ]
-  %882 = fcmp olt double %872, 1.000000e+00
-  %883 = load i64, ptr %150, align 8, !noalias !15
-  %884 = load i64, ptr %191, align 8, !noalias !15
-  %885 = icmp eq i64 %884, 1
-  %886 = getelementptr i8, ptr %144, i64 48
-  %887 = load i64, ptr %886, align 8, !noalias !15
-  %888 = icmp slt i64 %887, %148
-  br i1 %888, label %889, label %932
+881:                                              ; preds = %878, %876
+  %882 = phi double [ %877, %876 ], [ %880, %878 ]
+  %883 = fcmp olt double %873, 1.000000e+00
+  %884 = load i64, ptr %150, align 8, !noalias !15
+  %885 = load i64, ptr %191, align 8, !noalias !15
+  %886 = icmp eq i64 %885, 1
+  %887 = getelementptr i8, ptr %144, i64 48
+  %888 = load i64, ptr %887, align 8, !noalias !15
+  %889 = icmp slt i64 %888, %148
+  br i1 %889, label %890, label %933
 
-889:                                              ; preds = %880
-  %890 = icmp slt i64 %887, 0
-  %891 = select i1 %890, i64 %148, i64 0
-  %892 = getelementptr double, ptr %149, i64 %887
-  %893 = getelementptr double, ptr %892, i64 %891
-  %894 = load double, ptr %893, align 8, !noalias !15
-  %895 = fcmp olt double %894, %881
-  %896 = fcmp oeq double %894, %881
-  %897 = and i1 %896, %882
-  %898 = or i1 %895, %897
-  br i1 %898, label %899, label %932
+890:                                              ; preds = %881
+  %891 = icmp slt i64 %888, 0
+  %892 = select i1 %891, i64 %148, i64 0
+  %893 = getelementptr double, ptr %149, i64 %888
+  %894 = getelementptr double, ptr %893, i64 %892
+  %895 = load double, ptr %894, align 8, !noalias !15
+  %896 = fcmp olt double %895, %882
+  %897 = fcmp oeq double %895, %882
+  %898 = and i1 %897, %883
+  %899 = or i1 %896, %898
+  br i1 %899, label %900, label %933
 
-899:                                              ; preds = %922, %889
-  %900 = phi i64 [ %887, %889 ], [ %920, %922 ]
-  %901 = icmp slt i64 %900, 0
-  %902 = select i1 %901, i64 %148, i64 0
-  %903 = getelementptr double, ptr %149, i64 %900
-  %904 = getelementptr double, ptr %903, i64 %902
-  %905 = load double, ptr %904, align 8, !noalias !15
-  %906 = fsub double %905, %424
-  %907 = fdiv double %906, %466
-  %908 = mul nsw i64 %900, %883
-  %909 = shl i64 %908, 3
-  %910 = add i64 %909, %1
-  %911 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %1334
+900:                                              ; preds = %923, %890
+  %901 = phi i64 [ %888, %890 ], [ %921, %923 ]
+  %902 = icmp slt i64 %901, 0
+  %903 = select i1 %902, i64 %148, i64 0
+  %904 = getelementptr double, ptr %149, i64 %901
+  %905 = getelementptr double, ptr %904, i64 %903
+  %906 = load double, ptr %905, align 8, !noalias !15
+  %907 = fsub double %906, %424
+  %908 = fdiv double %907, %466
+  %909 = mul nsw i64 %901, %884
+  %910 = shl i64 %909, 3
+  %911 = add i64 %910, %1
+  %912 = call i64 @llvm.smax.i64(i64 %106, i64 0)
+  br label %1354
 
-912:                                              ; preds = %1338
-  %913 = getelementptr i8, ptr %191, i64 56
-  %914 = load i64, ptr %913, align 8, !noalias !15
-  %915 = load double, ptr %904, align 8, !noalias !15
-  %916 = inttoptr i64 %914 to ptr
-  %917 = call i64 %916(i64 %0, double %915, i64 %910) #2, !noalias !15
-  %918 = icmp eq i64 %917, 0
-  br i1 %918, label %919, label %934
+913:                                              ; preds = %1358
+  %914 = getelementptr i8, ptr %191, i64 56
+  %915 = load i64, ptr %914, align 8, !noalias !15
+  %916 = load double, ptr %905, align 8, !noalias !15
+  %917 = inttoptr i64 %915 to ptr
+  %918 = call i64 %917(i64 %0, double %916, i64 %911) #2, !noalias !15
+  %919 = icmp eq i64 %918, 0
+  br i1 %919, label %920, label %935
 
-919:                                              ; preds = %1338, %912
-  %920 = add nsw i64 %900, 1
-  %921 = icmp slt i64 %920, %148
-  br i1 %921, label %922, label %932
+920:                                              ; preds = %1358, %913
+  %921 = add nsw i64 %901, 1
+  %922 = icmp slt i64 %921, %148
+  br i1 %922, label %923, label %933
 
-922:                                              ; preds = %919
-  %923 = icmp slt i64 %900, -1
-  %924 = select i1 %923, i64 %148, i64 0
-  %925 = getelementptr double, ptr %149, i64 %920
-  %926 = getelementptr double, ptr %925, i64 %924
-  %927 = load double, ptr %926, align 8, !noalias !15
-  %928 = fcmp olt double %927, %881
-  %929 = fcmp oeq double %927, %881
-  %930 = and i1 %929, %882
-  %931 = or i1 %928, %930
-  br i1 %931, label %899, label %932
+923:                                              ; preds = %920
+  %924 = icmp slt i64 %901, -1
+  %925 = select i1 %924, i64 %148, i64 0
+  %926 = getelementptr double, ptr %149, i64 %921
+  %927 = getelementptr double, ptr %926, i64 %925
+  %928 = load double, ptr %927, align 8, !noalias !15
+  %929 = fcmp olt double %928, %882
+  %930 = fcmp oeq double %928, %882
+  %931 = and i1 %930, %883
+  %932 = or i1 %929, %931
+  br i1 %932, label %900, label %933
 
-932:                                              ; preds = %922, %889, %919, %880
-  %933 = phi i64 [ %887, %889 ], [ %920, %922 ], [ %920, %919 ], [ %887, %880 ]
-  store i64 %933, ptr %886, align 8, !noalias !15
-  br label %934
+933:                                              ; preds = %923, %890, %920, %881
+  %934 = phi i64 [ %888, %890 ], [ %921, %923 ], [ %921, %920 ], [ %888, %881 ]
+  store i64 %934, ptr %887, align 8, !noalias !15
+  br label %935
 
-934:                                              ; preds = %912, %932
-  %935 = phi i1 [ true, %932 ], [ false, %912 ]
-  %936 = phi i64 [ 0, %932 ], [ %917, %912 ]
-  %937 = icmp ne i64 %873, 0
-  %938 = select i1 %935, i1 %937, i1 false
-  %939 = and i1 %938, %882
-  br i1 %939, label %940, label %978
+935:                                              ; preds = %913, %933
+  %936 = phi i1 [ true, %933 ], [ false, %913 ]
+  %937 = phi i64 [ 0, %933 ], [ %918, %913 ]
+  %938 = icmp ne i64 %874, 0
+  %939 = select i1 %936, i1 %938, i1 false
+  %940 = and i1 %939, %883
+  br i1 %940, label %941, label %979
 
-940:                                              ; preds = %934
-  %941 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %942
+941:                                              ; preds = %935
+  %942 = call i64 @llvm.smax.i64(i64 %106, i64 0)
+  br label %943
 
-942:                                              ; preds = %940, %966
-  %943 = phi i64 [ 0, %940 ], [ %968, %966 ]
-  %944 = phi i64 [ %941, %940 ], [ %967, %966 ]
-  %945 = icmp sgt i64 %944, 0
-  br i1 %945, label %966, label %946
+943:                                              ; preds = %941, %967
+  %944 = phi i64 [ 0, %941 ], [ %969, %967 ]
+  %945 = phi i64 [ %942, %941 ], [ %968, %967 ]
+  %946 = icmp sgt i64 %945, 0
+  br i1 %946, label %967, label %947
 
-946:                                              ; preds = %942
-  %947 = load i64, ptr %779, align 8, !noalias !94
-  %948 = getelementptr i8, ptr %52, i64 16
-  %949 = load i64, ptr %948, align 8, !noalias !94
-  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %947, i64 %104, i64 %949) #2, !noalias !94
-  %950 = call i64 @llvm.smax.i64(i64 %91, i64 0)
-  br label %951
+947:                                              ; preds = %943
+  %948 = load i64, ptr %780, align 8, !noalias !94
+  %949 = getelementptr i8, ptr %52, i64 16
+  %950 = load i64, ptr %949, align 8, !noalias !94
+  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %948, i64 %104, i64 %950) #2, !noalias !94
+  %951 = call i64 @llvm.smax.i64(i64 %91, i64 0)
+  br label %952
 
-951:                                              ; preds = %955, %946
-  %952 = phi i64 [ 0, %946 ], [ %957, %955 ]
-  %953 = phi i64 [ %950, %946 ], [ %956, %955 ]
-  %954 = icmp sgt i64 %953, 0
-  br i1 %954, label %955, label %1349
+952:                                              ; preds = %956, %947
+  %953 = phi i64 [ 0, %947 ], [ %958, %956 ]
+  %954 = phi i64 [ %951, %947 ], [ %957, %956 ]
+  %955 = icmp sgt i64 %954, 0
+  br i1 %955, label %956, label %1369
 
-955:                                              ; preds = %951
-  %956 = add nsw i64 %953, -1
-  %957 = add i64 %952, 1
-  %958 = icmp slt i64 %952, 0
-  %959 = select i1 %958, i64 %96, i64 0
-  %960 = getelementptr double, ptr %97, i64 %952
-  %961 = getelementptr double, ptr %960, i64 %959
-  %962 = load double, ptr %961, align 8, !noalias !98
-  %963 = select i1 %958, i64 %91, i64 0
-  %964 = getelementptr double, ptr %92, i64 %952
-  %965 = getelementptr double, ptr %964, i64 %963
-  store double %962, ptr %965, align 8, !noalias !98
-  br label %951
+956:                                              ; preds = %952
+  %957 = add nsw i64 %954, -1
+  %958 = add i64 %953, 1
+  %959 = icmp slt i64 %953, 0
+  %960 = select i1 %959, i64 %96, i64 0
+  %961 = getelementptr double, ptr %97, i64 %953
+  %962 = getelementptr double, ptr %961, i64 %960
+  %963 = load double, ptr %962, align 8, !noalias !98
+  %964 = select i1 %959, i64 %91, i64 0
+  %965 = getelementptr double, ptr %92, i64 %953
+  %966 = getelementptr double, ptr %965, i64 %964
+  store double %963, ptr %966, align 8, !noalias !98
+  br label %952
 
-966:                                              ; preds = %942
-  %967 = add nsw i64 %944, -1
-  %968 = add i64 %943, 1
-  %969 = icmp slt i64 %943, 0
-  %970 = select i1 %969, i64 %106, i64 0
-  %971 = getelementptr double, ptr %107, i64 %943
-  %972 = getelementptr double, ptr %971, i64 %970
-  store double %872, ptr %972, align 8, !noalias !94
-  br label %942
+967:                                              ; preds = %943
+  %968 = add nsw i64 %945, -1
+  %969 = add i64 %944, 1
+  %970 = icmp slt i64 %944, 0
+  %971 = select i1 %970, i64 %106, i64 0
+  %972 = getelementptr double, ptr %107, i64 %944
+  %973 = getelementptr double, ptr %972, i64 %971
+  store double %873, ptr %973, align 8, !noalias !94
+  br label %943
 
-973:                                              ; preds = %1349
-  %974 = getelementptr i8, ptr %191, i64 56
-  %975 = load i64, ptr %974, align 8, !noalias !15
-  %976 = inttoptr i64 %975 to ptr
-  %977 = call i64 %976(i64 %0, double %881, i64 %89) #2, !noalias !15
-  br label %978
+974:                                              ; preds = %1369
+  %975 = getelementptr i8, ptr %191, i64 56
+  %976 = load i64, ptr %975, align 8, !noalias !15
+  %977 = inttoptr i64 %976 to ptr
+  %978 = call i64 %977(i64 %0, double %882, i64 %89) #2, !noalias !15
+  br label %979
 
-978:                                              ; preds = %1349, %973, %934
-  %979 = phi i64 [ %977, %973 ], [ 0, %1349 ], [ %936, %934 ]
-  %980 = icmp eq i64 %979, 0
-  br i1 %980, label %982, label %981
+979:                                              ; preds = %1369, %974, %935
+  %980 = phi i64 [ %978, %974 ], [ 0, %1369 ], [ %937, %935 ]
+  %981 = icmp eq i64 %980, 0
+  br i1 %981, label %983, label %982
 
-981:                                              ; preds = %978
+982:                                              ; preds = %979
   store double %424, ptr %139, align 8, !noalias !15
   store double %466, ptr %243, align 8, !noalias !15
-  br label %1004
+  br label %1005
 
-982:                                              ; preds = %978
-  br i1 %874, label %983, label %985
+983:                                              ; preds = %979
+  br i1 %875, label %984, label %986
 
-983:                                              ; preds = %982
+984:                                              ; preds = %983
   store i8 0, ptr %23, align 1, !noalias !15
-  %984 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %984, label %1352 [
-    i32 -2, label %985
-    i32 0, label %985
+  %985 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
+  switch i32 %985, label %1372 [
+    i32 -2, label %986
+    i32 0, label %986
   ], !prof !35
 
-985:                                              ; preds = %983, %983, %982
-  %986 = icmp eq i64 %873, 0
-  br i1 %986, label %1004, label %987
+986:                                              ; preds = %984, %984, %983
+  %987 = icmp eq i64 %874, 0
+  br i1 %987, label %1005, label %988
 
-987:                                              ; preds = %985
-  %988 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %989
+988:                                              ; preds = %986
+  %989 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %990
 
-989:                                              ; preds = %993, %987
-  %990 = phi i64 [ 0, %987 ], [ %995, %993 ]
-  %991 = phi i64 [ %988, %987 ], [ %994, %993 ]
-  %992 = icmp sgt i64 %991, 0
-  br i1 %992, label %993, label %1353
+990:                                              ; preds = %994, %988
+  %991 = phi i64 [ 0, %988 ], [ %996, %994 ]
+  %992 = phi i64 [ %989, %988 ], [ %995, %994 ]
+  %993 = icmp sgt i64 %992, 0
+  br i1 %993, label %994, label %1373
 
-993:                                              ; preds = %989
-  %994 = add nsw i64 %991, -1
-  %995 = add i64 %990, 1
-  %996 = icmp slt i64 %990, 0
-  %997 = select i1 %996, i64 %91, i64 0
-  %998 = getelementptr double, ptr %92, i64 %990
-  %999 = getelementptr double, ptr %998, i64 %997
-  %1000 = load double, ptr %999, align 8, !noalias !101
-  %1001 = select i1 %996, i64 %86, i64 0
-  %1002 = getelementptr double, ptr %87, i64 %990
-  %1003 = getelementptr double, ptr %1002, i64 %1001
-  store double %1000, ptr %1003, align 8, !noalias !101
-  br label %989
+994:                                              ; preds = %990
+  %995 = add nsw i64 %992, -1
+  %996 = add i64 %991, 1
+  %997 = icmp slt i64 %991, 0
+  %998 = select i1 %997, i64 %91, i64 0
+  %999 = getelementptr double, ptr %92, i64 %991
+  %1000 = getelementptr double, ptr %999, i64 %998
+  %1001 = load double, ptr %1000, align 8, !noalias !101
+  %1002 = select i1 %997, i64 %86, i64 0
+  %1003 = getelementptr double, ptr %87, i64 %991
+  %1004 = getelementptr double, ptr %1003, i64 %1002
+  store double %1001, ptr %1004, align 8, !noalias !101
+  br label %990
 
-1004:                                             ; preds = %985, %1353, %981
-  %1005 = phi i1 [ false, %981 ], [ false, %1353 ], [ true, %985 ]
-  %1006 = phi i64 [ %979, %981 ], [ %873, %1353 ], [ 0, %985 ]
-  br i1 %1005, label %1008, label %1007
+1005:                                             ; preds = %986, %1373, %982
+  %1006 = phi i1 [ false, %982 ], [ false, %1373 ], [ true, %986 ]
+  %1007 = phi i64 [ %980, %982 ], [ %874, %1373 ], [ 0, %986 ]
+  %1008 = icmp ne i64 %1007, 6
+  %1009 = select i1 %1008, i1 true, i1 %233
+  br i1 %1009, label %1020, label %1010
 
-1007:                                             ; preds = %1004
-  br label %1374
+1010:                                             ; preds = %1005
+  %1011 = load i64, ptr %734, align 8, !noalias !15
+  %1012 = icmp eq i64 %1011, 0
+  br i1 %1012, label %1013, label %1020
 
-1008:                                             ; preds = %745, %745, %1004
-  br i1 %233, label %1009, label %1116
+1013:                                             ; preds = %1010
+  %1014 = load i64, ptr %430, align 8, !noalias !15
+  %1015 = add nsw i64 %1014, -1
+  store i64 %1015, ptr %430, align 8, !noalias !15
+  %1016 = load i64, ptr %432, align 8, !noalias !15
+  %1017 = add nsw i64 %1016, 1
+  store i64 %1017, ptr %432, align 8, !noalias !15
+  %1018 = getelementptr i8, ptr %144, i64 72
+  store i64 6, ptr %1018, align 8, !noalias !15
+  %1019 = getelementptr i8, ptr %139, i64 40
+  store double 1.000000e+00, ptr %1019, align 8, !noalias !15
+  br label %1206
 
-1009:                                             ; preds = %1008
-  %1010 = getelementptr i8, ptr %139, i64 40
-  %1011 = load double, ptr %1010, align 8, !noalias !15
-  %1012 = getelementptr i8, ptr %49, i64 24
-  %1013 = load double, ptr %1012, align 8, !noalias !104
-  %1014 = fcmp ogt double %726, 1.000000e-10
-  %1015 = select i1 %1014, double %726, double 1.000000e-10
-  %1016 = getelementptr i8, ptr %49, i64 8
-  %1017 = load double, ptr %1016, align 8, !noalias !104
-  %1018 = fneg double %1017
-  %1019 = bitcast double %1015 to i64
-  %1020 = add nsw i64 %1019, -4604544271217802189
-  %1021 = ashr i64 %1020, 52
-  %1022 = and i64 %1020, -4503599627370496
-  %1023 = sub i64 %1019, %1022
-  %1024 = bitcast i64 %1023 to double
-  %1025 = fadd double %1024, -1.000000e+00
-  %1026 = fadd double %1024, 1.000000e+00
-  %1027 = fdiv double %1025, %1026
-  %1028 = fmul double %1027, %1027
-  %1029 = call double @llvm.fma.f64(double %1028, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1030 = call double @llvm.fma.f64(double %1029, double %1028, double 0x3FE2776C50EF9BFE)
-  %1031 = call double @llvm.fma.f64(double %1030, double %1028, double 0x3FEEC709DC3A03FD)
-  %1032 = call double @llvm.fma.f64(double %1031, double %1028, double 0x40071547652B82FE)
-  %1033 = fmul double %1032, %1027
-  %1034 = trunc nsw i64 %1021 to i32
-  %1035 = sitofp i32 %1034 to double
-  %1036 = fadd double %1033, %1035
-  %1037 = fmul double %1036, %1018
-  %1038 = fcmp ogt double %1037, -1.000000e+03
-  %1039 = select i1 %1038, double %1037, double -1.000000e+03
-  %1040 = fcmp olt double %1039, 1.000000e+03
-  %1041 = select i1 %1040, double %1039, double 1.000000e+03
-  %1042 = call double @llvm.rint.f64(double %1041)
-  %1043 = fsub double %1041, %1042
-  %1044 = call double @llvm.fma.f64(double %1043, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1045 = call double @llvm.fma.f64(double %1044, double %1043, double 0x3F55D87FE78A6730)
-  %1046 = call double @llvm.fma.f64(double %1045, double %1043, double 0x3F83B2AB6FBA4E77)
-  %1047 = call double @llvm.fma.f64(double %1046, double %1043, double 0x3FAC6B08D704A0BF)
-  %1048 = call double @llvm.fma.f64(double %1047, double %1043, double 0x3FCEBFBDFF82C58E)
-  %1049 = call double @llvm.fma.f64(double %1048, double %1043, double 0x3FE62E42FEFA39EF)
-  %1050 = call double @llvm.fma.f64(double %1049, double %1043, double 1.000000e+00)
-  %1051 = fptosi double %1042 to i32
-  %1052 = zext i32 %1051 to i64
-  %1053 = shl i64 %1052, 52
-  %1054 = bitcast double %1050 to i64
-  %1055 = add i64 %1053, %1054
-  %1056 = bitcast i64 %1055 to double
-  %1057 = fmul double %1013, %1056
-  %1058 = getelementptr i8, ptr %49, i64 16
-  %1059 = load double, ptr %1058, align 8, !noalias !104
-  %1060 = fcmp une double %1059, 0.000000e+00
-  br i1 %1060, label %1061, label %1102
+1020:                                             ; preds = %1005, %1010
+  br i1 %1006, label %1022, label %1021
 
-1061:                                             ; preds = %1009
-  %1062 = getelementptr i8, ptr %139, i64 24
-  %1063 = load i64, ptr %1062, align 8, !noalias !15
-  %1064 = add i64 %1063, -4604544271217802189
-  %1065 = ashr i64 %1064, 52
-  %1066 = and i64 %1064, -4503599627370496
-  %1067 = sub i64 %1063, %1066
-  %1068 = bitcast i64 %1067 to double
-  %1069 = fadd double %1068, -1.000000e+00
-  %1070 = fadd double %1068, 1.000000e+00
-  %1071 = fdiv double %1069, %1070
-  %1072 = fmul double %1071, %1071
-  %1073 = call double @llvm.fma.f64(double %1072, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1074 = call double @llvm.fma.f64(double %1073, double %1072, double 0x3FE2776C50EF9BFE)
-  %1075 = call double @llvm.fma.f64(double %1074, double %1072, double 0x3FEEC709DC3A03FD)
-  %1076 = call double @llvm.fma.f64(double %1075, double %1072, double 0x40071547652B82FE)
-  %1077 = fmul double %1076, %1071
-  %1078 = trunc nsw i64 %1065 to i32
-  %1079 = sitofp i32 %1078 to double
-  %1080 = fadd double %1077, %1079
-  %1081 = fmul double %1080, %1059
-  %1082 = fcmp ogt double %1081, -1.000000e+03
-  %1083 = select i1 %1082, double %1081, double -1.000000e+03
-  %1084 = fcmp olt double %1083, 1.000000e+03
-  %1085 = select i1 %1084, double %1083, double 1.000000e+03
-  %1086 = call double @llvm.rint.f64(double %1085)
-  %1087 = fsub double %1085, %1086
-  %1088 = call double @llvm.fma.f64(double %1087, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1089 = call double @llvm.fma.f64(double %1088, double %1087, double 0x3F55D87FE78A6730)
-  %1090 = call double @llvm.fma.f64(double %1089, double %1087, double 0x3F83B2AB6FBA4E77)
-  %1091 = call double @llvm.fma.f64(double %1090, double %1087, double 0x3FAC6B08D704A0BF)
-  %1092 = call double @llvm.fma.f64(double %1091, double %1087, double 0x3FCEBFBDFF82C58E)
-  %1093 = call double @llvm.fma.f64(double %1092, double %1087, double 0x3FE62E42FEFA39EF)
-  %1094 = call double @llvm.fma.f64(double %1093, double %1087, double 1.000000e+00)
-  %1095 = fptosi double %1086 to i32
-  %1096 = zext i32 %1095 to i64
-  %1097 = shl i64 %1096, 52
-  %1098 = bitcast double %1094 to i64
-  %1099 = add i64 %1097, %1098
-  %1100 = bitcast i64 %1099 to double
-  %1101 = fmul double %1057, %1100
-  br label %1102
+1021:                                             ; preds = %1020
+  br label %1394
 
-1102:                                             ; preds = %1061, %1009
-  %1103 = phi double [ %1101, %1061 ], [ %1057, %1009 ]
-  %1104 = getelementptr i8, ptr %49, i64 32
-  %1105 = load double, ptr %1104, align 8, !noalias !104
-  %1106 = fcmp ogt double %1103, %1105
-  %1107 = select i1 %1106, double %1103, double %1105
-  %1108 = fcmp olt double %1011, %1107
-  %1109 = select i1 %1108, double %1011, double %1107
-  %1110 = fmul double %466, %1109
-  %1111 = fcmp ogt double %726, 1.000000e-04
-  %1112 = select i1 %1111, double %726, double 1.000000e-04
-  %1113 = getelementptr i8, ptr %139, i64 24
-  store double %1112, ptr %1113, align 8, !noalias !15
-  %1114 = getelementptr i8, ptr %49, i64 40
-  %1115 = load double, ptr %1114, align 8, !noalias !15
-  store double %1115, ptr %1010, align 8, !noalias !15
+1022:                                             ; preds = %746, %746, %1020
+  br i1 %233, label %1130, label %1023
+
+1023:                                             ; preds = %1022
+  %1024 = getelementptr i8, ptr %139, i64 40
+  %1025 = load double, ptr %1024, align 8, !noalias !15
+  %1026 = getelementptr i8, ptr %49, i64 24
+  %1027 = load double, ptr %1026, align 8, !noalias !104
+  %1028 = fcmp ogt double %725, 1.000000e-10
+  %1029 = select i1 %1028, double %725, double 1.000000e-10
+  %1030 = getelementptr i8, ptr %49, i64 8
+  %1031 = load double, ptr %1030, align 8, !noalias !104
+  %1032 = fneg double %1031
+  %1033 = bitcast double %1029 to i64
+  %1034 = add nsw i64 %1033, -4604544271217802189
+  %1035 = ashr i64 %1034, 52
+  %1036 = and i64 %1034, -4503599627370496
+  %1037 = sub i64 %1033, %1036
+  %1038 = bitcast i64 %1037 to double
+  %1039 = fadd double %1038, -1.000000e+00
+  %1040 = fadd double %1038, 1.000000e+00
+  %1041 = fdiv double %1039, %1040
+  %1042 = fmul double %1041, %1041
+  %1043 = call double @llvm.fma.f64(double %1042, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1044 = call double @llvm.fma.f64(double %1043, double %1042, double 0x3FE2776C50EF9BFE)
+  %1045 = call double @llvm.fma.f64(double %1044, double %1042, double 0x3FEEC709DC3A03FD)
+  %1046 = call double @llvm.fma.f64(double %1045, double %1042, double 0x40071547652B82FE)
+  %1047 = fmul double %1046, %1041
+  %1048 = trunc nsw i64 %1035 to i32
+  %1049 = sitofp i32 %1048 to double
+  %1050 = fadd double %1047, %1049
+  %1051 = fmul double %1050, %1032
+  %1052 = fcmp ogt double %1051, -1.000000e+03
+  %1053 = select i1 %1052, double %1051, double -1.000000e+03
+  %1054 = fcmp olt double %1053, 1.000000e+03
+  %1055 = select i1 %1054, double %1053, double 1.000000e+03
+  %1056 = call double @llvm.rint.f64(double %1055)
+  %1057 = fsub double %1055, %1056
+  %1058 = call double @llvm.fma.f64(double %1057, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1059 = call double @llvm.fma.f64(double %1058, double %1057, double 0x3F55D87FE78A6730)
+  %1060 = call double @llvm.fma.f64(double %1059, double %1057, double 0x3F83B2AB6FBA4E77)
+  %1061 = call double @llvm.fma.f64(double %1060, double %1057, double 0x3FAC6B08D704A0BF)
+  %1062 = call double @llvm.fma.f64(double %1061, double %1057, double 0x3FCEBFBDFF82C58E)
+  %1063 = call double @llvm.fma.f64(double %1062, double %1057, double 0x3FE62E42FEFA39EF)
+  %1064 = call double @llvm.fma.f64(double %1063, double %1057, double 1.000000e+00)
+  %1065 = fptosi double %1056 to i32
+  %1066 = zext i32 %1065 to i64
+  %1067 = shl i64 %1066, 52
+  %1068 = bitcast double %1064 to i64
+  %1069 = add i64 %1067, %1068
+  %1070 = bitcast i64 %1069 to double
+  %1071 = fmul double %1027, %1070
+  %1072 = getelementptr i8, ptr %49, i64 16
+  %1073 = load double, ptr %1072, align 8, !noalias !104
+  %1074 = fcmp une double %1073, 0.000000e+00
+  br i1 %1074, label %1075, label %1116
+
+1075:                                             ; preds = %1023
+  %1076 = getelementptr i8, ptr %139, i64 24
+  %1077 = load i64, ptr %1076, align 8, !noalias !15
+  %1078 = add i64 %1077, -4604544271217802189
+  %1079 = ashr i64 %1078, 52
+  %1080 = and i64 %1078, -4503599627370496
+  %1081 = sub i64 %1077, %1080
+  %1082 = bitcast i64 %1081 to double
+  %1083 = fadd double %1082, -1.000000e+00
+  %1084 = fadd double %1082, 1.000000e+00
+  %1085 = fdiv double %1083, %1084
+  %1086 = fmul double %1085, %1085
+  %1087 = call double @llvm.fma.f64(double %1086, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1088 = call double @llvm.fma.f64(double %1087, double %1086, double 0x3FE2776C50EF9BFE)
+  %1089 = call double @llvm.fma.f64(double %1088, double %1086, double 0x3FEEC709DC3A03FD)
+  %1090 = call double @llvm.fma.f64(double %1089, double %1086, double 0x40071547652B82FE)
+  %1091 = fmul double %1090, %1085
+  %1092 = trunc nsw i64 %1079 to i32
+  %1093 = sitofp i32 %1092 to double
+  %1094 = fadd double %1091, %1093
+  %1095 = fmul double %1094, %1073
+  %1096 = fcmp ogt double %1095, -1.000000e+03
+  %1097 = select i1 %1096, double %1095, double -1.000000e+03
+  %1098 = fcmp olt double %1097, 1.000000e+03
+  %1099 = select i1 %1098, double %1097, double 1.000000e+03
+  %1100 = call double @llvm.rint.f64(double %1099)
+  %1101 = fsub double %1099, %1100
+  %1102 = call double @llvm.fma.f64(double %1101, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1103 = call double @llvm.fma.f64(double %1102, double %1101, double 0x3F55D87FE78A6730)
+  %1104 = call double @llvm.fma.f64(double %1103, double %1101, double 0x3F83B2AB6FBA4E77)
+  %1105 = call double @llvm.fma.f64(double %1104, double %1101, double 0x3FAC6B08D704A0BF)
+  %1106 = call double @llvm.fma.f64(double %1105, double %1101, double 0x3FCEBFBDFF82C58E)
+  %1107 = call double @llvm.fma.f64(double %1106, double %1101, double 0x3FE62E42FEFA39EF)
+  %1108 = call double @llvm.fma.f64(double %1107, double %1101, double 1.000000e+00)
+  %1109 = fptosi double %1100 to i32
+  %1110 = zext i32 %1109 to i64
+  %1111 = shl i64 %1110, 52
+  %1112 = bitcast double %1108 to i64
+  %1113 = add i64 %1111, %1112
+  %1114 = bitcast i64 %1113 to double
+  %1115 = fmul double %1071, %1114
   br label %1116
 
-1116:                                             ; preds = %1102, %1008
-  %1117 = phi double [ %1110, %1102 ], [ %423, %1008 ]
-  %1118 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %1119
+1116:                                             ; preds = %1075, %1023
+  %1117 = phi double [ %1115, %1075 ], [ %1071, %1023 ]
+  %1118 = getelementptr i8, ptr %49, i64 32
+  %1119 = load double, ptr %1118, align 8, !noalias !104
+  %1120 = fcmp ogt double %1117, %1119
+  %1121 = select i1 %1120, double %1117, double %1119
+  %1122 = fcmp olt double %1025, %1121
+  %1123 = select i1 %1122, double %1025, double %1121
+  %1124 = fmul double %466, %1123
+  %1125 = fcmp ogt double %725, 1.000000e-04
+  %1126 = select i1 %1125, double %725, double 1.000000e-04
+  %1127 = getelementptr i8, ptr %139, i64 24
+  store double %1126, ptr %1127, align 8, !noalias !15
+  %1128 = getelementptr i8, ptr %49, i64 40
+  %1129 = load double, ptr %1128, align 8, !noalias !15
+  store double %1129, ptr %1024, align 8, !noalias !15
+  br label %1130
 
-1119:                                             ; preds = %1116, %1354
-  %1120 = phi i64 [ 0, %1116 ], [ %1356, %1354 ]
-  %1121 = phi i64 [ %1118, %1116 ], [ %1355, %1354 ]
-  %1122 = icmp sgt i64 %1121, 0
-  br i1 %1122, label %1354, label %1123
+1130:                                             ; preds = %1116, %1022
+  %1131 = phi double [ %1124, %1116 ], [ %423, %1022 ]
+  %1132 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %1133
 
-1123:                                             ; preds = %1119
-  %1124 = getelementptr i8, ptr %144, i64 48
-  %1125 = load i64, ptr %1124, align 8, !noalias !15
-  %1126 = icmp eq i64 %1125, %148
-  br i1 %1126, label %1191, label %422
+1133:                                             ; preds = %1130, %1374
+  %1134 = phi i64 [ 0, %1130 ], [ %1376, %1374 ]
+  %1135 = phi i64 [ %1132, %1130 ], [ %1375, %1374 ]
+  %1136 = icmp sgt i64 %1135, 0
+  br i1 %1136, label %1374, label %1137
 
-1127:                                             ; preds = %723
-  %1128 = load i64, ptr %432, align 8, !noalias !15
-  %1129 = add nsw i64 %1128, 1
-  store i64 %1129, ptr %432, align 8, !noalias !15
-  %1130 = fsub double %726, %726
-  %1131 = fcmp ord double %1130, 0.000000e+00
-  %1132 = and i1 %727, %1131
-  %1133 = select i1 %1132, i64 2, i64 4
-  %1134 = select i1 %727, i64 %1133, i64 3
-  %1135 = getelementptr i8, ptr %144, i64 72
-  store i64 %1134, ptr %1135, align 8, !noalias !15
-  br i1 %233, label %1136, label %1189
+1137:                                             ; preds = %1133
+  %1138 = getelementptr i8, ptr %144, i64 48
+  %1139 = load i64, ptr %1138, align 8, !noalias !15
+  %1140 = icmp eq i64 %1139, %148
+  br i1 %1140, label %1211, label %422
 
-1136:                                             ; preds = %1127
-  %1137 = getelementptr i8, ptr %49, i64 24
-  %1138 = load double, ptr %1137, align 8, !noalias !107
-  %1139 = fcmp ogt double %726, 1.000000e-10
-  %1140 = select i1 %1139, double %726, double 1.000000e-10
-  %1141 = bitcast double %1140 to i64
-  %1142 = add nsw i64 %1141, -4604544271217802189
-  %1143 = and i64 %1142, -4503599627370496
-  %1144 = sub i64 %1141, %1143
-  %1145 = bitcast i64 %1144 to double
-  %1146 = fadd double %1145, -1.000000e+00
-  %1147 = fadd double %1145, 1.000000e+00
-  %1148 = fdiv double %1146, %1147
-  %1149 = fmul double %1148, %1148
-  %1150 = call double @llvm.fma.f64(double %1149, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1151 = call double @llvm.fma.f64(double %1150, double %1149, double 0x3FE2776C50EF9BFE)
-  %1152 = call double @llvm.fma.f64(double %1151, double %1149, double 0x3FEEC709DC3A03FD)
-  %1153 = call double @llvm.fma.f64(double %1152, double %1149, double 0x40071547652B82FE)
-  %1154 = fmul double %1153, %1148
-  %1155 = ashr i64 %1142, 52
-  %1156 = trunc nsw i64 %1155 to i32
-  %1157 = sitofp i32 %1156 to double
-  %1158 = fadd double %1154, %1157
-  %1159 = load double, ptr %49, align 8, !noalias !107
-  %1160 = fneg double %1159
-  %1161 = fmul double %1158, %1160
-  %1162 = fcmp ogt double %1161, -1.000000e+03
-  %1163 = select i1 %1162, double %1161, double -1.000000e+03
-  %1164 = fcmp olt double %1163, 1.000000e+03
-  %1165 = select i1 %1164, double %1163, double 1.000000e+03
-  %1166 = call double @llvm.rint.f64(double %1165)
-  %1167 = fptosi double %1166 to i32
-  %1168 = zext i32 %1167 to i64
-  %1169 = shl i64 %1168, 52
-  %1170 = fsub double %1165, %1166
-  %1171 = call double @llvm.fma.f64(double %1170, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1172 = call double @llvm.fma.f64(double %1171, double %1170, double 0x3F55D87FE78A6730)
-  %1173 = call double @llvm.fma.f64(double %1172, double %1170, double 0x3F83B2AB6FBA4E77)
-  %1174 = call double @llvm.fma.f64(double %1173, double %1170, double 0x3FAC6B08D704A0BF)
-  %1175 = call double @llvm.fma.f64(double %1174, double %1170, double 0x3FCEBFBDFF82C58E)
-  %1176 = call double @llvm.fma.f64(double %1175, double %1170, double 0x3FE62E42FEFA39EF)
-  %1177 = call double @llvm.fma.f64(double %1176, double %1170, double 1.000000e+00)
-  %1178 = bitcast double %1177 to i64
-  %1179 = add i64 %1169, %1178
-  %1180 = bitcast i64 %1179 to double
-  %1181 = fmul double %1138, %1180
-  %1182 = getelementptr i8, ptr %49, i64 32
-  %1183 = load double, ptr %1182, align 8, !noalias !107
-  %1184 = fcmp ogt double %1181, %1183
-  %1185 = select i1 %1184, double %1181, double %1183
-  %1186 = select i1 %1132, double %1185, double 2.500000e-01
-  %1187 = fmul double %466, %1186
-  %1188 = getelementptr i8, ptr %139, i64 40
-  store double 1.000000e+00, ptr %1188, align 8, !noalias !15
+1141:                                             ; preds = %722
+  %1142 = load i64, ptr %432, align 8, !noalias !15
+  %1143 = add nsw i64 %1142, 1
+  store i64 %1143, ptr %432, align 8, !noalias !15
+  %1144 = and i1 %726, %727
+  br i1 %1144, label %1145, label %1148
+
+1145:                                             ; preds = %1141
+  %1146 = fsub double %725, %725
+  %1147 = fcmp ord double %1146, 0.000000e+00
+  br label %1148
+
+1148:                                             ; preds = %1141, %1145
+  %1149 = phi i1 [ %1147, %1145 ], [ false, %1141 ]
+  %1150 = select i1 %1149, i64 2, i64 4
+  %1151 = select i1 %726, i64 %1150, i64 6
+  %1152 = select i1 %727, i64 %1151, i64 3
+  %1153 = getelementptr i8, ptr %144, i64 72
+  store i64 %1152, ptr %1153, align 8, !noalias !15
+  br i1 %233, label %1209, label %1154
+
+1154:                                             ; preds = %1148
+  %1155 = getelementptr i8, ptr %49, i64 24
+  %1156 = load double, ptr %1155, align 8, !noalias !107
+  %1157 = fcmp ogt double %725, 1.000000e-10
+  %1158 = select i1 %1157, double %725, double 1.000000e-10
+  %1159 = bitcast double %1158 to i64
+  %1160 = add nsw i64 %1159, -4604544271217802189
+  %1161 = and i64 %1160, -4503599627370496
+  %1162 = sub i64 %1159, %1161
+  %1163 = bitcast i64 %1162 to double
+  %1164 = fadd double %1163, -1.000000e+00
+  %1165 = fadd double %1163, 1.000000e+00
+  %1166 = fdiv double %1164, %1165
+  %1167 = fmul double %1166, %1166
+  %1168 = call double @llvm.fma.f64(double %1167, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1169 = call double @llvm.fma.f64(double %1168, double %1167, double 0x3FE2776C50EF9BFE)
+  %1170 = call double @llvm.fma.f64(double %1169, double %1167, double 0x3FEEC709DC3A03FD)
+  %1171 = call double @llvm.fma.f64(double %1170, double %1167, double 0x40071547652B82FE)
+  %1172 = fmul double %1171, %1166
+  %1173 = ashr i64 %1160, 52
+  %1174 = trunc nsw i64 %1173 to i32
+  %1175 = sitofp i32 %1174 to double
+  %1176 = fadd double %1172, %1175
+  %1177 = load double, ptr %49, align 8, !noalias !107
+  %1178 = fneg double %1177
+  %1179 = fmul double %1176, %1178
+  %1180 = fcmp ogt double %1179, -1.000000e+03
+  %1181 = select i1 %1180, double %1179, double -1.000000e+03
+  %1182 = fcmp olt double %1181, 1.000000e+03
+  %1183 = select i1 %1182, double %1181, double 1.000000e+03
+  %1184 = call double @llvm.rint.f64(double %1183)
+  %1185 = fptosi double %1184 to i32
+  %1186 = zext i32 %1185 to i64
+  %1187 = shl i64 %1186, 52
+  %1188 = fsub double %1183, %1184
+  %1189 = call double @llvm.fma.f64(double %1188, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1190 = call double @llvm.fma.f64(double %1189, double %1188, double 0x3F55D87FE78A6730)
+  %1191 = call double @llvm.fma.f64(double %1190, double %1188, double 0x3F83B2AB6FBA4E77)
+  %1192 = call double @llvm.fma.f64(double %1191, double %1188, double 0x3FAC6B08D704A0BF)
+  %1193 = call double @llvm.fma.f64(double %1192, double %1188, double 0x3FCEBFBDFF82C58E)
+  %1194 = call double @llvm.fma.f64(double %1193, double %1188, double 0x3FE62E42FEFA39EF)
+  %1195 = call double @llvm.fma.f64(double %1194, double %1188, double 1.000000e+00)
+  %1196 = bitcast double %1195 to i64
+  %1197 = add i64 %1187, %1196
+  %1198 = bitcast i64 %1197 to double
+  %1199 = fmul double %1156, %1198
+  %1200 = getelementptr i8, ptr %49, i64 32
+  %1201 = load double, ptr %1200, align 8, !noalias !107
+  %1202 = fcmp ogt double %1199, %1201
+  %1203 = select i1 %1202, double %1199, double %1201
+  %1204 = select i1 %1149, double %1203, double 2.500000e-01
+  %1205 = getelementptr i8, ptr %139, i64 40
+  store double 1.000000e+00, ptr %1205, align 8, !noalias !15
+  br label %1206
+
+1206:                                             ; preds = %1013, %1154
+  %1207 = phi double [ %1204, %1154 ], [ 2.500000e-01, %1013 ]
+  %1208 = fmul double %466, %1207
   br label %419
 
-1189:                                             ; preds = %1127
+1209:                                             ; preds = %1148
   store double %466, ptr %243, align 8, !noalias !15
-  br label %1374
+  br label %1394
 
-1190:                                             ; preds = %458
+1210:                                             ; preds = %458
   store double %466, ptr %243, align 8, !noalias !15
-  br label %1374
+  br label %1394
 
-1191:                                             ; preds = %1123
-  store double %1117, ptr %243, align 8, !noalias !15
-  br label %1374
+1211:                                             ; preds = %1137
+  store double %1131, ptr %243, align 8, !noalias !15
+  br label %1394
 
-1192:                                             ; preds = %261, %261
-  %1193 = icmp eq i32 %262, 0
-  br i1 %1193, label %268, label %264
+1212:                                             ; preds = %261, %261
+  %1213 = icmp eq i32 %262, 0
+  br i1 %1213, label %268, label %264
 
-1194:                                             ; preds = %261
-  br label %1374
+1214:                                             ; preds = %261
+  br label %1394
 
-1195:                                             ; preds = %268, %268
-  %1196 = load i8, ptr %19, align 1, !noalias !15
-  %1197 = icmp eq i8 %1196, 0
-  br i1 %1197, label %275, label %274
+1215:                                             ; preds = %268, %268
+  %1216 = load i8, ptr %19, align 1, !noalias !15
+  %1217 = icmp eq i8 %1216, 0
+  br i1 %1217, label %275, label %274
 
-1198:                                             ; preds = %268
-  br label %1374
+1218:                                             ; preds = %268
+  br label %1394
 
-1199:                                             ; preds = %277, %285
-  br label %1374
+1219:                                             ; preds = %277, %285
+  br label %1394
 
-1200:                                             ; preds = %298
-  %1201 = add nsw i64 %300, -1
-  %1202 = add i64 %299, 1
-  %1203 = icmp slt i64 %299, 0
-  %1204 = select i1 %1203, i64 %86, i64 0
-  %1205 = getelementptr double, ptr %87, i64 %299
-  %1206 = getelementptr double, ptr %1205, i64 %1204
-  %1207 = load double, ptr %1206, align 8, !noalias !15
-  %1208 = select i1 %1203, i64 %118, i64 0
-  %1209 = getelementptr double, ptr %119, i64 %299
-  %1210 = getelementptr double, ptr %1209, i64 %1208
-  %1211 = load double, ptr %1210, align 8, !noalias !15
-  %1212 = fmul double %296, %1211
-  %1213 = fadd double %1207, %1212
-  %1214 = select i1 %1203, i64 %96, i64 0
-  %1215 = getelementptr double, ptr %97, i64 %299
-  %1216 = getelementptr double, ptr %1215, i64 %1214
-  store double %1213, ptr %1216, align 8, !noalias !15
+1220:                                             ; preds = %298
+  %1221 = add nsw i64 %300, -1
+  %1222 = add i64 %299, 1
+  %1223 = icmp slt i64 %299, 0
+  %1224 = select i1 %1223, i64 %86, i64 0
+  %1225 = getelementptr double, ptr %87, i64 %299
+  %1226 = getelementptr double, ptr %1225, i64 %1224
+  %1227 = load double, ptr %1226, align 8, !noalias !15
+  %1228 = select i1 %1223, i64 %118, i64 0
+  %1229 = getelementptr double, ptr %119, i64 %299
+  %1230 = getelementptr double, ptr %1229, i64 %1228
+  %1231 = load double, ptr %1230, align 8, !noalias !15
+  %1232 = fmul double %296, %1231
+  %1233 = fadd double %1227, %1232
+  %1234 = select i1 %1223, i64 %96, i64 0
+  %1235 = getelementptr double, ptr %97, i64 %299
+  %1236 = getelementptr double, ptr %1235, i64 %1234
+  store double %1233, ptr %1236, align 8, !noalias !15
   br label %298
 
-1217:                                             ; preds = %319, %319
+1237:                                             ; preds = %319, %319
   br i1 %320, label %324, label %322
 
-1218:                                             ; preds = %319
-  br label %1374
+1238:                                             ; preds = %319
+  br label %1394
 
-1219:                                             ; preds = %333
-  br label %1374
+1239:                                             ; preds = %333
+  br label %1394
 
-1220:                                             ; preds = %475
-  %1221 = add nsw i64 %477, -1
-  %1222 = add i64 %476, 1
-  %1223 = icmp slt i64 %476, 0
-  %1224 = select i1 %1223, i64 %101, i64 0
-  %1225 = getelementptr double, ptr %102, i64 %476
-  %1226 = getelementptr double, ptr %1225, i64 %1224
-  store double %466, ptr %1226, align 8, !noalias !15
+1240:                                             ; preds = %475
+  %1241 = add nsw i64 %477, -1
+  %1242 = add i64 %476, 1
+  %1243 = icmp slt i64 %476, 0
+  %1244 = select i1 %1243, i64 %101, i64 0
+  %1245 = getelementptr double, ptr %102, i64 %476
+  %1246 = getelementptr double, ptr %1245, i64 %1244
+  store double %466, ptr %1246, align 8, !noalias !15
   br label %475
 
-1227:                                             ; preds = %483
-  %1228 = add nsw i64 %485, -1
-  %1229 = add i64 %484, 1
+1247:                                             ; preds = %483
+  %1248 = add nsw i64 %485, -1
+  %1249 = add i64 %484, 1
   store ptr null, ptr %20, align 8, !noalias !15
-  %1230 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %484, i64 %94, double %466) #2
-  switch i32 %1230, label %1259 [
-    i32 -2, label %1231
-    i32 0, label %1231
-  ], !prof !35
-
-1231:                                             ; preds = %1227, %1227
-  %1232 = mul nsw i64 %484, %86
-  %1233 = shl i64 %1232, 3
-  %1234 = add i64 %1233, %116
-  %1235 = getelementptr i8, ptr %144, i64 24
-  %1236 = load i64, ptr %1235, align 8, !noalias !15
-  %1237 = add nsw i64 %1236, 1
-  store i64 %1237, ptr %1235, align 8, !noalias !15
-  %1238 = icmp slt i64 %484, 0
-  %1239 = select i1 %1238, i64 %45, i64 0
-  %1240 = getelementptr double, ptr %46, i64 %484
-  %1241 = getelementptr double, ptr %1240, i64 %1239
-  %1242 = load double, ptr %1241, align 8, !noalias !15
-  %1243 = fmul double %1242, %466
-  %1244 = fadd double %424, %1243
-  store ptr null, ptr %10, align 8, !noalias !110
-  store ptr null, ptr %11, align 8, !noalias !110
-  store double %1244, ptr %55, align 8, !noalias !110
-  %1245 = icmp sgt i64 %67, 0
-  br i1 %1245, label %1246, label %1249
-
-1246:                                             ; preds = %1231
-  store ptr null, ptr %10, align 8, !noalias !110
-  %1247 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1244) #2
-  switch i32 %1247, label %1248 [
-    i32 -2, label %1249
-    i32 0, label %1249
-  ], !prof !35
-
-1248:                                             ; preds = %1246
-  br label %1249
-
-1249:                                             ; preds = %1246, %1246, %1231, %1248
-  %1250 = phi i32 [ %1247, %1248 ], [ 0, %1231 ], [ 0, %1246 ], [ 0, %1246 ]
-  switch i32 %1250, label %1256 [
+  %1250 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %484, i64 %94, double %466) #2
+  switch i32 %1250, label %1279 [
     i32 -2, label %1251
     i32 0, label %1251
   ], !prof !35
 
-1251:                                             ; preds = %1249, %1249
-  %1252 = load i64, ptr %52, align 8, !noalias !117
-  %1253 = inttoptr i64 %1252 to ptr
-  %1254 = inttoptr i64 %1234 to ptr
-  %1255 = call i32 %1253(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1254) #2, !noalias !117
-  br label %1256
+1251:                                             ; preds = %1247, %1247
+  %1252 = mul nsw i64 %484, %86
+  %1253 = shl i64 %1252, 3
+  %1254 = add i64 %1253, %116
+  %1255 = getelementptr i8, ptr %144, i64 24
+  %1256 = load i64, ptr %1255, align 8, !noalias !15
+  %1257 = add nsw i64 %1256, 1
+  store i64 %1257, ptr %1255, align 8, !noalias !15
+  %1258 = icmp slt i64 %484, 0
+  %1259 = select i1 %1258, i64 %45, i64 0
+  %1260 = getelementptr double, ptr %46, i64 %484
+  %1261 = getelementptr double, ptr %1260, i64 %1259
+  %1262 = load double, ptr %1261, align 8, !noalias !15
+  %1263 = fmul double %1262, %466
+  %1264 = fadd double %424, %1263
+  store ptr null, ptr %10, align 8, !noalias !110
+  store ptr null, ptr %11, align 8, !noalias !110
+  store double %1264, ptr %55, align 8, !noalias !110
+  %1265 = icmp sgt i64 %67, 0
+  br i1 %1265, label %1266, label %1269
 
-1256:                                             ; preds = %1249, %1251
-  %1257 = phi i32 [ %1255, %1251 ], [ 0, %1249 ]
-  %1258 = phi i32 [ 0, %1251 ], [ %1250, %1249 ]
-  switch i32 %1258, label %1262 [
-    i32 -2, label %1260
-    i32 0, label %1260
+1266:                                             ; preds = %1251
+  store ptr null, ptr %10, align 8, !noalias !110
+  %1267 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1264) #2
+  switch i32 %1267, label %1268 [
+    i32 -2, label %1269
+    i32 0, label %1269
   ], !prof !35
 
-1259:                                             ; preds = %1227
-  br label %1374
+1268:                                             ; preds = %1266
+  br label %1269
 
-1260:                                             ; preds = %1256, %1256
-  %1261 = icmp eq i32 %1257, 0
-  br i1 %1261, label %483, label %487
+1269:                                             ; preds = %1266, %1266, %1251, %1268
+  %1270 = phi i32 [ %1267, %1268 ], [ 0, %1251 ], [ 0, %1266 ], [ 0, %1266 ]
+  switch i32 %1270, label %1276 [
+    i32 -2, label %1271
+    i32 0, label %1271
+  ], !prof !35
 
-1262:                                             ; preds = %1256
-  br label %1374
+1271:                                             ; preds = %1269, %1269
+  %1272 = load i64, ptr %52, align 8, !noalias !117
+  %1273 = inttoptr i64 %1272 to ptr
+  %1274 = inttoptr i64 %1254 to ptr
+  %1275 = call i32 %1273(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1274) #2, !noalias !117
+  br label %1276
 
-1263:                                             ; preds = %489
-  br label %1374
+1276:                                             ; preds = %1269, %1271
+  %1277 = phi i32 [ %1275, %1271 ], [ 0, %1269 ]
+  %1278 = phi i32 [ 0, %1271 ], [ %1270, %1269 ]
+  switch i32 %1278, label %1282 [
+    i32 -2, label %1280
+    i32 0, label %1280
+  ], !prof !35
 
-1264:                                             ; preds = %513
-  br label %1374
+1279:                                             ; preds = %1247
+  br label %1394
 
-1265:                                             ; preds = %684
-  %1266 = add nsw i64 %686, -1
-  %1267 = add i64 %685, 1
-  %1268 = icmp slt i64 %685, 0
-  %1269 = select i1 %1268, i64 %91, i64 0
-  %1270 = getelementptr double, ptr %92, i64 %685
-  %1271 = getelementptr double, ptr %1270, i64 %1269
-  %1272 = load double, ptr %1271, align 8, !noalias !15
-  %1273 = fmul double %1272, 0.000000e+00
-  %1274 = fadd double %687, %1273
+1280:                                             ; preds = %1276, %1276
+  %1281 = icmp eq i32 %1277, 0
+  br i1 %1281, label %483, label %487
+
+1282:                                             ; preds = %1276
+  br label %1394
+
+1283:                                             ; preds = %489
+  br label %1394
+
+1284:                                             ; preds = %513
+  br label %1394
+
+1285:                                             ; preds = %684
+  %1286 = add nsw i64 %686, -1
+  %1287 = add i64 %685, 1
+  %1288 = icmp slt i64 %685, 0
+  %1289 = select i1 %1288, i64 %91, i64 0
+  %1290 = getelementptr double, ptr %92, i64 %685
+  %1291 = getelementptr double, ptr %1290, i64 %1289
+  %1292 = load double, ptr %1291, align 8, !noalias !15
+  %1293 = fmul double %1292, 0.000000e+00
+  %1294 = fadd double %687, %1293
   br label %684
 
-1275:                                             ; preds = %719, %719
-  %1276 = sext i32 %720 to i64
-  %1277 = icmp slt i32 %720, 0
-  br i1 %1277, label %722, label %723
+1295:                                             ; preds = %718, %718
+  %1296 = sext i32 %719 to i64
+  %1297 = icmp slt i32 %719, 0
+  br i1 %1297, label %721, label %722
 
-1278:                                             ; preds = %719
-  br label %1374
+1298:                                             ; preds = %718
+  br label %1394
 
-1279:                                             ; preds = %745
-  br label %1374
+1299:                                             ; preds = %746
+  br label %1394
 
-1280:                                             ; preds = %752
-  %1281 = load i64, ptr %231, align 8, !noalias !15
-  %1282 = add nsw i64 %755, %1281
-  %1283 = getelementptr i8, ptr %52, i64 16
-  %1284 = load i64, ptr %1283, align 8, !noalias !118
-  %1285 = icmp slt i64 %1282, 0
-  %1286 = select i1 %1285, i64 %30, i64 0
-  %1287 = getelementptr i64, ptr %31, i64 %1282
-  %1288 = getelementptr i64, ptr %1287, i64 %1286
-  %1289 = load i64, ptr %1288, align 8, !noalias !122
-  %1290 = shl i64 %1289, 3
-  %1291 = add i64 %1290, %33
-  %1292 = add i64 %1290, %38
-  %1293 = icmp slt i64 %1282, -1
-  %1294 = select i1 %1293, i64 %30, i64 0
-  %1295 = getelementptr i8, ptr %1287, i64 8
-  %1296 = getelementptr i64, ptr %1295, i64 %1294
-  %1297 = load i64, ptr %1296, align 8, !noalias !122
-  %1298 = xor i64 %1289, -1
-  %1299 = add i64 %1297, %1298
-  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1291, i64 %1292, i64 %1299, i64 1, i64 %1284) #2, !noalias !122
-  %1300 = mul nsw i64 %755, %86
-  %1301 = shl i64 %1300, 3
-  %1302 = add i64 %1301, %116
-  %1303 = getelementptr i8, ptr %144, i64 24
-  %1304 = load i64, ptr %1303, align 8, !noalias !15
-  %1305 = add nsw i64 %1304, 1
-  store i64 %1305, ptr %1303, align 8, !noalias !15
-  %1306 = icmp slt i64 %755, 0
-  %1307 = select i1 %1306, i64 %45, i64 0
-  %1308 = getelementptr double, ptr %46, i64 %755
-  %1309 = getelementptr double, ptr %1308, i64 %1307
-  %1310 = load double, ptr %1309, align 8, !noalias !15
-  %1311 = fmul double %1310, %466
-  %1312 = fadd double %424, %1311
+1300:                                             ; preds = %753
+  %1301 = load i64, ptr %231, align 8, !noalias !15
+  %1302 = add nsw i64 %756, %1301
+  %1303 = getelementptr i8, ptr %52, i64 16
+  %1304 = load i64, ptr %1303, align 8, !noalias !118
+  %1305 = icmp slt i64 %1302, 0
+  %1306 = select i1 %1305, i64 %30, i64 0
+  %1307 = getelementptr i64, ptr %31, i64 %1302
+  %1308 = getelementptr i64, ptr %1307, i64 %1306
+  %1309 = load i64, ptr %1308, align 8, !noalias !122
+  %1310 = shl i64 %1309, 3
+  %1311 = add i64 %1310, %33
+  %1312 = add i64 %1310, %38
+  %1313 = icmp slt i64 %1302, -1
+  %1314 = select i1 %1313, i64 %30, i64 0
+  %1315 = getelementptr i8, ptr %1307, i64 8
+  %1316 = getelementptr i64, ptr %1315, i64 %1314
+  %1317 = load i64, ptr %1316, align 8, !noalias !122
+  %1318 = xor i64 %1309, -1
+  %1319 = add i64 %1317, %1318
+  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1311, i64 %1312, i64 %1319, i64 1, i64 %1304) #2, !noalias !122
+  %1320 = mul nsw i64 %756, %86
+  %1321 = shl i64 %1320, 3
+  %1322 = add i64 %1321, %116
+  %1323 = getelementptr i8, ptr %144, i64 24
+  %1324 = load i64, ptr %1323, align 8, !noalias !15
+  %1325 = add nsw i64 %1324, 1
+  store i64 %1325, ptr %1323, align 8, !noalias !15
+  %1326 = icmp slt i64 %756, 0
+  %1327 = select i1 %1326, i64 %45, i64 0
+  %1328 = getelementptr double, ptr %46, i64 %756
+  %1329 = getelementptr double, ptr %1328, i64 %1327
+  %1330 = load double, ptr %1329, align 8, !noalias !15
+  %1331 = fmul double %1330, %466
+  %1332 = fadd double %424, %1331
   store ptr null, ptr %4, align 8, !noalias !125
   store ptr null, ptr %5, align 8, !noalias !125
-  store double %1312, ptr %55, align 8, !noalias !125
-  %1313 = icmp sgt i64 %67, 0
-  br i1 %1313, label %1314, label %1317
+  store double %1332, ptr %55, align 8, !noalias !125
+  %1333 = icmp sgt i64 %67, 0
+  br i1 %1333, label %1334, label %1337
 
-1314:                                             ; preds = %1280
+1334:                                             ; preds = %1300
   store ptr null, ptr %4, align 8, !noalias !125
-  %1315 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1312) #2
-  switch i32 %1315, label %1316 [
-    i32 -2, label %1317
-    i32 0, label %1317
+  %1335 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1332) #2
+  switch i32 %1335, label %1336 [
+    i32 -2, label %1337
+    i32 0, label %1337
   ], !prof !35
 
-1316:                                             ; preds = %1314
-  br label %1317
+1336:                                             ; preds = %1334
+  br label %1337
 
-1317:                                             ; preds = %1314, %1314, %1280, %1316
-  %1318 = phi i32 [ %1315, %1316 ], [ 0, %1280 ], [ 0, %1314 ], [ 0, %1314 ]
-  switch i32 %1318, label %1324 [
-    i32 -2, label %1319
-    i32 0, label %1319
+1337:                                             ; preds = %1334, %1334, %1300, %1336
+  %1338 = phi i32 [ %1335, %1336 ], [ 0, %1300 ], [ 0, %1334 ], [ 0, %1334 ]
+  switch i32 %1338, label %1344 [
+    i32 -2, label %1339
+    i32 0, label %1339
   ], !prof !35
 
-1319:                                             ; preds = %1317, %1317
-  %1320 = load i64, ptr %52, align 8, !noalias !132
-  %1321 = inttoptr i64 %1320 to ptr
-  %1322 = inttoptr i64 %1302 to ptr
-  %1323 = call i32 %1321(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1322) #2, !noalias !132
-  br label %1324
+1339:                                             ; preds = %1337, %1337
+  %1340 = load i64, ptr %52, align 8, !noalias !132
+  %1341 = inttoptr i64 %1340 to ptr
+  %1342 = inttoptr i64 %1322 to ptr
+  %1343 = call i32 %1341(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1342) #2, !noalias !132
+  br label %1344
 
-1324:                                             ; preds = %1317, %1319
-  %1325 = phi i32 [ %1323, %1319 ], [ 0, %1317 ]
-  %1326 = phi i32 [ 0, %1319 ], [ %1318, %1317 ]
-  switch i32 %1326, label %1330 [
-    i32 -2, label %1327
-    i32 0, label %1327
+1344:                                             ; preds = %1337, %1339
+  %1345 = phi i32 [ %1343, %1339 ], [ 0, %1337 ]
+  %1346 = phi i32 [ 0, %1339 ], [ %1338, %1337 ]
+  switch i32 %1346, label %1350 [
+    i32 -2, label %1347
+    i32 0, label %1347
   ], !prof !35
 
-1327:                                             ; preds = %1324, %1324
-  %1328 = add nsw i64 %754, -1
-  %1329 = icmp eq i32 %1325, 0
-  br i1 %1329, label %752, label %757
+1347:                                             ; preds = %1344, %1344
+  %1348 = add nsw i64 %755, -1
+  %1349 = icmp eq i32 %1345, 0
+  br i1 %1349, label %753, label %758
 
-1330:                                             ; preds = %1324
-  br label %1374
+1350:                                             ; preds = %1344
+  br label %1394
 
-1331:                                             ; preds = %783
-  %1332 = load i64, ptr %733, align 8, !noalias !15
-  %1333 = icmp sgt i64 %1332, 0
-  br i1 %1333, label %864, label %871
+1351:                                             ; preds = %784
+  %1352 = load i64, ptr %734, align 8, !noalias !15
+  %1353 = icmp sgt i64 %1352, 0
+  br i1 %1353, label %865, label %872
 
-1334:                                             ; preds = %899, %1342
-  %1335 = phi i64 [ 0, %899 ], [ %1344, %1342 ]
-  %1336 = phi i64 [ %911, %899 ], [ %1343, %1342 ]
-  %1337 = icmp sgt i64 %1336, 0
-  br i1 %1337, label %1342, label %1338
+1354:                                             ; preds = %900, %1362
+  %1355 = phi i64 [ 0, %900 ], [ %1364, %1362 ]
+  %1356 = phi i64 [ %912, %900 ], [ %1363, %1362 ]
+  %1357 = icmp sgt i64 %1356, 0
+  br i1 %1357, label %1362, label %1358
 
-1338:                                             ; preds = %1334
-  %1339 = load i64, ptr %779, align 8, !noalias !133
-  %1340 = getelementptr i8, ptr %52, i64 16
-  %1341 = load i64, ptr %1340, align 8, !noalias !133
-  call fastcc void @pydy_nested(i64 %910, i64 %84, i64 %121, i64 %86, i64 %1339, i64 %104, i64 %1341) #2, !noalias !133
-  br i1 %885, label %912, label %919
+1358:                                             ; preds = %1354
+  %1359 = load i64, ptr %780, align 8, !noalias !133
+  %1360 = getelementptr i8, ptr %52, i64 16
+  %1361 = load i64, ptr %1360, align 8, !noalias !133
+  call fastcc void @pydy_nested(i64 %911, i64 %84, i64 %121, i64 %86, i64 %1359, i64 %104, i64 %1361) #2, !noalias !133
+  br i1 %886, label %913, label %920
 
-1342:                                             ; preds = %1334
-  %1343 = add nsw i64 %1336, -1
-  %1344 = add i64 %1335, 1
-  %1345 = icmp slt i64 %1335, 0
-  %1346 = select i1 %1345, i64 %106, i64 0
-  %1347 = getelementptr double, ptr %107, i64 %1335
-  %1348 = getelementptr double, ptr %1347, i64 %1346
-  store double %907, ptr %1348, align 8, !noalias !133
-  br label %1334
+1362:                                             ; preds = %1354
+  %1363 = add nsw i64 %1356, -1
+  %1364 = add i64 %1355, 1
+  %1365 = icmp slt i64 %1355, 0
+  %1366 = select i1 %1365, i64 %106, i64 0
+  %1367 = getelementptr double, ptr %107, i64 %1355
+  %1368 = getelementptr double, ptr %1367, i64 %1366
+  store double %908, ptr %1368, align 8, !noalias !133
+  br label %1354
 
-1349:                                             ; preds = %951
-  %1350 = load i64, ptr %191, align 8, !noalias !15
-  %1351 = icmp eq i64 %1350, 1
-  br i1 %1351, label %973, label %978
+1369:                                             ; preds = %952
+  %1370 = load i64, ptr %191, align 8, !noalias !15
+  %1371 = icmp eq i64 %1370, 1
+  br i1 %1371, label %974, label %979
 
-1352:                                             ; preds = %983
-  br label %1374
+1372:                                             ; preds = %984
+  br label %1394
 
-1353:                                             ; preds = %989
-  store double %881, ptr %139, align 8, !noalias !15
+1373:                                             ; preds = %990
+  store double %882, ptr %139, align 8, !noalias !15
   store double 0.000000e+00, ptr %243, align 8, !noalias !15
   store i64 0, ptr %144, align 8, !noalias !15
-  br label %1004
+  br label %1005
 
-1354:                                             ; preds = %1119
-  %1355 = add nsw i64 %1121, -1
-  %1356 = add i64 %1120, 1
-  %1357 = icmp slt i64 %1120, 0
-  %1358 = select i1 %1357, i64 %91, i64 0
-  %1359 = getelementptr double, ptr %92, i64 %1120
-  %1360 = getelementptr double, ptr %1359, i64 %1358
-  %1361 = load double, ptr %1360, align 8, !noalias !15
-  %1362 = select i1 %1357, i64 %86, i64 0
-  %1363 = getelementptr double, ptr %87, i64 %1120
-  %1364 = getelementptr double, ptr %1363, i64 %1362
-  store double %1361, ptr %1364, align 8, !noalias !15
-  %1365 = add nsw i64 %234, %1120
-  %1366 = icmp slt i64 %1365, 0
-  %1367 = select i1 %1366, i64 %118, i64 0
-  %1368 = getelementptr double, ptr %119, i64 %1365
-  %1369 = getelementptr double, ptr %1368, i64 %1367
-  %1370 = load double, ptr %1369, align 8, !noalias !15
-  %1371 = select i1 %1357, i64 %118, i64 0
-  %1372 = getelementptr double, ptr %119, i64 %1120
-  %1373 = getelementptr double, ptr %1372, i64 %1371
-  store double %1370, ptr %1373, align 8, !noalias !15
-  br label %1119
+1374:                                             ; preds = %1133
+  %1375 = add nsw i64 %1135, -1
+  %1376 = add i64 %1134, 1
+  %1377 = icmp slt i64 %1134, 0
+  %1378 = select i1 %1377, i64 %91, i64 0
+  %1379 = getelementptr double, ptr %92, i64 %1134
+  %1380 = getelementptr double, ptr %1379, i64 %1378
+  %1381 = load double, ptr %1380, align 8, !noalias !15
+  %1382 = select i1 %1377, i64 %86, i64 0
+  %1383 = getelementptr double, ptr %87, i64 %1134
+  %1384 = getelementptr double, ptr %1383, i64 %1382
+  store double %1381, ptr %1384, align 8, !noalias !15
+  %1385 = add nsw i64 %234, %1134
+  %1386 = icmp slt i64 %1385, 0
+  %1387 = select i1 %1386, i64 %118, i64 0
+  %1388 = getelementptr double, ptr %119, i64 %1385
+  %1389 = getelementptr double, ptr %1388, i64 %1387
+  %1390 = load double, ptr %1389, align 8, !noalias !15
+  %1391 = select i1 %1377, i64 %118, i64 0
+  %1392 = getelementptr double, ptr %119, i64 %1134
+  %1393 = getelementptr double, ptr %1392, i64 %1391
+  store double %1390, ptr %1393, align 8, !noalias !15
+  br label %1133
 
-1374:                                             ; preds = %1352, %1330, %1279, %1278, %1264, %1263, %1262, %1259, %1219, %1218, %1199, %1198, %1194, %1191, %1190, %1189, %1007, %757, %722, %703, %519, %438, %427, %274, %264, %226
-  %1375 = phi i64 [ 0, %1330 ], [ -1, %226 ], [ 0, %1194 ], [ %267, %264 ], [ 0, %1198 ], [ 0, %274 ], [ 0, %1199 ], [ 0, %1219 ], [ 0, %1218 ], [ -1, %427 ], [ 1, %438 ], [ 2, %1190 ], [ 0, %1263 ], [ 0, %1259 ], [ 0, %1262 ], [ 0, %1264 ], [ -4, %519 ], [ 0, %1352 ], [ 6, %703 ], [ 0, %1278 ], [ -4, %722 ], [ 2, %1189 ], [ 0, %1279 ], [ %1006, %1007 ], [ 0, %1191 ], [ %760, %757 ]
-  ret i64 %1375
+1394:                                             ; preds = %1372, %1350, %1299, %1298, %1284, %1283, %1282, %1279, %1239, %1238, %1219, %1218, %1214, %1211, %1210, %1209, %1021, %758, %721, %519, %438, %427, %274, %264, %226
+  %1395 = phi i64 [ 0, %1372 ], [ -1, %226 ], [ 0, %1214 ], [ %267, %264 ], [ 0, %1218 ], [ 0, %274 ], [ 0, %1219 ], [ 0, %1239 ], [ 0, %1238 ], [ -1, %427 ], [ 1, %438 ], [ 2, %1210 ], [ 0, %1283 ], [ 0, %1279 ], [ 0, %1282 ], [ 0, %1284 ], [ -4, %519 ], [ -4, %721 ], [ 2, %1209 ], [ 0, %1299 ], [ %1007, %1021 ], [ 0, %1211 ], [ 0, %1298 ], [ 0, %1350 ], [ %761, %758 ]
+  ret i64 %1395
 }
 
 

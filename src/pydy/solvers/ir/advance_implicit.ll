@@ -1,4 +1,4 @@
-; sources 73e2e3446a49f5088ed6dcb56206d455664568b73945ceae5837b55f7413a3ec
+; sources 904ef98b4e8f36012d29f89e5eef7f70b49adb01f8191d996ec4a93242779f43
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8
@@ -816,7 +816,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %177
 
 192:                                              ; preds = %154
-  br label %2581
+  br label %2600
 
 193:                                              ; preds = %154
   %194 = getelementptr i8, ptr %25, i64 1032
@@ -910,12 +910,12 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %282 = call i64 @llvm.smax.i64(i64 %273, i64 0)
   br label %283
 
-283:                                              ; preds = %2273, %193
-  %284 = phi i64 [ 0, %193 ], [ %2281, %2273 ]
-  %285 = phi i64 [ %282, %193 ], [ %2282, %2273 ]
-  %286 = phi double [ %281, %193 ], [ %2280, %2273 ]
+283:                                              ; preds = %2292, %193
+  %284 = phi i64 [ 0, %193 ], [ %2300, %2292 ]
+  %285 = phi i64 [ %282, %193 ], [ %2301, %2292 ]
+  %286 = phi double [ %281, %193 ], [ %2299, %2292 ]
   %287 = icmp sgt i64 %285, 0
-  br i1 %287, label %2273, label %288
+  br i1 %287, label %2292, label %288
 
 288:                                              ; preds = %283
   %289 = fcmp olt double %286, 0x3CB0000000000000
@@ -971,19 +971,19 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 316:                                              ; preds = %310, %312
   %317 = phi i32 [ %315, %312 ], [ 0, %310 ]
   %318 = phi i32 [ 0, %312 ], [ %311, %310 ]
-  switch i32 %318, label %2285 [
-    i32 -2, label %2283
-    i32 0, label %2283
+  switch i32 %318, label %2304 [
+    i32 -2, label %2302
+    i32 0, label %2302
   ], !prof !32
 
-319:                                              ; preds = %2283
+319:                                              ; preds = %2302
   %320 = getelementptr i8, ptr %110, i64 72
   store i64 3, ptr %320, align 8, !noalias !12
   %321 = icmp slt i32 %317, 0
   %322 = select i1 %321, i64 -4, i64 2
-  br label %2581
+  br label %2600
 
-323:                                              ; preds = %2283
+323:                                              ; preds = %2302
   store i64 1, ptr %110, align 8, !noalias !12
   %324 = getelementptr i8, ptr %105, i64 24
   store double 0.000000e+00, ptr %324, align 8, !noalias !12
@@ -995,15 +995,15 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double 0.000000e+00, ptr %327, align 8, !noalias !12
   store i8 0, ptr %23, align 1, !noalias !12
   %328 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %30, ptr %65, i64 %64, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %328, label %2289 [
-    i32 -2, label %2286
-    i32 0, label %2286
+  switch i32 %328, label %2308 [
+    i32 -2, label %2305
+    i32 0, label %2305
   ], !prof !32
 
-329:                                              ; preds = %2286
-  br label %2581
+329:                                              ; preds = %2305
+  br label %2600
 
-330:                                              ; preds = %2286
+330:                                              ; preds = %2305
   %331 = fcmp oeq double %299, 0.000000e+00
   br i1 %331, label %332, label %359
 
@@ -1015,7 +1015,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double 0.000000e+00, ptr %21, align 8, !noalias !34
   %335 = call fastcc i32 @norm(ptr nonnull %21, ptr %65, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %273) #3
   %336 = load double, ptr %21, align 8, !noalias !34
-  switch i32 %335, label %2290 [
+  switch i32 %335, label %2309 [
     i32 -2, label %337
     i32 0, label %337
   ], !prof !32
@@ -1023,7 +1023,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 337:                                              ; preds = %332, %332
   store double 0.000000e+00, ptr %22, align 8, !noalias !34
   %338 = call fastcc i32 @norm(ptr nonnull %22, ptr %85, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %273) #3
-  switch i32 %338, label %2290 [
+  switch i32 %338, label %2309 [
     i32 -2, label %339
     i32 0, label %339
   ], !prof !32
@@ -1057,21 +1057,21 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %360 = phi double [ %355, %339 ], [ %355, %357 ], [ %299, %330 ], [ %299, %288 ]
   br label %361
 
-361:                                              ; preds = %2269, %359
-  %362 = phi double [ %360, %359 ], [ %2270, %2269 ]
-  %363 = phi double [ %297, %359 ], [ %366, %2269 ]
+361:                                              ; preds = %2288, %359
+  %362 = phi double [ %360, %359 ], [ %2289, %2288 ]
+  %363 = phi double [ %297, %359 ], [ %366, %2288 ]
   br label %364
 
-364:                                              ; preds = %2222, %361
-  %365 = phi double [ %362, %361 ], [ %2223, %2222 ]
-  %366 = phi double [ %363, %361 ], [ %392, %2222 ]
+364:                                              ; preds = %2241, %361
+  %365 = phi double [ %362, %361 ], [ %2242, %2241 ]
+  %366 = phi double [ %363, %361 ], [ %392, %2241 ]
   %367 = load i64, ptr %161, align 8, !noalias !12
   %368 = icmp eq i64 %367, 0
   br i1 %368, label %369, label %370
 
 369:                                              ; preds = %364
   store double %365, ptr %298, align 8, !noalias !12
-  br label %2581
+  br label %2600
 
 370:                                              ; preds = %364
   %371 = add nsw i64 %367, -1
@@ -1088,7 +1088,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 380:                                              ; preds = %370
   store double %365, ptr %298, align 8, !noalias !12
-  br label %2581
+  br label %2600
 
 381:                                              ; preds = %370
   %382 = getelementptr i8, ptr %105, i64 16
@@ -1107,7 +1107,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %395 = fcmp ogt double %394, %366
   %396 = fcmp oeq double %392, %280
   %397 = or i1 %395, %396
-  br i1 %397, label %398, label %2271
+  br i1 %397, label %398, label %2290
 
 398:                                              ; preds = %381
   %399 = getelementptr i8, ptr %196, i64 8
@@ -1145,49 +1145,49 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 414:                                              ; preds = %411, %411, %409, %413
   %415 = phi i32 [ %412, %413 ], [ 0, %409 ], [ 0, %411 ], [ 0, %411 ]
-  switch i32 %415, label %2296 [
-    i32 -2, label %2291
-    i32 0, label %2291
+  switch i32 %415, label %2315 [
+    i32 -2, label %2310
+    i32 0, label %2310
   ], !prof !32
 
 416:                                              ; preds = %402
   %417 = call i64 @llvm.smax.i64(i64 %403, i64 0)
   br label %418
 
-418:                                              ; preds = %416, %2297
-  %419 = phi i64 [ 0, %416 ], [ %2299, %2297 ]
-  %420 = phi i64 [ %417, %416 ], [ %2298, %2297 ]
+418:                                              ; preds = %416, %2316
+  %419 = phi i64 [ 0, %416 ], [ %2318, %2316 ]
+  %420 = phi i64 [ %417, %416 ], [ %2317, %2316 ]
   %421 = icmp sgt i64 %420, 0
-  br i1 %421, label %2297, label %422
+  br i1 %421, label %2316, label %422
 
 422:                                              ; preds = %418, %432
-  %423 = phi i64 [ %2310, %432 ], [ 0, %418 ]
-  %424 = phi i64 [ %2309, %432 ], [ %417, %418 ]
+  %423 = phi i64 [ %2329, %432 ], [ 0, %418 ]
+  %424 = phi i64 [ %2328, %432 ], [ %417, %418 ]
   %425 = icmp sgt i64 %424, 0
-  br i1 %425, label %2308, label %434
+  br i1 %425, label %2327, label %434
 
-426:                                              ; preds = %2341
-  %427 = sext i32 %2339 to i64
+426:                                              ; preds = %2360
+  %427 = sext i32 %2358 to i64
   br label %434
 
-428:                                              ; preds = %2341, %2344
-  %429 = phi i64 [ %2346, %2344 ], [ 0, %2341 ]
-  %430 = phi i64 [ %2345, %2344 ], [ %417, %2341 ]
+428:                                              ; preds = %2360, %2363
+  %429 = phi i64 [ %2365, %2363 ], [ 0, %2360 ]
+  %430 = phi i64 [ %2364, %2363 ], [ %417, %2360 ]
   %431 = icmp sgt i64 %430, 0
-  br i1 %431, label %2344, label %432
+  br i1 %431, label %2363, label %432
 
 432:                                              ; preds = %428
-  %433 = load double, ptr %2314, align 8, !noalias !12
-  store double %433, ptr %2324, align 8, !noalias !12
+  %433 = load double, ptr %2333, align 8, !noalias !12
+  store double %433, ptr %2343, align 8, !noalias !12
   br label %422
 
-434:                                              ; preds = %422, %2291, %426
-  %435 = phi i64 [ %2295, %2291 ], [ %427, %426 ], [ 0, %422 ]
+434:                                              ; preds = %422, %2310, %426
+  %435 = phi i64 [ %2314, %2310 ], [ %427, %426 ], [ 0, %422 ]
   %436 = icmp slt i64 %435, 0
   br i1 %436, label %437, label %438
 
 437:                                              ; preds = %434
-  br label %2581
+  br label %2600
 
 438:                                              ; preds = %434
   store i64 0, ptr %399, align 8, !noalias !12
@@ -1217,16 +1217,16 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %453
 
 453:                                              ; preds = %461, %448
-  %454 = phi i64 [ 0, %448 ], [ %2366, %461 ]
-  %455 = phi i64 [ %452, %448 ], [ %2365, %461 ]
+  %454 = phi i64 [ 0, %448 ], [ %2385, %461 ]
+  %455 = phi i64 [ %452, %448 ], [ %2384, %461 ]
   %456 = icmp sgt i64 %455, 0
-  br i1 %456, label %2364, label %487
+  br i1 %456, label %2383, label %487
 
-457:                                              ; preds = %2364, %2367
-  %458 = phi i64 [ 0, %2364 ], [ %2369, %2367 ]
-  %459 = phi i64 [ %452, %2364 ], [ %2368, %2367 ]
+457:                                              ; preds = %2383, %2386
+  %458 = phi i64 [ 0, %2383 ], [ %2388, %2386 ]
+  %459 = phi i64 [ %452, %2383 ], [ %2387, %2386 ]
   %460 = icmp sgt i64 %459, 0
-  br i1 %460, label %2367, label %461
+  br i1 %460, label %2386, label %461
 
 461:                                              ; preds = %457
   %462 = icmp slt i64 %454, 0
@@ -1627,7 +1627,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %762 = sub nsw i64 1, %761
   store i64 %762, ptr %399, align 8, !noalias !12
   store i64 0, ptr %442, align 8, !noalias !12
-  br label %2269
+  br label %2288
 
 763:                                              ; preds = %754, %445
   %764 = getelementptr i8, ptr %199, i64 8
@@ -1635,12 +1635,12 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %766
 
 766:                                              ; preds = %781, %763
-  %767 = phi i64 [ 0, %763 ], [ %2399, %781 ]
-  %768 = phi i64 [ 3, %763 ], [ %2398, %781 ]
+  %767 = phi i64 [ 0, %763 ], [ %2418, %781 ]
+  %768 = phi i64 [ 3, %763 ], [ %2417, %781 ]
   %769 = icmp sgt i64 %768, 0
-  br i1 %769, label %2397, label %835
+  br i1 %769, label %2416, label %835
 
-770:                                              ; preds = %2397
+770:                                              ; preds = %2416
   %771 = icmp slt i64 %767, 0
   %772 = add i64 %767, 3
   %773 = select i1 %771, i64 %772, i64 %767
@@ -1651,17 +1651,17 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %778 = fadd double %777, 1.000000e+00
   br label %779
 
-779:                                              ; preds = %2397, %770
-  %780 = phi double [ %778, %770 ], [ 0.000000e+00, %2397 ]
+779:                                              ; preds = %2416, %770
+  %780 = phi double [ %778, %770 ], [ 0.000000e+00, %2416 ]
   br label %781
 
 781:                                              ; preds = %779, %825, %785
-  %782 = phi i64 [ 0, %779 ], [ %2403, %785 ], [ %2403, %825 ]
-  %783 = phi i64 [ %282, %779 ], [ %2402, %785 ], [ %2402, %825 ]
+  %782 = phi i64 [ 0, %779 ], [ %2422, %785 ], [ %2422, %825 ]
+  %783 = phi i64 [ %282, %779 ], [ %2421, %785 ], [ %2421, %825 ]
   %784 = icmp sgt i64 %783, 0
-  br i1 %784, label %2401, label %766
+  br i1 %784, label %2420, label %766
 
-785:                                              ; preds = %2401
+785:                                              ; preds = %2420
   %786 = fsub double 1.000000e+00, %780
   %787 = icmp slt i64 %782, 0
   %788 = select i1 %787, i64 %256, i64 0
@@ -1704,7 +1704,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double %816, ptr %824, align 8, !noalias !12
   br label %781
 
-825:                                              ; preds = %2401
+825:                                              ; preds = %2420
   %826 = icmp slt i64 %767, 0
   %827 = select i1 %826, i64 %235, i64 0
   %828 = add i64 %767, %827
@@ -1718,16 +1718,16 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %781
 
 835:                                              ; preds = %766, %839
-  %836 = phi i64 [ %2406, %839 ], [ 0, %766 ]
-  %837 = phi i64 [ %2405, %839 ], [ 3, %766 ]
+  %836 = phi i64 [ %2425, %839 ], [ 0, %766 ]
+  %837 = phi i64 [ %2424, %839 ], [ 3, %766 ]
   %838 = icmp sgt i64 %837, 0
-  br i1 %838, label %2404, label %843
+  br i1 %838, label %2423, label %843
 
-839:                                              ; preds = %2404, %2407
-  %840 = phi i64 [ 0, %2404 ], [ %2409, %2407 ]
-  %841 = phi i64 [ %282, %2404 ], [ %2408, %2407 ]
+839:                                              ; preds = %2423, %2426
+  %840 = phi i64 [ 0, %2423 ], [ %2428, %2426 ]
+  %841 = phi i64 [ %282, %2423 ], [ %2427, %2426 ]
   %842 = icmp sgt i64 %841, 0
-  br i1 %842, label %2407, label %835
+  br i1 %842, label %2426, label %835
 
 843:                                              ; preds = %835
   %844 = fmul double %296, %286
@@ -3034,22 +3034,22 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %1843 = phi i1 [ %1286, %1283 ], [ true, %1175 ], [ true, %897 ], [ true, %1323 ], [ true, %894 ], [ true, %959 ], [ true, %1775 ], [ true, %1171 ]
   %1844 = phi i64 [ 0, %1283 ], [ 0, %1175 ], [ %898, %897 ], [ 0, %1323 ], [ 0, %894 ], [ 0, %959 ], [ 0, %1775 ], [ 0, %1171 ]
   %1845 = phi i32 [ 0, %1283 ], [ 0, %1175 ], [ 0, %897 ], [ 0, %1323 ], [ %896, %894 ], [ %960, %959 ], [ 0, %1775 ], [ %1174, %1171 ]
-  switch i32 %1845, label %2450 [
-    i32 -2, label %2448
-    i32 0, label %2448
+  switch i32 %1845, label %2469 [
+    i32 -2, label %2467
+    i32 0, label %2467
   ], !prof !32
 
-1846:                                             ; preds = %2448
-  br label %2581
+1846:                                             ; preds = %2467
+  br label %2600
 
-1847:                                             ; preds = %2448
-  br i1 %1843, label %2244, label %1848
+1847:                                             ; preds = %2467
+  br i1 %1843, label %2263, label %1848
 
-1848:                                             ; preds = %1847, %2451
-  %1849 = phi i64 [ %2453, %2451 ], [ 0, %1847 ]
-  %1850 = phi i64 [ %2452, %2451 ], [ %282, %1847 ]
+1848:                                             ; preds = %1847, %2470
+  %1849 = phi i64 [ %2472, %2470 ], [ 0, %1847 ]
+  %1850 = phi i64 [ %2471, %2470 ], [ %282, %1847 ]
   %1851 = icmp sgt i64 %1850, 0
-  br i1 %1851, label %2451, label %1852
+  br i1 %1851, label %2470, label %1852
 
 1852:                                             ; preds = %1848
   %1853 = getelementptr i8, ptr %196, i64 32
@@ -3254,15 +3254,15 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %1972 = phi double [ %1929, %1930 ], [ 0.000000e+00, %1862 ], [ %1929, %1885 ], [ 0.000000e+00, %1927 ], [ 0.000000e+00, %1882 ], [ 0.000000e+00, %1891 ], [ %1970, %1969 ], [ 0.000000e+00, %1967 ]
   %1973 = phi i64 [ 0, %1930 ], [ 0, %1862 ], [ %1886, %1885 ], [ 0, %1927 ], [ 0, %1882 ], [ 0, %1891 ], [ 0, %1969 ], [ 0, %1967 ]
   %1974 = phi i32 [ 0, %1930 ], [ %1863, %1862 ], [ 0, %1885 ], [ %1928, %1927 ], [ %1884, %1882 ], [ %1892, %1891 ], [ 0, %1969 ], [ %1968, %1967 ]
-  switch i32 %1974, label %2471 [
-    i32 -2, label %2469
-    i32 0, label %2469
+  switch i32 %1974, label %2490 [
+    i32 -2, label %2488
+    i32 0, label %2488
   ], !prof !32
 
-1975:                                             ; preds = %2469
-  br label %2581
+1975:                                             ; preds = %2488
+  br label %2600
 
-1976:                                             ; preds = %2469
+1976:                                             ; preds = %2488
   %1977 = add nsw i64 %1842, 12
   %1978 = sitofp i64 %1977 to double
   %1979 = fdiv double 0x4027666666666667, %1978
@@ -3272,10 +3272,10 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %1983 = icmp eq i64 %1973, 0
   %1984 = fcmp olt double %1972, 1.000000e+00
   %1985 = select i1 %1983, i1 %1984, i1 false
-  br i1 %1985, label %1986, label %2227
+  br i1 %1985, label %1986, label %2246
 
 1986:                                             ; preds = %1976
-  br i1 %275, label %1987, label %1994
+  br i1 %275, label %1987, label %2001
 
 1987:                                             ; preds = %1986
   %1988 = getelementptr i8, ptr %157, i64 56
@@ -3283,886 +3283,921 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %1990 = inttoptr i64 %1989 to ptr
   %1991 = call i64 %1990(i64 %0, double %392, i64 %67) #3, !noalias !12
   %1992 = icmp eq i64 %1991, 0
-  br i1 %1992, label %1994, label %1993
+  br i1 %1992, label %2001, label %1993
 
 1993:                                             ; preds = %1987
-  store double %391, ptr %298, align 8, !noalias !12
-  br label %2581
+  %1994 = load i64, ptr %374, align 8, !noalias !12
+  %1995 = add nsw i64 %1994, 1
+  store i64 %1995, ptr %374, align 8, !noalias !12
+  %1996 = fmul double %391, 2.500000e-01
+  %1997 = getelementptr i8, ptr %110, i64 72
+  store i64 6, ptr %1997, align 8, !noalias !12
+  %1998 = getelementptr i8, ptr %196, i64 16
+  %1999 = load i64, ptr %1998, align 8, !noalias !12
+  %2000 = sub nsw i64 1, %1999
+  store i64 1, ptr %1853, align 8, !noalias !12
+  store i64 %2000, ptr %399, align 8, !noalias !12
+  br label %2288
 
-1994:                                             ; preds = %1987, %1986
-  %1995 = load i64, ptr %372, align 8, !noalias !12
-  %1996 = add nsw i64 %1995, 1
-  store i64 %1996, ptr %372, align 8, !noalias !12
-  %1997 = getelementptr i8, ptr %105, i64 24
-  %1998 = load double, ptr %1997, align 8, !noalias !12
-  %1999 = fcmp ogt double %1998, 0.000000e+00
-  br i1 %1999, label %2000, label %2010
+2001:                                             ; preds = %1987, %1986
+  %2002 = load i64, ptr %372, align 8, !noalias !12
+  %2003 = add nsw i64 %2002, 1
+  store i64 %2003, ptr %372, align 8, !noalias !12
+  %2004 = getelementptr i8, ptr %105, i64 24
+  %2005 = load double, ptr %2004, align 8, !noalias !12
+  %2006 = fcmp ogt double %2005, 0.000000e+00
+  br i1 %2006, label %2007, label %2017
 
-2000:                                             ; preds = %1994
-  %2001 = getelementptr i8, ptr %105, i64 32
-  %2002 = load double, ptr %2001, align 8, !noalias !12
-  %2003 = fdiv double %391, %2002
-  %2004 = fdiv double %1998, %1981
-  %2005 = call double @llvm.pow.f64(double %2004, double 2.500000e-01)
-  %2006 = fmul double %2003, %2005
-  %2007 = fcmp olt double %2006, 1.000000e+00
-  %2008 = select i1 %2007, double %2006, double 1.000000e+00
-  %2009 = fmul double %1982, %2008
-  br label %2010
+2007:                                             ; preds = %2001
+  %2008 = getelementptr i8, ptr %105, i64 32
+  %2009 = load double, ptr %2008, align 8, !noalias !12
+  %2010 = fdiv double %391, %2009
+  %2011 = fdiv double %2005, %1981
+  %2012 = call double @llvm.pow.f64(double %2011, double 2.500000e-01)
+  %2013 = fmul double %2010, %2012
+  %2014 = fcmp olt double %2013, 1.000000e+00
+  %2015 = select i1 %2014, double %2013, double 1.000000e+00
+  %2016 = fmul double %1982, %2015
+  br label %2017
 
-2010:                                             ; preds = %2000, %1994
-  %2011 = phi double [ %2009, %2000 ], [ %1982, %1994 ]
-  %2012 = fmul double %1979, %2011
-  %2013 = fcmp olt double %2012, 1.000000e+01
-  %2014 = select i1 %2013, double %2012, double 1.000000e+01
+2017:                                             ; preds = %2007, %2001
+  %2018 = phi double [ %2016, %2007 ], [ %1982, %2001 ]
+  %2019 = fmul double %1979, %2018
+  %2020 = fcmp olt double %2019, 1.000000e+01
+  %2021 = select i1 %2020, double %2019, double 1.000000e+01
   store double %392, ptr %105, align 8, !noalias !12
-  %2015 = getelementptr i8, ptr %105, i64 32
-  store double %391, ptr %2015, align 8, !noalias !12
-  store double %1981, ptr %1997, align 8, !noalias !12
-  br label %2016
+  %2022 = getelementptr i8, ptr %105, i64 32
+  store double %391, ptr %2022, align 8, !noalias !12
+  store double %1981, ptr %2004, align 8, !noalias !12
+  br label %2023
 
-2016:                                             ; preds = %2020, %2010
-  %2017 = phi i64 [ 0, %2010 ], [ %2474, %2020 ]
-  %2018 = phi i64 [ %282, %2010 ], [ %2473, %2020 ]
-  %2019 = icmp sgt i64 %2018, 0
-  br i1 %2019, label %2472, label %2024
+2023:                                             ; preds = %2027, %2017
+  %2024 = phi i64 [ 0, %2017 ], [ %2493, %2027 ]
+  %2025 = phi i64 [ %282, %2017 ], [ %2492, %2027 ]
+  %2026 = icmp sgt i64 %2025, 0
+  br i1 %2026, label %2491, label %2031
 
-2020:                                             ; preds = %2472, %2529
-  %2021 = phi i64 [ 0, %2472 ], [ %2531, %2529 ]
-  %2022 = phi i64 [ 3, %2472 ], [ %2530, %2529 ]
-  %2023 = icmp sgt i64 %2022, 0
-  br i1 %2023, label %2529, label %2016
+2027:                                             ; preds = %2491, %2548
+  %2028 = phi i64 [ 0, %2491 ], [ %2550, %2548 ]
+  %2029 = phi i64 [ 3, %2491 ], [ %2549, %2548 ]
+  %2030 = icmp sgt i64 %2029, 0
+  br i1 %2030, label %2548, label %2023
 
-2024:                                             ; preds = %2016
+2031:                                             ; preds = %2023
   store double %391, ptr %764, align 8, !noalias !12
-  %2025 = getelementptr i8, ptr %160, i64 8
-  %2026 = load i64, ptr %2025, align 8, !noalias !12
-  %2027 = icmp sgt i64 %2026, 0
-  br i1 %2027, label %2037, label %2028
+  %2032 = getelementptr i8, ptr %160, i64 8
+  %2033 = load i64, ptr %2032, align 8, !noalias !12
+  %2034 = icmp sgt i64 %2033, 0
+  br i1 %2034, label %2044, label %2035
 
-2028:                                             ; preds = %2024
-  %2029 = getelementptr i8, ptr %110, i64 48
-  %2030 = load i64, ptr %2029, align 8, !noalias !12
-  %2031 = icmp slt i64 %2030, 0
-  %2032 = select i1 %2031, i64 %114, i64 0
-  %2033 = getelementptr double, ptr %115, i64 %2030
-  %2034 = getelementptr double, ptr %2033, i64 %2032
-  %2035 = load double, ptr %2034, align 8, !noalias !12
-  %2036 = fcmp ugt double %2035, %392
-  br i1 %2036, label %2182, label %2044
+2035:                                             ; preds = %2031
+  %2036 = getelementptr i8, ptr %110, i64 48
+  %2037 = load i64, ptr %2036, align 8, !noalias !12
+  %2038 = icmp slt i64 %2037, 0
+  %2039 = select i1 %2038, i64 %114, i64 0
+  %2040 = getelementptr double, ptr %115, i64 %2037
+  %2041 = getelementptr double, ptr %2040, i64 %2039
+  %2042 = load double, ptr %2041, align 8, !noalias !12
+  %2043 = fcmp ugt double %2042, %392
+  br i1 %2043, label %2201, label %2051
 
-2037:                                             ; preds = %2024
-  %2038 = getelementptr i8, ptr %160, i64 16
-  %2039 = load i64, ptr %2038, align 8, !noalias !12
-  %2040 = inttoptr i64 %2039 to ptr
-  %2041 = call i64 %2040(i64 %0, double %366, double %391) #3, !noalias !12
-  %2042 = getelementptr i8, ptr %105, i64 48
-  %2043 = load double, ptr %2042, align 8, !noalias !12
-  br label %2044
+2044:                                             ; preds = %2031
+  %2045 = getelementptr i8, ptr %160, i64 16
+  %2046 = load i64, ptr %2045, align 8, !noalias !12
+  %2047 = inttoptr i64 %2046 to ptr
+  %2048 = call i64 %2047(i64 %0, double %366, double %391) #3, !noalias !12
+  %2049 = getelementptr i8, ptr %105, i64 48
+  %2050 = load double, ptr %2049, align 8, !noalias !12
+  br label %2051
 
-2044:                                             ; preds = %2028, %2037
-  %2045 = phi double [ %2043, %2037 ], [ 1.000000e+00, %2028 ]
-  %2046 = phi i64 [ %2041, %2037 ], [ 0, %2028 ]
-  %2047 = fcmp oeq double %2045, 1.000000e+00
-  br i1 %2047, label %2048, label %2050
+2051:                                             ; preds = %2035, %2044
+  %2052 = phi double [ %2050, %2044 ], [ 1.000000e+00, %2035 ]
+  %2053 = phi i64 [ %2048, %2044 ], [ 0, %2035 ]
+  %2054 = fcmp oeq double %2052, 1.000000e+00
+  br i1 %2054, label %2055, label %2057
 
-2048:                                             ; preds = %2044
-  %2049 = load double, ptr %105, align 8, !noalias !12
-  br label %2053
+2055:                                             ; preds = %2051
+  %2056 = load double, ptr %105, align 8, !noalias !12
+  br label %2060
 
-2050:                                             ; preds = %2044
-  %2051 = fmul double %2045, %391
-  %2052 = fadd double %366, %2051
-  br label %2053
+2057:                                             ; preds = %2051
+  %2058 = fmul double %2052, %391
+  %2059 = fadd double %366, %2058
+  br label %2060
 
-2053:                                             ; preds = %2050, %2048
-  %2054 = phi double [ %2049, %2048 ], [ %2052, %2050 ]
-  %2055 = fcmp olt double %2045, 1.000000e+00
-  %2056 = load i64, ptr %116, align 8, !noalias !12
-  %2057 = load i64, ptr %157, align 8, !noalias !12
-  %2058 = icmp eq i64 %2057, 1
-  %2059 = getelementptr i8, ptr %110, i64 48
-  %2060 = load i64, ptr %2059, align 8, !noalias !12
-  %2061 = icmp slt i64 %2060, %114
-  br i1 %2061, label %2062, label %2105
+2060:                                             ; preds = %2057, %2055
+  %2061 = phi double [ %2056, %2055 ], [ %2059, %2057 ]
+  %2062 = fcmp olt double %2052, 1.000000e+00
+  %2063 = load i64, ptr %116, align 8, !noalias !12
+  %2064 = load i64, ptr %157, align 8, !noalias !12
+  %2065 = icmp eq i64 %2064, 1
+  %2066 = getelementptr i8, ptr %110, i64 48
+  %2067 = load i64, ptr %2066, align 8, !noalias !12
+  %2068 = icmp slt i64 %2067, %114
+  br i1 %2068, label %2069, label %2112
 
-2062:                                             ; preds = %2053
-  %2063 = icmp slt i64 %2060, 0
-  %2064 = select i1 %2063, i64 %114, i64 0
-  %2065 = getelementptr double, ptr %115, i64 %2060
-  %2066 = getelementptr double, ptr %2065, i64 %2064
-  %2067 = load double, ptr %2066, align 8, !noalias !12
-  %2068 = fcmp olt double %2067, %2054
-  %2069 = fcmp oeq double %2067, %2054
-  %2070 = and i1 %2069, %2055
-  %2071 = or i1 %2068, %2070
-  br i1 %2071, label %2072, label %2105
+2069:                                             ; preds = %2060
+  %2070 = icmp slt i64 %2067, 0
+  %2071 = select i1 %2070, i64 %114, i64 0
+  %2072 = getelementptr double, ptr %115, i64 %2067
+  %2073 = getelementptr double, ptr %2072, i64 %2071
+  %2074 = load double, ptr %2073, align 8, !noalias !12
+  %2075 = fcmp olt double %2074, %2061
+  %2076 = fcmp oeq double %2074, %2061
+  %2077 = and i1 %2076, %2062
+  %2078 = or i1 %2075, %2077
+  br i1 %2078, label %2079, label %2112
 
-2072:                                             ; preds = %2095, %2062
-  %2073 = phi i64 [ %2060, %2062 ], [ %2093, %2095 ]
-  %2074 = icmp slt i64 %2073, 0
-  %2075 = select i1 %2074, i64 %114, i64 0
-  %2076 = getelementptr double, ptr %115, i64 %2073
-  %2077 = getelementptr double, ptr %2076, i64 %2075
-  %2078 = load double, ptr %2077, align 8, !noalias !12
-  %2079 = fsub double %2078, %366
-  %2080 = fdiv double %2079, %391
-  %2081 = mul nsw i64 %2073, %2056
-  %2082 = shl i64 %2081, 3
-  %2083 = add i64 %2082, %1
-  %2084 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2546
+2079:                                             ; preds = %2102, %2069
+  %2080 = phi i64 [ %2067, %2069 ], [ %2100, %2102 ]
+  %2081 = icmp slt i64 %2080, 0
+  %2082 = select i1 %2081, i64 %114, i64 0
+  %2083 = getelementptr double, ptr %115, i64 %2080
+  %2084 = getelementptr double, ptr %2083, i64 %2082
+  %2085 = load double, ptr %2084, align 8, !noalias !12
+  %2086 = fsub double %2085, %366
+  %2087 = fdiv double %2086, %391
+  %2088 = mul nsw i64 %2080, %2063
+  %2089 = shl i64 %2088, 3
+  %2090 = add i64 %2089, %1
+  %2091 = call i64 @llvm.smax.i64(i64 %79, i64 0)
+  br label %2565
 
-2085:                                             ; preds = %2550
-  %2086 = getelementptr i8, ptr %157, i64 56
-  %2087 = load i64, ptr %2086, align 8, !noalias !12
-  %2088 = load double, ptr %2077, align 8, !noalias !12
-  %2089 = inttoptr i64 %2087 to ptr
-  %2090 = call i64 %2089(i64 %0, double %2088, i64 %2083) #3, !noalias !12
-  %2091 = icmp eq i64 %2090, 0
-  br i1 %2091, label %2092, label %2107
+2092:                                             ; preds = %2569
+  %2093 = getelementptr i8, ptr %157, i64 56
+  %2094 = load i64, ptr %2093, align 8, !noalias !12
+  %2095 = load double, ptr %2084, align 8, !noalias !12
+  %2096 = inttoptr i64 %2094 to ptr
+  %2097 = call i64 %2096(i64 %0, double %2095, i64 %2090) #3, !noalias !12
+  %2098 = icmp eq i64 %2097, 0
+  br i1 %2098, label %2099, label %2114
 
-2092:                                             ; preds = %2550, %2085
-  %2093 = add nsw i64 %2073, 1
-  %2094 = icmp slt i64 %2093, %114
-  br i1 %2094, label %2095, label %2105
+2099:                                             ; preds = %2569, %2092
+  %2100 = add nsw i64 %2080, 1
+  %2101 = icmp slt i64 %2100, %114
+  br i1 %2101, label %2102, label %2112
 
-2095:                                             ; preds = %2092
-  %2096 = icmp slt i64 %2073, -1
-  %2097 = select i1 %2096, i64 %114, i64 0
-  %2098 = getelementptr double, ptr %115, i64 %2093
-  %2099 = getelementptr double, ptr %2098, i64 %2097
-  %2100 = load double, ptr %2099, align 8, !noalias !12
-  %2101 = fcmp olt double %2100, %2054
-  %2102 = fcmp oeq double %2100, %2054
-  %2103 = and i1 %2102, %2055
-  %2104 = or i1 %2101, %2103
-  br i1 %2104, label %2072, label %2105
+2102:                                             ; preds = %2099
+  %2103 = icmp slt i64 %2080, -1
+  %2104 = select i1 %2103, i64 %114, i64 0
+  %2105 = getelementptr double, ptr %115, i64 %2100
+  %2106 = getelementptr double, ptr %2105, i64 %2104
+  %2107 = load double, ptr %2106, align 8, !noalias !12
+  %2108 = fcmp olt double %2107, %2061
+  %2109 = fcmp oeq double %2107, %2061
+  %2110 = and i1 %2109, %2062
+  %2111 = or i1 %2108, %2110
+  br i1 %2111, label %2079, label %2112
 
-2105:                                             ; preds = %2095, %2062, %2092, %2053
-  %2106 = phi i64 [ %2060, %2062 ], [ %2093, %2095 ], [ %2093, %2092 ], [ %2060, %2053 ]
-  store i64 %2106, ptr %2059, align 8, !noalias !12
-  br label %2107
+2112:                                             ; preds = %2102, %2069, %2099, %2060
+  %2113 = phi i64 [ %2067, %2069 ], [ %2100, %2102 ], [ %2100, %2099 ], [ %2067, %2060 ]
+  store i64 %2113, ptr %2066, align 8, !noalias !12
+  br label %2114
 
-2107:                                             ; preds = %2085, %2105
-  %2108 = phi i1 [ true, %2105 ], [ false, %2085 ]
-  %2109 = phi i64 [ 0, %2105 ], [ %2090, %2085 ]
-  %2110 = icmp ne i64 %2046, 0
-  %2111 = select i1 %2108, i1 %2110, i1 false
-  %2112 = and i1 %2111, %2055
-  br i1 %2112, label %2113, label %2152
+2114:                                             ; preds = %2092, %2112
+  %2115 = phi i1 [ true, %2112 ], [ false, %2092 ]
+  %2116 = phi i64 [ 0, %2112 ], [ %2097, %2092 ]
+  %2117 = icmp ne i64 %2053, 0
+  %2118 = select i1 %2115, i1 %2117, i1 false
+  %2119 = and i1 %2118, %2062
+  br i1 %2119, label %2120, label %2159
 
-2113:                                             ; preds = %2107
-  %2114 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2115
+2120:                                             ; preds = %2114
+  %2121 = call i64 @llvm.smax.i64(i64 %79, i64 0)
+  br label %2122
 
-2115:                                             ; preds = %2113, %2140
-  %2116 = phi i64 [ 0, %2113 ], [ %2142, %2140 ]
-  %2117 = phi i64 [ %2114, %2113 ], [ %2141, %2140 ]
-  %2118 = icmp sgt i64 %2117, 0
-  br i1 %2118, label %2140, label %2119
+2122:                                             ; preds = %2120, %2147
+  %2123 = phi i64 [ 0, %2120 ], [ %2149, %2147 ]
+  %2124 = phi i64 [ %2121, %2120 ], [ %2148, %2147 ]
+  %2125 = icmp sgt i64 %2124, 0
+  br i1 %2125, label %2147, label %2126
 
-2119:                                             ; preds = %2115
-  %2120 = getelementptr i8, ptr %27, i64 24
-  %2121 = load i64, ptr %2120, align 8, !noalias !116
-  %2122 = getelementptr i8, ptr %30, i64 16
-  %2123 = load i64, ptr %2122, align 8, !noalias !116
-  call fastcc void @pydy_nested(i64 %72, i64 %62, i64 %87, i64 %64, i64 %2121, i64 %77, i64 %2123) #3, !noalias !116
-  %2124 = call i64 @llvm.smax.i64(i64 %69, i64 0)
-  br label %2125
+2126:                                             ; preds = %2122
+  %2127 = getelementptr i8, ptr %27, i64 24
+  %2128 = load i64, ptr %2127, align 8, !noalias !116
+  %2129 = getelementptr i8, ptr %30, i64 16
+  %2130 = load i64, ptr %2129, align 8, !noalias !116
+  call fastcc void @pydy_nested(i64 %72, i64 %62, i64 %87, i64 %64, i64 %2128, i64 %77, i64 %2130) #3, !noalias !116
+  %2131 = call i64 @llvm.smax.i64(i64 %69, i64 0)
+  br label %2132
 
-2125:                                             ; preds = %2129, %2119
-  %2126 = phi i64 [ 0, %2119 ], [ %2131, %2129 ]
-  %2127 = phi i64 [ %2124, %2119 ], [ %2130, %2129 ]
-  %2128 = icmp sgt i64 %2127, 0
-  br i1 %2128, label %2129, label %2562
+2132:                                             ; preds = %2136, %2126
+  %2133 = phi i64 [ 0, %2126 ], [ %2138, %2136 ]
+  %2134 = phi i64 [ %2131, %2126 ], [ %2137, %2136 ]
+  %2135 = icmp sgt i64 %2134, 0
+  br i1 %2135, label %2136, label %2581
 
-2129:                                             ; preds = %2125
-  %2130 = add nsw i64 %2127, -1
-  %2131 = add i64 %2126, 1
-  %2132 = icmp slt i64 %2126, 0
-  %2133 = select i1 %2132, i64 %74, i64 0
-  %2134 = getelementptr double, ptr %75, i64 %2126
-  %2135 = getelementptr double, ptr %2134, i64 %2133
-  %2136 = load double, ptr %2135, align 8, !noalias !120
-  %2137 = select i1 %2132, i64 %69, i64 0
-  %2138 = getelementptr double, ptr %70, i64 %2126
-  %2139 = getelementptr double, ptr %2138, i64 %2137
-  store double %2136, ptr %2139, align 8, !noalias !120
-  br label %2125
-
-2140:                                             ; preds = %2115
-  %2141 = add nsw i64 %2117, -1
-  %2142 = add i64 %2116, 1
-  %2143 = icmp slt i64 %2116, 0
-  %2144 = select i1 %2143, i64 %79, i64 0
-  %2145 = getelementptr double, ptr %80, i64 %2116
+2136:                                             ; preds = %2132
+  %2137 = add nsw i64 %2134, -1
+  %2138 = add i64 %2133, 1
+  %2139 = icmp slt i64 %2133, 0
+  %2140 = select i1 %2139, i64 %74, i64 0
+  %2141 = getelementptr double, ptr %75, i64 %2133
+  %2142 = getelementptr double, ptr %2141, i64 %2140
+  %2143 = load double, ptr %2142, align 8, !noalias !120
+  %2144 = select i1 %2139, i64 %69, i64 0
+  %2145 = getelementptr double, ptr %70, i64 %2133
   %2146 = getelementptr double, ptr %2145, i64 %2144
-  store double %2045, ptr %2146, align 8, !noalias !116
-  br label %2115
+  store double %2143, ptr %2146, align 8, !noalias !120
+  br label %2132
 
-2147:                                             ; preds = %2562
-  %2148 = getelementptr i8, ptr %157, i64 56
-  %2149 = load i64, ptr %2148, align 8, !noalias !12
-  %2150 = inttoptr i64 %2149 to ptr
-  %2151 = call i64 %2150(i64 %0, double %2054, i64 %67) #3, !noalias !12
-  br label %2152
+2147:                                             ; preds = %2122
+  %2148 = add nsw i64 %2124, -1
+  %2149 = add i64 %2123, 1
+  %2150 = icmp slt i64 %2123, 0
+  %2151 = select i1 %2150, i64 %79, i64 0
+  %2152 = getelementptr double, ptr %80, i64 %2123
+  %2153 = getelementptr double, ptr %2152, i64 %2151
+  store double %2052, ptr %2153, align 8, !noalias !116
+  br label %2122
 
-2152:                                             ; preds = %2562, %2147, %2107
-  %2153 = phi i64 [ %2151, %2147 ], [ 0, %2562 ], [ %2109, %2107 ]
-  %2154 = icmp eq i64 %2153, 0
-  br i1 %2154, label %2156, label %2155
+2154:                                             ; preds = %2581
+  %2155 = getelementptr i8, ptr %157, i64 56
+  %2156 = load i64, ptr %2155, align 8, !noalias !12
+  %2157 = inttoptr i64 %2156 to ptr
+  %2158 = call i64 %2157(i64 %0, double %2061, i64 %67) #3, !noalias !12
+  br label %2159
 
-2155:                                             ; preds = %2152
+2159:                                             ; preds = %2581, %2154, %2114
+  %2160 = phi i64 [ %2158, %2154 ], [ 0, %2581 ], [ %2116, %2114 ]
+  %2161 = icmp eq i64 %2160, 0
+  br i1 %2161, label %2163, label %2162
+
+2162:                                             ; preds = %2159
   store double %366, ptr %105, align 8, !noalias !12
   store double %391, ptr %298, align 8, !noalias !12
-  br label %2178
+  br label %2185
 
-2156:                                             ; preds = %2152
-  br i1 %2047, label %2157, label %2159
+2163:                                             ; preds = %2159
+  br i1 %2054, label %2164, label %2166
 
-2157:                                             ; preds = %2156
+2164:                                             ; preds = %2163
   store i8 0, ptr %24, align 1, !noalias !12
-  %2158 = call fastcc i32 @write_reached(ptr nonnull %24, ptr %30, ptr %70, i64 %69, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %2158, label %2565 [
-    i32 -2, label %2159
-    i32 0, label %2159
+  %2165 = call fastcc i32 @write_reached(ptr nonnull %24, ptr %30, ptr %70, i64 %69, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
+  switch i32 %2165, label %2584 [
+    i32 -2, label %2166
+    i32 0, label %2166
   ], !prof !32
 
-2159:                                             ; preds = %2157, %2157, %2156
-  %2160 = icmp eq i64 %2046, 0
-  br i1 %2160, label %2178, label %2161
+2166:                                             ; preds = %2164, %2164, %2163
+  %2167 = icmp eq i64 %2053, 0
+  br i1 %2167, label %2185, label %2168
 
-2161:                                             ; preds = %2159
-  %2162 = call i64 @llvm.smax.i64(i64 %64, i64 0)
-  br label %2163
+2168:                                             ; preds = %2166
+  %2169 = call i64 @llvm.smax.i64(i64 %64, i64 0)
+  br label %2170
 
-2163:                                             ; preds = %2167, %2161
-  %2164 = phi i64 [ 0, %2161 ], [ %2169, %2167 ]
-  %2165 = phi i64 [ %2162, %2161 ], [ %2168, %2167 ]
-  %2166 = icmp sgt i64 %2165, 0
-  br i1 %2166, label %2167, label %2566
+2170:                                             ; preds = %2174, %2168
+  %2171 = phi i64 [ 0, %2168 ], [ %2176, %2174 ]
+  %2172 = phi i64 [ %2169, %2168 ], [ %2175, %2174 ]
+  %2173 = icmp sgt i64 %2172, 0
+  br i1 %2173, label %2174, label %2585
 
-2167:                                             ; preds = %2163
-  %2168 = add nsw i64 %2165, -1
-  %2169 = add i64 %2164, 1
-  %2170 = icmp slt i64 %2164, 0
-  %2171 = select i1 %2170, i64 %69, i64 0
-  %2172 = getelementptr double, ptr %70, i64 %2164
-  %2173 = getelementptr double, ptr %2172, i64 %2171
-  %2174 = load double, ptr %2173, align 8, !noalias !123
-  %2175 = select i1 %2170, i64 %64, i64 0
-  %2176 = getelementptr double, ptr %65, i64 %2164
-  %2177 = getelementptr double, ptr %2176, i64 %2175
-  store double %2174, ptr %2177, align 8, !noalias !123
-  br label %2163
+2174:                                             ; preds = %2170
+  %2175 = add nsw i64 %2172, -1
+  %2176 = add i64 %2171, 1
+  %2177 = icmp slt i64 %2171, 0
+  %2178 = select i1 %2177, i64 %69, i64 0
+  %2179 = getelementptr double, ptr %70, i64 %2171
+  %2180 = getelementptr double, ptr %2179, i64 %2178
+  %2181 = load double, ptr %2180, align 8, !noalias !123
+  %2182 = select i1 %2177, i64 %64, i64 0
+  %2183 = getelementptr double, ptr %65, i64 %2171
+  %2184 = getelementptr double, ptr %2183, i64 %2182
+  store double %2181, ptr %2184, align 8, !noalias !123
+  br label %2170
 
-2178:                                             ; preds = %2159, %2566, %2155
-  %2179 = phi i1 [ false, %2155 ], [ false, %2566 ], [ true, %2159 ]
-  %2180 = phi i64 [ %2153, %2155 ], [ %2046, %2566 ], [ 0, %2159 ]
-  br i1 %2179, label %2182, label %2181
+2185:                                             ; preds = %2166, %2585, %2162
+  %2186 = phi i64 [ %2160, %2162 ], [ %2053, %2585 ], [ 0, %2166 ]
+  switch i64 %2186, label %2200 [
+    i64 6, label %2187
+    i64 0, label %2201
+  ]
 
-2181:                                             ; preds = %2178
-  br label %2581
+2187:                                             ; preds = %2185
+  %2188 = load i64, ptr %2032, align 8, !noalias !12
+  %2189 = icmp eq i64 %2188, 0
+  br i1 %2189, label %2190, label %2200
 
-2182:                                             ; preds = %2178, %2028
-  br label %2183
+2190:                                             ; preds = %2187
+  %2191 = load i64, ptr %372, align 8, !noalias !12
+  %2192 = add nsw i64 %2191, -1
+  store i64 %2192, ptr %372, align 8, !noalias !12
+  %2193 = load i64, ptr %374, align 8, !noalias !12
+  %2194 = add nsw i64 %2193, 1
+  store i64 %2194, ptr %374, align 8, !noalias !12
+  %2195 = fmul double %391, 2.500000e-01
+  %2196 = getelementptr i8, ptr %110, i64 72
+  store i64 6, ptr %2196, align 8, !noalias !12
+  %2197 = getelementptr i8, ptr %196, i64 16
+  %2198 = load i64, ptr %2197, align 8, !noalias !12
+  %2199 = sub nsw i64 1, %2198
+  store i64 1, ptr %1853, align 8, !noalias !12
+  store i64 %2199, ptr %399, align 8, !noalias !12
+  store double 0.000000e+00, ptr %764, align 8, !noalias !12
+  br label %2288
 
-2183:                                             ; preds = %2182, %2567
-  %2184 = phi i64 [ 0, %2182 ], [ %2569, %2567 ]
-  %2185 = phi i64 [ %282, %2182 ], [ %2568, %2567 ]
-  %2186 = icmp sgt i64 %2185, 0
-  br i1 %2186, label %2567, label %2187
+2200:                                             ; preds = %2187, %2185
+  br label %2600
 
-2187:                                             ; preds = %2183
-  %2188 = getelementptr i8, ptr %110, i64 24
-  %2189 = load i64, ptr %2188, align 8, !noalias !12
-  %2190 = add nsw i64 %2189, 1
-  store i64 %2190, ptr %2188, align 8, !noalias !12
+2201:                                             ; preds = %2185, %2035
+  br label %2202
+
+2202:                                             ; preds = %2201, %2586
+  %2203 = phi i64 [ 0, %2201 ], [ %2588, %2586 ]
+  %2204 = phi i64 [ %282, %2201 ], [ %2587, %2586 ]
+  %2205 = icmp sgt i64 %2204, 0
+  br i1 %2205, label %2586, label %2206
+
+2206:                                             ; preds = %2202
+  %2207 = getelementptr i8, ptr %110, i64 24
+  %2208 = load i64, ptr %2207, align 8, !noalias !12
+  %2209 = add nsw i64 %2208, 1
+  store i64 %2209, ptr %2207, align 8, !noalias !12
   store ptr null, ptr %15, align 8, !noalias !126
   store ptr null, ptr %16, align 8, !noalias !126
   store double %392, ptr %33, align 8, !noalias !126
-  %2191 = icmp sgt i64 %45, 0
-  br i1 %2191, label %2192, label %2195
+  %2210 = icmp sgt i64 %45, 0
+  br i1 %2210, label %2211, label %2214
 
-2192:                                             ; preds = %2187
+2211:                                             ; preds = %2206
   store ptr null, ptr %15, align 8, !noalias !126
-  %2193 = call fastcc i32 @_sample(ptr nonnull %15, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %392) #3
-  switch i32 %2193, label %2194 [
-    i32 -2, label %2195
-    i32 0, label %2195
+  %2212 = call fastcc i32 @_sample(ptr nonnull %15, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %392) #3
+  switch i32 %2212, label %2213 [
+    i32 -2, label %2214
+    i32 0, label %2214
   ], !prof !32
 
-2194:                                             ; preds = %2192
-  br label %2195
+2213:                                             ; preds = %2211
+  br label %2214
 
-2195:                                             ; preds = %2192, %2192, %2187, %2194
-  %2196 = phi i32 [ %2193, %2194 ], [ 0, %2187 ], [ 0, %2192 ], [ 0, %2192 ]
-  switch i32 %2196, label %2201 [
-    i32 -2, label %2197
-    i32 0, label %2197
+2214:                                             ; preds = %2211, %2211, %2206, %2213
+  %2215 = phi i32 [ %2212, %2213 ], [ 0, %2206 ], [ 0, %2211 ], [ 0, %2211 ]
+  switch i32 %2215, label %2220 [
+    i32 -2, label %2216
+    i32 0, label %2216
   ], !prof !32
 
-2197:                                             ; preds = %2195, %2195
-  %2198 = load i64, ptr %30, align 8, !noalias !133
-  %2199 = inttoptr i64 %2198 to ptr
-  %2200 = call i32 %2199(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !133
-  br label %2201
+2216:                                             ; preds = %2214, %2214
+  %2217 = load i64, ptr %30, align 8, !noalias !133
+  %2218 = inttoptr i64 %2217 to ptr
+  %2219 = call i32 %2218(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !133
+  br label %2220
 
-2201:                                             ; preds = %2195, %2197
-  %2202 = phi i32 [ %2200, %2197 ], [ 0, %2195 ]
-  %2203 = phi i32 [ 0, %2197 ], [ %2196, %2195 ]
-  switch i32 %2203, label %2580 [
-    i32 -2, label %2578
-    i32 0, label %2578
+2220:                                             ; preds = %2214, %2216
+  %2221 = phi i32 [ %2219, %2216 ], [ 0, %2214 ]
+  %2222 = phi i32 [ 0, %2216 ], [ %2215, %2214 ]
+  switch i32 %2222, label %2599 [
+    i32 -2, label %2597
+    i32 0, label %2597
   ], !prof !32
 
-2204:                                             ; preds = %2578
-  %2205 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %2205, align 8, !noalias !12
+2223:                                             ; preds = %2597
+  %2224 = getelementptr i8, ptr %110, i64 72
+  store i64 3, ptr %2224, align 8, !noalias !12
   store double %391, ptr %298, align 8, !noalias !12
-  %2206 = icmp slt i32 %2202, 0
-  %2207 = select i1 %2206, i64 -4, i64 2
-  br label %2581
+  %2225 = icmp slt i32 %2221, 0
+  %2226 = select i1 %2225, i64 -4, i64 2
+  br label %2600
 
-2208:                                             ; preds = %2578
-  %2209 = icmp sgt i64 %1842, 2
-  %2210 = fcmp ogt double %1841, 1.000000e-03
-  %2211 = select i1 %2209, i1 %2210, i1 false
-  %2212 = zext i1 %2211 to i64
-  store i64 %2212, ptr %399, align 8, !noalias !12
-  %2213 = getelementptr i8, ptr %196, i64 16
-  store i64 0, ptr %2213, align 8, !noalias !12
+2227:                                             ; preds = %2597
+  %2228 = icmp sgt i64 %1842, 2
+  %2229 = fcmp ogt double %1841, 1.000000e-03
+  %2230 = select i1 %2228, i1 %2229, i1 false
+  %2231 = zext i1 %2230 to i64
+  store i64 %2231, ptr %399, align 8, !noalias !12
+  %2232 = getelementptr i8, ptr %196, i64 16
+  store i64 0, ptr %2232, align 8, !noalias !12
   store i64 0, ptr %1853, align 8, !noalias !12
-  %2214 = fcmp ule double %2014, 1.000000e+00
-  %2215 = fcmp uge double %2014, 1.200000e+00
-  %2216 = or i1 %2214, %2215
-  %2217 = select i1 %2216, i1 true, i1 %2211
-  br i1 %2217, label %2218, label %2222
+  %2233 = fcmp ule double %2021, 1.000000e+00
+  %2234 = fcmp uge double %2021, 1.200000e+00
+  %2235 = or i1 %2233, %2234
+  %2236 = select i1 %2235, i1 true, i1 %2230
+  br i1 %2236, label %2237, label %2241
 
-2218:                                             ; preds = %2208
-  %2219 = fcmp ogt double %2014, 2.000000e-01
-  %2220 = select i1 %2219, double %2014, double 2.000000e-01
-  %2221 = fmul double %391, %2220
-  br label %2222
-
-2222:                                             ; preds = %2208, %2218
-  %2223 = phi double [ %2221, %2218 ], [ %391, %2208 ]
-  %2224 = getelementptr i8, ptr %110, i64 48
-  %2225 = load i64, ptr %2224, align 8, !noalias !12
-  %2226 = icmp eq i64 %2225, %114
-  br i1 %2226, label %2272, label %364
-
-2227:                                             ; preds = %1976
-  %2228 = load i64, ptr %374, align 8, !noalias !12
-  %2229 = add nsw i64 %2228, 1
-  store i64 %2229, ptr %374, align 8, !noalias !12
-  %2230 = select i1 %1983, i64 2, i64 3
-  %2231 = getelementptr i8, ptr %110, i64 72
-  store i64 %2230, ptr %2231, align 8, !noalias !12
-  %2232 = fsub double %1972, %1972
-  %2233 = fcmp ord double %2232, 0.000000e+00
-  br i1 %2233, label %2234, label %2238
-
-2234:                                             ; preds = %2227
-  %2235 = fmul double %1979, %1982
-  %2236 = fcmp ogt double %2235, 2.000000e-01
-  %2237 = select i1 %2236, double %2235, double 2.000000e-01
-  br label %2238
-
-2238:                                             ; preds = %2234, %2227
-  %2239 = phi double [ 2.500000e-01, %2227 ], [ %2237, %2234 ]
+2237:                                             ; preds = %2227
+  %2238 = fcmp ogt double %2021, 2.000000e-01
+  %2239 = select i1 %2238, double %2021, double 2.000000e-01
   %2240 = fmul double %391, %2239
-  %2241 = getelementptr i8, ptr %196, i64 16
-  %2242 = load i64, ptr %2241, align 8, !noalias !12
-  %2243 = sub nsw i64 1, %2242
-  store i64 1, ptr %1853, align 8, !noalias !12
-  store i64 %2243, ptr %399, align 8, !noalias !12
-  br label %2269
+  br label %2241
 
-2244:                                             ; preds = %1847
-  %2245 = load i64, ptr %374, align 8, !noalias !12
-  %2246 = add nsw i64 %2245, 1
-  store i64 %2246, ptr %374, align 8, !noalias !12
-  %2247 = icmp ne i64 %1844, 0
-  br i1 %2247, label %2248, label %2250
+2241:                                             ; preds = %2227, %2237
+  %2242 = phi double [ %2240, %2237 ], [ %391, %2227 ]
+  %2243 = getelementptr i8, ptr %110, i64 48
+  %2244 = load i64, ptr %2243, align 8, !noalias !12
+  %2245 = icmp eq i64 %2244, %114
+  br i1 %2245, label %2291, label %364
 
-2248:                                             ; preds = %2244
-  %2249 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %2249, align 8, !noalias !12
-  br label %2257
-
-2250:                                             ; preds = %2244
-  %2251 = fsub double %1841, %1841
+2246:                                             ; preds = %1976
+  %2247 = load i64, ptr %374, align 8, !noalias !12
+  %2248 = add nsw i64 %2247, 1
+  store i64 %2248, ptr %374, align 8, !noalias !12
+  %2249 = select i1 %1983, i64 2, i64 3
+  %2250 = getelementptr i8, ptr %110, i64 72
+  store i64 %2249, ptr %2250, align 8, !noalias !12
+  %2251 = fsub double %1972, %1972
   %2252 = fcmp ord double %2251, 0.000000e+00
-  br i1 %2252, label %2253, label %2255
+  br i1 %2252, label %2253, label %2257
 
-2253:                                             ; preds = %2250
-  %2254 = getelementptr i8, ptr %110, i64 72
-  store i64 7, ptr %2254, align 8, !noalias !12
+2253:                                             ; preds = %2246
+  %2254 = fmul double %1979, %1982
+  %2255 = fcmp ogt double %2254, 2.000000e-01
+  %2256 = select i1 %2255, double %2254, double 2.000000e-01
   br label %2257
 
-2255:                                             ; preds = %2250
-  %2256 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %2256, align 8, !noalias !12
-  br label %2257
+2257:                                             ; preds = %2253, %2246
+  %2258 = phi double [ 2.500000e-01, %2246 ], [ %2256, %2253 ]
+  %2259 = fmul double %391, %2258
+  %2260 = getelementptr i8, ptr %196, i64 16
+  %2261 = load i64, ptr %2260, align 8, !noalias !12
+  %2262 = sub nsw i64 1, %2261
+  store i64 1, ptr %1853, align 8, !noalias !12
+  store i64 %2262, ptr %399, align 8, !noalias !12
+  br label %2288
 
-2257:                                             ; preds = %2255, %2253, %2248
-  %2258 = getelementptr i8, ptr %196, i64 16
-  %2259 = load i64, ptr %2258, align 8, !noalias !12
-  %2260 = icmp eq i64 %2259, 1
-  %2261 = or i1 %2260, %2247
-  br i1 %2261, label %2262, label %2265
+2263:                                             ; preds = %1847
+  %2264 = load i64, ptr %374, align 8, !noalias !12
+  %2265 = add nsw i64 %2264, 1
+  store i64 %2265, ptr %374, align 8, !noalias !12
+  %2266 = icmp ne i64 %1844, 0
+  br i1 %2266, label %2267, label %2269
 
-2262:                                             ; preds = %2257
-  %2263 = select i1 %2247, double 2.500000e-01, double 5.000000e-01
-  %2264 = fmul double %391, %2263
+2267:                                             ; preds = %2263
+  %2268 = getelementptr i8, ptr %110, i64 72
+  store i64 3, ptr %2268, align 8, !noalias !12
+  br label %2276
+
+2269:                                             ; preds = %2263
+  %2270 = fsub double %1841, %1841
+  %2271 = fcmp ord double %2270, 0.000000e+00
+  br i1 %2271, label %2272, label %2274
+
+2272:                                             ; preds = %2269
+  %2273 = getelementptr i8, ptr %110, i64 72
+  store i64 7, ptr %2273, align 8, !noalias !12
+  br label %2276
+
+2274:                                             ; preds = %2269
+  %2275 = getelementptr i8, ptr %110, i64 72
+  store i64 4, ptr %2275, align 8, !noalias !12
+  br label %2276
+
+2276:                                             ; preds = %2274, %2272, %2267
+  %2277 = getelementptr i8, ptr %196, i64 16
+  %2278 = load i64, ptr %2277, align 8, !noalias !12
+  %2279 = icmp eq i64 %2278, 1
+  %2280 = or i1 %2279, %2266
+  br i1 %2280, label %2281, label %2284
+
+2281:                                             ; preds = %2276
+  %2282 = select i1 %2266, double 2.500000e-01, double 5.000000e-01
+  %2283 = fmul double %391, %2282
   store double 0.000000e+00, ptr %764, align 8, !noalias !12
-  br label %2265
+  br label %2284
 
-2265:                                             ; preds = %2257, %2262
-  %2266 = phi double [ %2264, %2262 ], [ %365, %2257 ]
-  %2267 = load i64, ptr %2258, align 8, !noalias !12
-  %2268 = sub nsw i64 1, %2267
-  store i64 %2268, ptr %399, align 8, !noalias !12
-  br label %2269
+2284:                                             ; preds = %2276, %2281
+  %2285 = phi double [ %2283, %2281 ], [ %365, %2276 ]
+  %2286 = load i64, ptr %2277, align 8, !noalias !12
+  %2287 = sub nsw i64 1, %2286
+  store i64 %2287, ptr %399, align 8, !noalias !12
+  br label %2288
 
-2269:                                             ; preds = %2265, %2238, %755
-  %2270 = phi double [ %2240, %2238 ], [ %2266, %2265 ], [ %758, %755 ]
+2288:                                             ; preds = %2284, %2257, %2190, %1993, %755
+  %2289 = phi double [ %2259, %2257 ], [ %1996, %1993 ], [ %2195, %2190 ], [ %2285, %2284 ], [ %758, %755 ]
   br label %361
 
-2271:                                             ; preds = %381
+2290:                                             ; preds = %381
   store double %391, ptr %298, align 8, !noalias !12
-  br label %2581
+  br label %2600
 
-2272:                                             ; preds = %2222
-  store double %2223, ptr %298, align 8, !noalias !12
-  br label %2581
+2291:                                             ; preds = %2241
+  store double %2242, ptr %298, align 8, !noalias !12
+  br label %2600
 
-2273:                                             ; preds = %283
-  %2274 = icmp slt i64 %284, 0
-  %2275 = select i1 %2274, i64 %94, i64 0
-  %2276 = getelementptr double, ptr %95, i64 %284
-  %2277 = getelementptr double, ptr %2276, i64 %2275
-  %2278 = load double, ptr %2277, align 8, !noalias !12
-  %2279 = fcmp olt double %2278, %286
-  %2280 = select i1 %2279, double %2278, double %286
-  %2281 = add i64 %284, 1
-  %2282 = add nsw i64 %285, -1
+2292:                                             ; preds = %283
+  %2293 = icmp slt i64 %284, 0
+  %2294 = select i1 %2293, i64 %94, i64 0
+  %2295 = getelementptr double, ptr %95, i64 %284
+  %2296 = getelementptr double, ptr %2295, i64 %2294
+  %2297 = load double, ptr %2296, align 8, !noalias !12
+  %2298 = fcmp olt double %2297, %286
+  %2299 = select i1 %2298, double %2297, double %286
+  %2300 = add i64 %284, 1
+  %2301 = add nsw i64 %285, -1
   br label %283
 
-2283:                                             ; preds = %316, %316
-  %2284 = icmp eq i32 %317, 0
-  br i1 %2284, label %323, label %319
+2302:                                             ; preds = %316, %316
+  %2303 = icmp eq i32 %317, 0
+  br i1 %2303, label %323, label %319
 
-2285:                                             ; preds = %316
-  br label %2581
+2304:                                             ; preds = %316
+  br label %2600
 
-2286:                                             ; preds = %323, %323
-  %2287 = load i8, ptr %23, align 1, !noalias !12
-  %2288 = icmp eq i8 %2287, 0
-  br i1 %2288, label %330, label %329
+2305:                                             ; preds = %323, %323
+  %2306 = load i8, ptr %23, align 1, !noalias !12
+  %2307 = icmp eq i8 %2306, 0
+  br i1 %2307, label %330, label %329
 
-2289:                                             ; preds = %323
-  br label %2581
+2308:                                             ; preds = %323
+  br label %2600
 
-2290:                                             ; preds = %337, %332
-  br label %2581
+2309:                                             ; preds = %337, %332
+  br label %2600
 
-2291:                                             ; preds = %414, %414
-  %2292 = load i64, ptr %196, align 8, !noalias !12
-  %2293 = inttoptr i64 %2292 to ptr
-  %2294 = call i32 %2293(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !12
-  %2295 = sext i32 %2294 to i64
+2310:                                             ; preds = %414, %414
+  %2311 = load i64, ptr %196, align 8, !noalias !12
+  %2312 = inttoptr i64 %2311 to ptr
+  %2313 = call i32 %2312(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !12
+  %2314 = sext i32 %2313 to i64
   br label %434
 
-2296:                                             ; preds = %414
-  br label %2581
+2315:                                             ; preds = %414
+  br label %2600
 
-2297:                                             ; preds = %418
-  %2298 = add nsw i64 %420, -1
-  %2299 = add i64 %419, 1
-  %2300 = icmp slt i64 %419, 0
-  %2301 = select i1 %2300, i64 %64, i64 0
-  %2302 = getelementptr double, ptr %65, i64 %419
-  %2303 = getelementptr double, ptr %2302, i64 %2301
-  %2304 = load double, ptr %2303, align 8, !noalias !12
-  %2305 = select i1 %2300, i64 %74, i64 0
-  %2306 = getelementptr double, ptr %75, i64 %419
-  %2307 = getelementptr double, ptr %2306, i64 %2305
-  store double %2304, ptr %2307, align 8, !noalias !12
+2316:                                             ; preds = %418
+  %2317 = add nsw i64 %420, -1
+  %2318 = add i64 %419, 1
+  %2319 = icmp slt i64 %419, 0
+  %2320 = select i1 %2319, i64 %64, i64 0
+  %2321 = getelementptr double, ptr %65, i64 %419
+  %2322 = getelementptr double, ptr %2321, i64 %2320
+  %2323 = load double, ptr %2322, align 8, !noalias !12
+  %2324 = select i1 %2319, i64 %74, i64 0
+  %2325 = getelementptr double, ptr %75, i64 %419
+  %2326 = getelementptr double, ptr %2325, i64 %2324
+  store double %2323, ptr %2326, align 8, !noalias !12
   br label %418
 
-2308:                                             ; preds = %422
-  %2309 = add nsw i64 %424, -1
-  %2310 = add i64 %423, 1
-  %2311 = icmp slt i64 %423, 0
-  %2312 = select i1 %2311, i64 %64, i64 0
-  %2313 = getelementptr double, ptr %65, i64 %423
-  %2314 = getelementptr double, ptr %2313, i64 %2312
-  %2315 = load double, ptr %2314, align 8, !noalias !12
-  %2316 = call double @llvm.fabs.f64(double %2315)
-  %2317 = fcmp olt double %2316, 1.000000e-05
-  %2318 = select i1 %2317, double 1.000000e-05, double %2316
-  %2319 = fmul double %2318, 1.500000e-08
-  %2320 = fadd double %2315, %2319
-  %2321 = fsub double %2320, %2315
-  %2322 = select i1 %2311, i64 %74, i64 0
-  %2323 = getelementptr double, ptr %75, i64 %423
-  %2324 = getelementptr double, ptr %2323, i64 %2322
-  store double %2320, ptr %2324, align 8, !noalias !12
-  %2325 = getelementptr i8, ptr %110, i64 24
-  %2326 = load i64, ptr %2325, align 8, !noalias !12
-  %2327 = add nsw i64 %2326, 1
-  store i64 %2327, ptr %2325, align 8, !noalias !12
+2327:                                             ; preds = %422
+  %2328 = add nsw i64 %424, -1
+  %2329 = add i64 %423, 1
+  %2330 = icmp slt i64 %423, 0
+  %2331 = select i1 %2330, i64 %64, i64 0
+  %2332 = getelementptr double, ptr %65, i64 %423
+  %2333 = getelementptr double, ptr %2332, i64 %2331
+  %2334 = load double, ptr %2333, align 8, !noalias !12
+  %2335 = call double @llvm.fabs.f64(double %2334)
+  %2336 = fcmp olt double %2335, 1.000000e-05
+  %2337 = select i1 %2336, double 1.000000e-05, double %2335
+  %2338 = fmul double %2337, 1.500000e-08
+  %2339 = fadd double %2334, %2338
+  %2340 = fsub double %2339, %2334
+  %2341 = select i1 %2330, i64 %74, i64 0
+  %2342 = getelementptr double, ptr %75, i64 %423
+  %2343 = getelementptr double, ptr %2342, i64 %2341
+  store double %2339, ptr %2343, align 8, !noalias !12
+  %2344 = getelementptr i8, ptr %110, i64 24
+  %2345 = load i64, ptr %2344, align 8, !noalias !12
+  %2346 = add nsw i64 %2345, 1
+  store i64 %2346, ptr %2344, align 8, !noalias !12
   store ptr null, ptr %17, align 8, !noalias !134
   store ptr null, ptr %18, align 8, !noalias !134
   store double %366, ptr %33, align 8, !noalias !134
-  %2328 = icmp sgt i64 %45, 0
-  br i1 %2328, label %2329, label %2332
+  %2347 = icmp sgt i64 %45, 0
+  br i1 %2347, label %2348, label %2351
 
-2329:                                             ; preds = %2308
+2348:                                             ; preds = %2327
   store ptr null, ptr %17, align 8, !noalias !134
-  %2330 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
-  switch i32 %2330, label %2331 [
-    i32 -2, label %2332
-    i32 0, label %2332
+  %2349 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
+  switch i32 %2349, label %2350 [
+    i32 -2, label %2351
+    i32 0, label %2351
   ], !prof !32
 
-2331:                                             ; preds = %2329
-  br label %2332
+2350:                                             ; preds = %2348
+  br label %2351
 
-2332:                                             ; preds = %2329, %2329, %2308, %2331
-  %2333 = phi i32 [ %2330, %2331 ], [ 0, %2308 ], [ 0, %2329 ], [ 0, %2329 ]
-  switch i32 %2333, label %2338 [
-    i32 -2, label %2334
-    i32 0, label %2334
+2351:                                             ; preds = %2348, %2348, %2327, %2350
+  %2352 = phi i32 [ %2349, %2350 ], [ 0, %2327 ], [ 0, %2348 ], [ 0, %2348 ]
+  switch i32 %2352, label %2357 [
+    i32 -2, label %2353
+    i32 0, label %2353
   ], !prof !32
 
-2334:                                             ; preds = %2332, %2332
-  %2335 = load i64, ptr %30, align 8, !noalias !141
-  %2336 = inttoptr i64 %2335 to ptr
-  %2337 = call i32 %2336(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !141
-  br label %2338
+2353:                                             ; preds = %2351, %2351
+  %2354 = load i64, ptr %30, align 8, !noalias !141
+  %2355 = inttoptr i64 %2354 to ptr
+  %2356 = call i32 %2355(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !141
+  br label %2357
 
-2338:                                             ; preds = %2332, %2334
-  %2339 = phi i32 [ %2337, %2334 ], [ 0, %2332 ]
-  %2340 = phi i32 [ 0, %2334 ], [ %2333, %2332 ]
-  switch i32 %2340, label %2343 [
-    i32 -2, label %2341
-    i32 0, label %2341
+2357:                                             ; preds = %2351, %2353
+  %2358 = phi i32 [ %2356, %2353 ], [ 0, %2351 ]
+  %2359 = phi i32 [ 0, %2353 ], [ %2352, %2351 ]
+  switch i32 %2359, label %2362 [
+    i32 -2, label %2360
+    i32 0, label %2360
   ], !prof !32
 
-2341:                                             ; preds = %2338, %2338
-  %2342 = icmp eq i32 %2339, 0
-  br i1 %2342, label %428, label %426
+2360:                                             ; preds = %2357, %2357
+  %2361 = icmp eq i32 %2358, 0
+  br i1 %2361, label %428, label %426
 
-2343:                                             ; preds = %2338
-  br label %2581
+2362:                                             ; preds = %2357
+  br label %2600
 
-2344:                                             ; preds = %428
-  %2345 = add nsw i64 %430, -1
-  %2346 = add i64 %429, 1
-  %2347 = icmp slt i64 %429, 0
-  %2348 = select i1 %2347, i64 %69, i64 0
-  %2349 = getelementptr double, ptr %70, i64 %429
-  %2350 = getelementptr double, ptr %2349, i64 %2348
-  %2351 = load double, ptr %2350, align 8, !noalias !12
-  %2352 = select i1 %2347, i64 %84, i64 0
-  %2353 = getelementptr double, ptr %85, i64 %429
-  %2354 = getelementptr double, ptr %2353, i64 %2352
-  %2355 = load double, ptr %2354, align 8, !noalias !12
-  %2356 = fsub double %2351, %2355
-  %2357 = fdiv double %2356, %2321
-  %2358 = mul nsw i64 %429, %403
-  %2359 = add nsw i64 %2358, %423
-  %2360 = icmp slt i64 %2359, 0
-  %2361 = select i1 %2360, i64 %206, i64 0
-  %2362 = getelementptr double, ptr %207, i64 %2359
-  %2363 = getelementptr double, ptr %2362, i64 %2361
-  store double %2357, ptr %2363, align 8, !noalias !12
+2363:                                             ; preds = %428
+  %2364 = add nsw i64 %430, -1
+  %2365 = add i64 %429, 1
+  %2366 = icmp slt i64 %429, 0
+  %2367 = select i1 %2366, i64 %69, i64 0
+  %2368 = getelementptr double, ptr %70, i64 %429
+  %2369 = getelementptr double, ptr %2368, i64 %2367
+  %2370 = load double, ptr %2369, align 8, !noalias !12
+  %2371 = select i1 %2366, i64 %84, i64 0
+  %2372 = getelementptr double, ptr %85, i64 %429
+  %2373 = getelementptr double, ptr %2372, i64 %2371
+  %2374 = load double, ptr %2373, align 8, !noalias !12
+  %2375 = fsub double %2370, %2374
+  %2376 = fdiv double %2375, %2340
+  %2377 = mul nsw i64 %429, %403
+  %2378 = add nsw i64 %2377, %423
+  %2379 = icmp slt i64 %2378, 0
+  %2380 = select i1 %2379, i64 %206, i64 0
+  %2381 = getelementptr double, ptr %207, i64 %2378
+  %2382 = getelementptr double, ptr %2381, i64 %2380
+  store double %2376, ptr %2382, align 8, !noalias !12
   br label %428
 
-2364:                                             ; preds = %453
-  %2365 = add nsw i64 %455, -1
-  %2366 = add i64 %454, 1
+2383:                                             ; preds = %453
+  %2384 = add nsw i64 %455, -1
+  %2385 = add i64 %454, 1
   br label %457
 
-2367:                                             ; preds = %457
-  %2368 = add nsw i64 %459, -1
-  %2369 = add i64 %458, 1
-  %2370 = mul nsw i64 %454, %225
-  %2371 = add nsw i64 %2370, %458
-  %2372 = icmp slt i64 %2371, 0
-  %2373 = select i1 %2372, i64 %206, i64 0
-  %2374 = getelementptr double, ptr %207, i64 %2371
-  %2375 = getelementptr double, ptr %2374, i64 %2373
-  %2376 = load double, ptr %2375, align 8, !noalias !12
-  %2377 = fneg double %2376
-  %2378 = icmp slt i64 %454, 0
-  %2379 = select i1 %2378, i64 %211, i64 0
-  %2380 = add i64 %454, %2379
-  %2381 = icmp slt i64 %458, 0
-  %2382 = select i1 %2381, i64 %213, i64 0
-  %2383 = mul i64 %2380, %213
-  %2384 = getelementptr double, ptr %214, i64 %2383
-  %2385 = getelementptr double, ptr %2384, i64 %458
-  %2386 = getelementptr double, ptr %2385, i64 %2382
-  store double %2377, ptr %2386, align 8, !noalias !12
-  %2387 = load double, ptr %2375, align 8, !noalias !12
-  %2388 = fneg double %2387
-  %2389 = select i1 %2378, i64 %218, i64 0
-  %2390 = add i64 %454, %2389
-  %2391 = select i1 %2381, i64 %220, i64 0
-  %2392 = mul i64 %2390, %220
-  %2393 = getelementptr { double, double }, ptr %221, i64 %2392
-  %2394 = getelementptr { double, double }, ptr %2393, i64 %458
-  %2395 = getelementptr { double, double }, ptr %2394, i64 %2391
-  store double %2388, ptr %2395, align 8, !noalias !12
-  %2396 = getelementptr inbounds nuw i8, ptr %2395, i64 8
-  store double 0.000000e+00, ptr %2396, align 8, !noalias !12
+2386:                                             ; preds = %457
+  %2387 = add nsw i64 %459, -1
+  %2388 = add i64 %458, 1
+  %2389 = mul nsw i64 %454, %225
+  %2390 = add nsw i64 %2389, %458
+  %2391 = icmp slt i64 %2390, 0
+  %2392 = select i1 %2391, i64 %206, i64 0
+  %2393 = getelementptr double, ptr %207, i64 %2390
+  %2394 = getelementptr double, ptr %2393, i64 %2392
+  %2395 = load double, ptr %2394, align 8, !noalias !12
+  %2396 = fneg double %2395
+  %2397 = icmp slt i64 %454, 0
+  %2398 = select i1 %2397, i64 %211, i64 0
+  %2399 = add i64 %454, %2398
+  %2400 = icmp slt i64 %458, 0
+  %2401 = select i1 %2400, i64 %213, i64 0
+  %2402 = mul i64 %2399, %213
+  %2403 = getelementptr double, ptr %214, i64 %2402
+  %2404 = getelementptr double, ptr %2403, i64 %458
+  %2405 = getelementptr double, ptr %2404, i64 %2401
+  store double %2396, ptr %2405, align 8, !noalias !12
+  %2406 = load double, ptr %2394, align 8, !noalias !12
+  %2407 = fneg double %2406
+  %2408 = select i1 %2397, i64 %218, i64 0
+  %2409 = add i64 %454, %2408
+  %2410 = select i1 %2400, i64 %220, i64 0
+  %2411 = mul i64 %2409, %220
+  %2412 = getelementptr { double, double }, ptr %221, i64 %2411
+  %2413 = getelementptr { double, double }, ptr %2412, i64 %458
+  %2414 = getelementptr { double, double }, ptr %2413, i64 %2410
+  store double %2407, ptr %2414, align 8, !noalias !12
+  %2415 = getelementptr inbounds nuw i8, ptr %2414, i64 8
+  store double 0.000000e+00, ptr %2415, align 8, !noalias !12
   br label %457
 
-2397:                                             ; preds = %766
-  %2398 = add nsw i64 %768, -1
-  %2399 = add i64 %767, 1
-  %2400 = fcmp ogt double %765, 0.000000e+00
-  br i1 %2400, label %770, label %779
+2416:                                             ; preds = %766
+  %2417 = add nsw i64 %768, -1
+  %2418 = add i64 %767, 1
+  %2419 = fcmp ogt double %765, 0.000000e+00
+  br i1 %2419, label %770, label %779
 
-2401:                                             ; preds = %781
-  %2402 = add nsw i64 %783, -1
-  %2403 = add i64 %782, 1
-  br i1 %2400, label %785, label %825
+2420:                                             ; preds = %781
+  %2421 = add nsw i64 %783, -1
+  %2422 = add i64 %782, 1
+  br i1 %2419, label %785, label %825
 
-2404:                                             ; preds = %835
-  %2405 = add nsw i64 %837, -1
-  %2406 = add i64 %836, 1
+2423:                                             ; preds = %835
+  %2424 = add nsw i64 %837, -1
+  %2425 = add i64 %836, 1
   br label %839
 
-2407:                                             ; preds = %839
-  %2408 = add nsw i64 %841, -1
-  %2409 = add i64 %840, 1
-  %2410 = icmp slt i64 %836, 0
-  %2411 = add i64 %836, 3
-  %2412 = select i1 %2410, i64 %2411, i64 %836
-  %2413 = mul i64 %2412, 24
-  %2414 = getelementptr i8, ptr @1, i64 %2413
-  %2415 = load double, ptr %2414, align 8, !noalias !12
-  %2416 = icmp slt i64 %840, 0
-  %2417 = select i1 %2416, i64 %237, i64 0
-  %2418 = getelementptr double, ptr %238, i64 %840
-  %2419 = getelementptr double, ptr %2418, i64 %2417
-  %2420 = load double, ptr %2419, align 8, !noalias !12
-  %2421 = fmul double %2415, %2420
-  %2422 = getelementptr i8, ptr @2, i64 %2413
-  %2423 = getelementptr i8, ptr %2422, i64 8
-  %2424 = load double, ptr %2423, align 8, !noalias !12
-  %2425 = getelementptr double, ptr %238, i64 %237
-  %2426 = getelementptr double, ptr %2425, i64 %840
-  %2427 = getelementptr double, ptr %2426, i64 %2417
-  %2428 = load double, ptr %2427, align 8, !noalias !12
-  %2429 = fmul double %2424, %2428
-  %2430 = fadd double %2421, %2429
-  %2431 = getelementptr i8, ptr @3, i64 %2413
-  %2432 = getelementptr i8, ptr %2431, i64 16
-  %2433 = load double, ptr %2432, align 8, !noalias !12
-  %2434 = shl i64 %237, 4
-  %2435 = getelementptr i8, ptr %238, i64 %2434
-  %2436 = getelementptr double, ptr %2435, i64 %840
-  %2437 = getelementptr double, ptr %2436, i64 %2417
-  %2438 = load double, ptr %2437, align 8, !noalias !12
-  %2439 = fmul double %2433, %2438
-  %2440 = fadd double %2430, %2439
-  %2441 = select i1 %2410, i64 %242, i64 0
-  %2442 = add i64 %836, %2441
-  %2443 = select i1 %2416, i64 %244, i64 0
-  %2444 = mul i64 %2442, %244
-  %2445 = getelementptr double, ptr %245, i64 %2444
-  %2446 = getelementptr double, ptr %2445, i64 %840
-  %2447 = getelementptr double, ptr %2446, i64 %2443
-  store double %2440, ptr %2447, align 8, !noalias !12
+2426:                                             ; preds = %839
+  %2427 = add nsw i64 %841, -1
+  %2428 = add i64 %840, 1
+  %2429 = icmp slt i64 %836, 0
+  %2430 = add i64 %836, 3
+  %2431 = select i1 %2429, i64 %2430, i64 %836
+  %2432 = mul i64 %2431, 24
+  %2433 = getelementptr i8, ptr @1, i64 %2432
+  %2434 = load double, ptr %2433, align 8, !noalias !12
+  %2435 = icmp slt i64 %840, 0
+  %2436 = select i1 %2435, i64 %237, i64 0
+  %2437 = getelementptr double, ptr %238, i64 %840
+  %2438 = getelementptr double, ptr %2437, i64 %2436
+  %2439 = load double, ptr %2438, align 8, !noalias !12
+  %2440 = fmul double %2434, %2439
+  %2441 = getelementptr i8, ptr @2, i64 %2432
+  %2442 = getelementptr i8, ptr %2441, i64 8
+  %2443 = load double, ptr %2442, align 8, !noalias !12
+  %2444 = getelementptr double, ptr %238, i64 %237
+  %2445 = getelementptr double, ptr %2444, i64 %840
+  %2446 = getelementptr double, ptr %2445, i64 %2436
+  %2447 = load double, ptr %2446, align 8, !noalias !12
+  %2448 = fmul double %2443, %2447
+  %2449 = fadd double %2440, %2448
+  %2450 = getelementptr i8, ptr @3, i64 %2432
+  %2451 = getelementptr i8, ptr %2450, i64 16
+  %2452 = load double, ptr %2451, align 8, !noalias !12
+  %2453 = shl i64 %237, 4
+  %2454 = getelementptr i8, ptr %238, i64 %2453
+  %2455 = getelementptr double, ptr %2454, i64 %840
+  %2456 = getelementptr double, ptr %2455, i64 %2436
+  %2457 = load double, ptr %2456, align 8, !noalias !12
+  %2458 = fmul double %2452, %2457
+  %2459 = fadd double %2449, %2458
+  %2460 = select i1 %2429, i64 %242, i64 0
+  %2461 = add i64 %836, %2460
+  %2462 = select i1 %2435, i64 %244, i64 0
+  %2463 = mul i64 %2461, %244
+  %2464 = getelementptr double, ptr %245, i64 %2463
+  %2465 = getelementptr double, ptr %2464, i64 %840
+  %2466 = getelementptr double, ptr %2465, i64 %2462
+  store double %2459, ptr %2466, align 8, !noalias !12
   br label %839
 
-2448:                                             ; preds = %1840, %1840
-  %2449 = icmp slt i64 %1844, 0
-  br i1 %2449, label %1846, label %1847
+2467:                                             ; preds = %1840, %1840
+  %2468 = icmp slt i64 %1844, 0
+  br i1 %2468, label %1846, label %1847
 
-2450:                                             ; preds = %1840
-  br label %2581
+2469:                                             ; preds = %1840
+  br label %2600
 
-2451:                                             ; preds = %1848
-  %2452 = add nsw i64 %1850, -1
-  %2453 = add i64 %1849, 1
-  %2454 = icmp slt i64 %1849, 0
-  %2455 = select i1 %2454, i64 %64, i64 0
-  %2456 = getelementptr double, ptr %65, i64 %1849
-  %2457 = getelementptr double, ptr %2456, i64 %2455
-  %2458 = load double, ptr %2457, align 8, !noalias !12
-  %2459 = select i1 %2454, i64 %237, i64 0
-  %2460 = shl i64 %237, 4
-  %2461 = getelementptr i8, ptr %238, i64 %2460
-  %2462 = getelementptr double, ptr %2461, i64 %1849
-  %2463 = getelementptr double, ptr %2462, i64 %2459
-  %2464 = load double, ptr %2463, align 8, !noalias !12
-  %2465 = fadd double %2458, %2464
-  %2466 = select i1 %2454, i64 %69, i64 0
-  %2467 = getelementptr double, ptr %70, i64 %1849
-  %2468 = getelementptr double, ptr %2467, i64 %2466
-  store double %2465, ptr %2468, align 8, !noalias !12
+2470:                                             ; preds = %1848
+  %2471 = add nsw i64 %1850, -1
+  %2472 = add i64 %1849, 1
+  %2473 = icmp slt i64 %1849, 0
+  %2474 = select i1 %2473, i64 %64, i64 0
+  %2475 = getelementptr double, ptr %65, i64 %1849
+  %2476 = getelementptr double, ptr %2475, i64 %2474
+  %2477 = load double, ptr %2476, align 8, !noalias !12
+  %2478 = select i1 %2473, i64 %237, i64 0
+  %2479 = shl i64 %237, 4
+  %2480 = getelementptr i8, ptr %238, i64 %2479
+  %2481 = getelementptr double, ptr %2480, i64 %1849
+  %2482 = getelementptr double, ptr %2481, i64 %2478
+  %2483 = load double, ptr %2482, align 8, !noalias !12
+  %2484 = fadd double %2477, %2483
+  %2485 = select i1 %2473, i64 %69, i64 0
+  %2486 = getelementptr double, ptr %70, i64 %1849
+  %2487 = getelementptr double, ptr %2486, i64 %2485
+  store double %2484, ptr %2487, align 8, !noalias !12
   br label %1848
 
-2469:                                             ; preds = %1971, %1971
-  %2470 = icmp slt i64 %1973, 0
-  br i1 %2470, label %1975, label %1976
+2488:                                             ; preds = %1971, %1971
+  %2489 = icmp slt i64 %1973, 0
+  br i1 %2489, label %1975, label %1976
 
-2471:                                             ; preds = %1971
-  br label %2581
+2490:                                             ; preds = %1971
+  br label %2600
 
-2472:                                             ; preds = %2016
-  %2473 = add nsw i64 %2018, -1
-  %2474 = add i64 %2017, 1
-  %2475 = icmp slt i64 %2017, 0
-  %2476 = select i1 %2475, i64 %237, i64 0
-  %2477 = getelementptr double, ptr %238, i64 %2017
-  %2478 = getelementptr double, ptr %2477, i64 %2476
-  %2479 = load double, ptr %2478, align 8, !noalias !12
-  %2480 = fmul double %2479, 0xC039A12CE7B30915
-  %2481 = getelementptr double, ptr %238, i64 %237
-  %2482 = getelementptr double, ptr %2481, i64 %2017
-  %2483 = getelementptr double, ptr %2482, i64 %2476
-  %2484 = load double, ptr %2483, align 8, !noalias !12
-  %2485 = fmul double %2484, 0x402497AF24BB677E
-  %2486 = fadd double %2480, %2485
-  %2487 = shl i64 %237, 4
-  %2488 = getelementptr i8, ptr %238, i64 %2487
-  %2489 = getelementptr double, ptr %2488, i64 %2017
-  %2490 = getelementptr double, ptr %2489, i64 %2476
-  %2491 = load double, ptr %2490, align 8, !noalias !12
-  %2492 = fmul double %2491, 0xC005555555555555
-  %2493 = fadd double %2486, %2492
-  %2494 = fmul double %2479, 0x402F295C43B61425
-  %2495 = fmul double %2484, 0xC021D406EE60BECF
-  %2496 = fadd double %2494, %2495
-  %2497 = fmul double %2491, 0x400AAAAAAAAAAAAB
-  %2498 = fadd double %2496, %2497
-  %2499 = select i1 %2475, i64 %69, i64 0
-  %2500 = getelementptr double, ptr %70, i64 %2017
-  %2501 = getelementptr double, ptr %2500, i64 %2499
-  %2502 = load double, ptr %2501, align 8, !noalias !12
-  %2503 = select i1 %2475, i64 %64, i64 0
-  %2504 = getelementptr double, ptr %65, i64 %2017
-  %2505 = getelementptr double, ptr %2504, i64 %2503
-  %2506 = load double, ptr %2505, align 8, !noalias !12
-  %2507 = fsub double %2502, %2506
-  %2508 = select i1 %2475, i64 %89, i64 0
-  %2509 = getelementptr double, ptr %90, i64 %2017
-  %2510 = getelementptr double, ptr %2509, i64 %2508
-  store double %2507, ptr %2510, align 8, !noalias !12
-  %2511 = fneg double %2493
-  %2512 = fsub double %2511, %2498
-  %2513 = add nsw i64 %64, %2017
-  %2514 = icmp slt i64 %2513, 0
-  %2515 = select i1 %2514, i64 %89, i64 0
-  %2516 = getelementptr double, ptr %90, i64 %2513
-  %2517 = getelementptr double, ptr %2516, i64 %2515
-  store double %2512, ptr %2517, align 8, !noalias !12
-  %2518 = fneg double %2498
-  %2519 = shl nsw i64 %64, 1
-  %2520 = add nsw i64 %2519, %2017
-  %2521 = icmp slt i64 %2520, 0
-  %2522 = select i1 %2521, i64 %89, i64 0
-  %2523 = getelementptr double, ptr %90, i64 %2520
+2491:                                             ; preds = %2023
+  %2492 = add nsw i64 %2025, -1
+  %2493 = add i64 %2024, 1
+  %2494 = icmp slt i64 %2024, 0
+  %2495 = select i1 %2494, i64 %237, i64 0
+  %2496 = getelementptr double, ptr %238, i64 %2024
+  %2497 = getelementptr double, ptr %2496, i64 %2495
+  %2498 = load double, ptr %2497, align 8, !noalias !12
+  %2499 = fmul double %2498, 0xC039A12CE7B30915
+  %2500 = getelementptr double, ptr %238, i64 %237
+  %2501 = getelementptr double, ptr %2500, i64 %2024
+  %2502 = getelementptr double, ptr %2501, i64 %2495
+  %2503 = load double, ptr %2502, align 8, !noalias !12
+  %2504 = fmul double %2503, 0x402497AF24BB677E
+  %2505 = fadd double %2499, %2504
+  %2506 = shl i64 %237, 4
+  %2507 = getelementptr i8, ptr %238, i64 %2506
+  %2508 = getelementptr double, ptr %2507, i64 %2024
+  %2509 = getelementptr double, ptr %2508, i64 %2495
+  %2510 = load double, ptr %2509, align 8, !noalias !12
+  %2511 = fmul double %2510, 0xC005555555555555
+  %2512 = fadd double %2505, %2511
+  %2513 = fmul double %2498, 0x402F295C43B61425
+  %2514 = fmul double %2503, 0xC021D406EE60BECF
+  %2515 = fadd double %2513, %2514
+  %2516 = fmul double %2510, 0x400AAAAAAAAAAAAB
+  %2517 = fadd double %2515, %2516
+  %2518 = select i1 %2494, i64 %69, i64 0
+  %2519 = getelementptr double, ptr %70, i64 %2024
+  %2520 = getelementptr double, ptr %2519, i64 %2518
+  %2521 = load double, ptr %2520, align 8, !noalias !12
+  %2522 = select i1 %2494, i64 %64, i64 0
+  %2523 = getelementptr double, ptr %65, i64 %2024
   %2524 = getelementptr double, ptr %2523, i64 %2522
-  store double %2518, ptr %2524, align 8, !noalias !12
-  %2525 = load double, ptr %2505, align 8, !noalias !12
-  %2526 = select i1 %2475, i64 %256, i64 0
-  %2527 = getelementptr double, ptr %257, i64 %2017
-  %2528 = getelementptr double, ptr %2527, i64 %2526
-  store double %2525, ptr %2528, align 8, !noalias !12
-  br label %2020
+  %2525 = load double, ptr %2524, align 8, !noalias !12
+  %2526 = fsub double %2521, %2525
+  %2527 = select i1 %2494, i64 %89, i64 0
+  %2528 = getelementptr double, ptr %90, i64 %2024
+  %2529 = getelementptr double, ptr %2528, i64 %2527
+  store double %2526, ptr %2529, align 8, !noalias !12
+  %2530 = fneg double %2512
+  %2531 = fsub double %2530, %2517
+  %2532 = add nsw i64 %64, %2024
+  %2533 = icmp slt i64 %2532, 0
+  %2534 = select i1 %2533, i64 %89, i64 0
+  %2535 = getelementptr double, ptr %90, i64 %2532
+  %2536 = getelementptr double, ptr %2535, i64 %2534
+  store double %2531, ptr %2536, align 8, !noalias !12
+  %2537 = fneg double %2517
+  %2538 = shl nsw i64 %64, 1
+  %2539 = add nsw i64 %2538, %2024
+  %2540 = icmp slt i64 %2539, 0
+  %2541 = select i1 %2540, i64 %89, i64 0
+  %2542 = getelementptr double, ptr %90, i64 %2539
+  %2543 = getelementptr double, ptr %2542, i64 %2541
+  store double %2537, ptr %2543, align 8, !noalias !12
+  %2544 = load double, ptr %2524, align 8, !noalias !12
+  %2545 = select i1 %2494, i64 %256, i64 0
+  %2546 = getelementptr double, ptr %257, i64 %2024
+  %2547 = getelementptr double, ptr %2546, i64 %2545
+  store double %2544, ptr %2547, align 8, !noalias !12
+  br label %2027
 
-2529:                                             ; preds = %2020
-  %2530 = add nsw i64 %2022, -1
-  %2531 = add i64 %2021, 1
-  %2532 = mul nsw i64 %2021, %64
-  %2533 = add nsw i64 %2532, %2017
-  %2534 = icmp slt i64 %2533, 0
-  %2535 = select i1 %2534, i64 %89, i64 0
-  %2536 = getelementptr double, ptr %90, i64 %2533
-  %2537 = getelementptr double, ptr %2536, i64 %2535
-  %2538 = load double, ptr %2537, align 8, !noalias !12
-  %2539 = icmp slt i64 %2021, -1
-  %2540 = select i1 %2539, i64 %254, i64 0
-  %2541 = add i64 %2531, %2540
-  %2542 = mul i64 %2541, %256
-  %2543 = getelementptr double, ptr %257, i64 %2542
-  %2544 = getelementptr double, ptr %2543, i64 %2017
-  %2545 = getelementptr double, ptr %2544, i64 %2526
-  store double %2538, ptr %2545, align 8, !noalias !12
-  br label %2020
+2548:                                             ; preds = %2027
+  %2549 = add nsw i64 %2029, -1
+  %2550 = add i64 %2028, 1
+  %2551 = mul nsw i64 %2028, %64
+  %2552 = add nsw i64 %2551, %2024
+  %2553 = icmp slt i64 %2552, 0
+  %2554 = select i1 %2553, i64 %89, i64 0
+  %2555 = getelementptr double, ptr %90, i64 %2552
+  %2556 = getelementptr double, ptr %2555, i64 %2554
+  %2557 = load double, ptr %2556, align 8, !noalias !12
+  %2558 = icmp slt i64 %2028, -1
+  %2559 = select i1 %2558, i64 %254, i64 0
+  %2560 = add i64 %2550, %2559
+  %2561 = mul i64 %2560, %256
+  %2562 = getelementptr double, ptr %257, i64 %2561
+  %2563 = getelementptr double, ptr %2562, i64 %2024
+  %2564 = getelementptr double, ptr %2563, i64 %2545
+  store double %2557, ptr %2564, align 8, !noalias !12
+  br label %2027
 
-2546:                                             ; preds = %2072, %2555
-  %2547 = phi i64 [ 0, %2072 ], [ %2557, %2555 ]
-  %2548 = phi i64 [ %2084, %2072 ], [ %2556, %2555 ]
-  %2549 = icmp sgt i64 %2548, 0
-  br i1 %2549, label %2555, label %2550
+2565:                                             ; preds = %2079, %2574
+  %2566 = phi i64 [ 0, %2079 ], [ %2576, %2574 ]
+  %2567 = phi i64 [ %2091, %2079 ], [ %2575, %2574 ]
+  %2568 = icmp sgt i64 %2567, 0
+  br i1 %2568, label %2574, label %2569
 
-2550:                                             ; preds = %2546
-  %2551 = getelementptr i8, ptr %27, i64 24
-  %2552 = load i64, ptr %2551, align 8, !noalias !142
-  %2553 = getelementptr i8, ptr %30, i64 16
-  %2554 = load i64, ptr %2553, align 8, !noalias !142
-  call fastcc void @pydy_nested(i64 %2083, i64 %62, i64 %87, i64 %64, i64 %2552, i64 %77, i64 %2554) #3, !noalias !142
-  br i1 %2058, label %2085, label %2092
+2569:                                             ; preds = %2565
+  %2570 = getelementptr i8, ptr %27, i64 24
+  %2571 = load i64, ptr %2570, align 8, !noalias !142
+  %2572 = getelementptr i8, ptr %30, i64 16
+  %2573 = load i64, ptr %2572, align 8, !noalias !142
+  call fastcc void @pydy_nested(i64 %2090, i64 %62, i64 %87, i64 %64, i64 %2571, i64 %77, i64 %2573) #3, !noalias !142
+  br i1 %2065, label %2092, label %2099
 
-2555:                                             ; preds = %2546
-  %2556 = add nsw i64 %2548, -1
-  %2557 = add i64 %2547, 1
-  %2558 = icmp slt i64 %2547, 0
-  %2559 = select i1 %2558, i64 %79, i64 0
-  %2560 = getelementptr double, ptr %80, i64 %2547
-  %2561 = getelementptr double, ptr %2560, i64 %2559
-  store double %2080, ptr %2561, align 8, !noalias !142
-  br label %2546
+2574:                                             ; preds = %2565
+  %2575 = add nsw i64 %2567, -1
+  %2576 = add i64 %2566, 1
+  %2577 = icmp slt i64 %2566, 0
+  %2578 = select i1 %2577, i64 %79, i64 0
+  %2579 = getelementptr double, ptr %80, i64 %2566
+  %2580 = getelementptr double, ptr %2579, i64 %2578
+  store double %2087, ptr %2580, align 8, !noalias !142
+  br label %2565
 
-2562:                                             ; preds = %2125
-  %2563 = load i64, ptr %157, align 8, !noalias !12
-  %2564 = icmp eq i64 %2563, 1
-  br i1 %2564, label %2147, label %2152
+2581:                                             ; preds = %2132
+  %2582 = load i64, ptr %157, align 8, !noalias !12
+  %2583 = icmp eq i64 %2582, 1
+  br i1 %2583, label %2154, label %2159
 
-2565:                                             ; preds = %2157
-  br label %2581
+2584:                                             ; preds = %2164
+  br label %2600
 
-2566:                                             ; preds = %2163
-  store double %2054, ptr %105, align 8, !noalias !12
+2585:                                             ; preds = %2170
+  store double %2061, ptr %105, align 8, !noalias !12
   store double 0.000000e+00, ptr %298, align 8, !noalias !12
   store i64 0, ptr %110, align 8, !noalias !12
-  br label %2178
+  br label %2185
 
-2567:                                             ; preds = %2183
-  %2568 = add nsw i64 %2185, -1
-  %2569 = add i64 %2184, 1
-  %2570 = icmp slt i64 %2184, 0
-  %2571 = select i1 %2570, i64 %69, i64 0
-  %2572 = getelementptr double, ptr %70, i64 %2184
-  %2573 = getelementptr double, ptr %2572, i64 %2571
-  %2574 = load double, ptr %2573, align 8, !noalias !12
-  %2575 = select i1 %2570, i64 %64, i64 0
-  %2576 = getelementptr double, ptr %65, i64 %2184
-  %2577 = getelementptr double, ptr %2576, i64 %2575
-  store double %2574, ptr %2577, align 8, !noalias !12
-  br label %2183
+2586:                                             ; preds = %2202
+  %2587 = add nsw i64 %2204, -1
+  %2588 = add i64 %2203, 1
+  %2589 = icmp slt i64 %2203, 0
+  %2590 = select i1 %2589, i64 %69, i64 0
+  %2591 = getelementptr double, ptr %70, i64 %2203
+  %2592 = getelementptr double, ptr %2591, i64 %2590
+  %2593 = load double, ptr %2592, align 8, !noalias !12
+  %2594 = select i1 %2589, i64 %64, i64 0
+  %2595 = getelementptr double, ptr %65, i64 %2203
+  %2596 = getelementptr double, ptr %2595, i64 %2594
+  store double %2593, ptr %2596, align 8, !noalias !12
+  br label %2202
 
-2578:                                             ; preds = %2201, %2201
-  %2579 = icmp eq i32 %2202, 0
-  br i1 %2579, label %2208, label %2204
+2597:                                             ; preds = %2220, %2220
+  %2598 = icmp eq i32 %2221, 0
+  br i1 %2598, label %2227, label %2223
 
-2580:                                             ; preds = %2201
-  br label %2581
+2599:                                             ; preds = %2220
+  br label %2600
 
-2581:                                             ; preds = %2580, %2565, %2471, %2450, %2343, %2296, %2290, %2289, %2285, %2272, %2271, %2204, %2181, %1993, %1975, %1846, %437, %380, %369, %329, %319, %192
-  %2582 = phi i64 [ 0, %2272 ], [ -1, %192 ], [ 2, %2271 ], [ %2180, %2181 ], [ %2207, %2204 ], [ 0, %2580 ], [ 0, %2471 ], [ 0, %2285 ], [ %322, %319 ], [ 0, %2289 ], [ 0, %329 ], [ 0, %2290 ], [ -1, %369 ], [ 1, %380 ], [ 0, %2296 ], [ -4, %437 ], [ 0, %2343 ], [ -4, %1975 ], [ 6, %1993 ], [ 0, %2450 ], [ 0, %2565 ], [ -4, %1846 ]
-  ret i64 %2582
+2600:                                             ; preds = %2599, %2584, %2490, %2469, %2362, %2315, %2309, %2308, %2304, %2291, %2290, %2223, %2200, %1975, %1846, %437, %380, %369, %329, %319, %192
+  %2601 = phi i64 [ 0, %2584 ], [ -1, %192 ], [ 2, %2290 ], [ %2186, %2200 ], [ -4, %1846 ], [ 0, %2599 ], [ %2226, %2223 ], [ 0, %2304 ], [ %322, %319 ], [ 0, %2308 ], [ 0, %329 ], [ 0, %2309 ], [ -1, %369 ], [ 1, %380 ], [ 0, %2315 ], [ -4, %437 ], [ 0, %2362 ], [ 0, %2490 ], [ -4, %1975 ], [ 0, %2291 ], [ 0, %2469 ]
+  ret i64 %2601
 }
 
 

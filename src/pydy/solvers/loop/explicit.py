@@ -126,7 +126,7 @@ def advance(table, states, fresh):
             code = rates(problem, after, address_of(memory.new, 0), end)
         if code < 0:
             return CALLBACK
-        error = 0.0
+        error, missed = 0.0, False
         if code == 0:
             if adaptive:
                 error = error_of_step(method, problem, memory, t)
@@ -136,17 +136,18 @@ def advance(table, states, fresh):
             if error < 1.0 and (held or method.shape[END_IN_ESTIMATE] == 0):
                 if held:
                     new = address_of(memory.new, 0)
-                    if call_part(constraints.words[PROJECT], table, after, new) != 0:
-                        state[SIZE] = size
-                        return CONSTRAINTS_NOT_MET
-                count[EVALUATIONS] += 1
-                code = rates(problem, after, address_of(memory.new, 0), end)
-                if code < 0:
-                    return CALLBACK
-        if code != 0 or not error < 1.0:
+                    missed = call_part(constraints.words[PROJECT], table, after, new) != 0
+                if not missed:
+                    count[EVALUATIONS] += 1
+                    code = rates(problem, after, address_of(memory.new, 0), end)
+                    if code < 0:
+                        return CALLBACK
+        if missed or code != 0 or not error < 1.0:
             count[REJECTED] += 1
-            measured = code == 0 and math.isfinite(error)
+            measured = not missed and code == 0 and math.isfinite(error)
             failure = STEP_UNDERFLOW if measured else NOT_FINITE
+            if missed:  # a shorter step ends nearer to the constraints
+                failure = CONSTRAINTS_NOT_MET
             count[FAILURE] = SINGULAR if code != 0 else failure
             h = shorter_size(method, size, error, measured)
             if not adaptive:
@@ -164,6 +165,12 @@ def advance(table, states, fresh):
                 count[FAILURE] = SINGULAR
                 return CALLBACK if code < 0 else STEP_UNDERFLOW
             code = finish_step(table, method, problem, memory, run, constraints, watch, t, size)
+            if code == CONSTRAINTS_NOT_MET and adaptive and watch.words[EVENTS] == 0:
+                count[STEPS] -= 1
+                count[REJECTED] += 1
+                count[FAILURE], state[GROWTH] = CONSTRAINTS_NOT_MET, 1.0
+                h = shorter_size(method, size, error, False)
+                continue
             if code != 0:
                 return code
         if adaptive:

@@ -330,8 +330,10 @@ def advance_implicit(table, states, fresh):
         if held:
             new = address_of(memory.new, 0)
             if call_part(constraints.words[PROJECT], table, after, new) != 0:
-                state[SIZE] = size
-                return CONSTRAINTS_NOT_MET
+                count[REJECTED] += 1
+                count[FAILURE], h = CONSTRAINTS_NOT_MET, AFTER_FAILURE * size
+                words[FIRST], words[WANTED] = 1, 1 - words[FRESH]
+                continue
         count[STEPS] += 1
         if state[LAST_ERROR] > 0.0:  # the error changes as it did in the last step
             factor *= min(
@@ -343,6 +345,12 @@ def advance_implicit(table, states, fresh):
         sizes[PREDICTING] = size
         if watch.words[EVENTS] > 0 or times[count[NEXT]] <= after:
             code = finish_step(table, method, problem, memory, run, constraints, watch, t, size)
+            if code == CONSTRAINTS_NOT_MET and watch.words[EVENTS] == 0:
+                count[STEPS] -= 1
+                count[REJECTED] += 1
+                count[FAILURE], h = CONSTRAINTS_NOT_MET, AFTER_FAILURE * size
+                words[FIRST], words[WANTED], sizes[PREDICTING] = 1, 1 - words[FRESH], 0.0
+                continue
             if code != 0:
                 return code
         t = after
