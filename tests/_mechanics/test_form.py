@@ -11,8 +11,11 @@ from mechanisms import MECHANISMS, derived, state
 from oracle import oracle
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
-from pydy._mechanics.form import form
+from pydy._mechanics.dynamics import loads_and_inertias
+from pydy._mechanics.elimination import composite
+from pydy._mechanics.form import form, forms, moving
 from pydy._mechanics.kane import multibody_of_kane
+from pydy.mechanics import Definition
 
 FORMS = {
     "articulated bodies in body axes": {"in_bodies": True, "articulated": True},
@@ -44,6 +47,66 @@ def rates(model, way, *states):
         assert not failed.any()
         found.append(out[0])
     assert n == len(model.kane.u)
+    return found
+
+
+def spun_rods():
+    """Two rods with ball joints, one on what a hinge turns, on a support that turns as given."""
+    q, u = me.dynamicsymbols("q:7"), me.dynamicsymbols("u:7")
+    t, ground = me.dynamicsymbols._t, me.ReferenceFrame("N")
+    above = ground.orientnew("T", "axis", (sm.sin(t), ground.z))
+    joint = me.Point("O")
+    joint.set_vel(ground, 0)
+    bodies, rates = [], []
+    for k in (0, 3):
+        frame = me.ReferenceFrame(f"B{k}")
+        frame.orient_body_fixed(above, q[k : k + 3], "123")
+        rates += [frame.ang_vel_in(above).dot(a) - s for a, s in zip(frame, u[k:], strict=False)]
+        frame.set_ang_vel(above, sum((s * a for s, a in zip(u[k:], frame, strict=False)), 0))
+        centre = joint.locatenew(f"C{k}", frame.x / 3 - frame.z / 2)
+        inertia = me.inertia(frame, 2, 3, 4, 0.1, 0.2, 0.3)
+        bodies.append(me.RigidBody(f"b{k}", centre, frame, 2, (inertia, centre)))
+        joint = joint.locatenew(f"P{k}", -frame.z)
+        above = frame.orientnew("H", "axis", (q[6], frame.x)) if k == 0 else frame
+        if k == 0:
+            above.set_ang_vel(frame, u[6] * frame.x)
+            wheel = (me.inertia(above, 1, 2, 3), joint)
+            bodies.append(me.RigidBody("wheel", joint, above, 1, wheel))
+    return Definition(
+        frame=ground,
+        coordinates=q,
+        speeds=u,
+        kinematic_equations=[*rates, q[6].diff() - u[6]],
+        bodies=bodies,
+        loads=[(body.masscenter, -9 * body.mass * ground.z) for body in bodies],
+    )
+
+
+@pytest.mark.parametrize("in_bodies", [True, False])
+def test_accelerations_do_not_depend_on_what_is_known_of_them_beforehand(in_bodies):
+    body = spun_rods().multibody
+    kinematics = moving(body, in_bodies)
+    parts = (kinematics.graph, kinematics.rows, kinematics.groups, kinematics.speeds)
+    matrix, forcing = composite(*parts, *loads_and_inertias(kinematics))
+    expected = at_random(kinematics.graph, kinematics.graph.solve(matrix, [forcing], "ldl")[0])
+    whole, eliminated = forms(body, in_bodies=in_bodies)
+    graph = whole.graph
+    assert sum(n != graph.zero for n in whole.start) == 6
+    beyond = graph.solve(whole.matrix, [whole.rest], "ldl")[0]
+    for found in (
+        [graph.add(*parts) for parts in zip(whole.start, beyond, strict=True)],
+        graph.solve(whole.matrix, [whole.forcing], "ldl")[0],
+        eliminated.accelerations,
+    ):
+        np.testing.assert_allclose(at_random(graph, found), expected, rtol=1e-10, atol=1e-12)
+
+
+def at_random(graph, nodes):
+    """Values at three states of seven coordinates and speeds."""
+    program = lower(graph, (14, 0, 0), [("all", (len(nodes),), nodes)])
+    x, t = np.random.default_rng(2).normal(size=(3, 14)), np.array([0.1, 0.4, 2.0])
+    found, failed = run(program, t, x, np.zeros((3, 0)), np.zeros(0))
+    assert not failed.any()
     return found
 
 

@@ -91,7 +91,11 @@ def assemble_system(
     else:
         kind = "ldl" if equations.positive_definite and not moved else "lu"
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        solved = solve_accelerations(graph, rows, forcing, kind, passes)
+        if formed is None or moved:
+            solved = solve_accelerations(graph, rows, forcing, kind, passes)
+        else:
+            beyond = solve_accelerations(graph, rows, formed.rest, kind, passes)
+            solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
     read.what = "the outputs"
     integrated = auxiliary_groups(equations, groups)
 

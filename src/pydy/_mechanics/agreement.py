@@ -141,7 +141,13 @@ def _as_formed(equations: Equations, formed: Formed) -> Formed:
     cells = read.all(equations.mass_matrix)
     matrix = [cells[k * n : (k + 1) * n] for k in range(n)]
     forcing = read.all(equations.forcing)
-    return Formed(graph, constants, specifieds, rates, matrix, forcing, None, formed.kinetic)
+    start = [graph.zero] * n
+    return Formed(
+        *(graph, constants, specifieds, rates, matrix, forcing, None),
+        start=start,
+        rest=forcing,
+        kinetic=formed.kinetic,
+    )
 
 
 def _others(equations: Equations) -> Sequence[Any]:

@@ -44,7 +44,7 @@ def in_a_plane(kinematics: Kinematics) -> bool:
     frames |= {body.frame for body in k.body.bodies if is_rigid(body)}
     if not frames <= k.tree.oriented.keys():
         return False
-    turning = {f for frame in frames for f in k.way_in(frame)} - {k.inertial}
+    turning = {f for frame in frames for f in k.frames.way_in(frame)} - {k.inertial}
     axes = {hinge_axis(k, f, k.frames.parent(f)) for f in turning}
     return len(axes) <= 1 and None not in axes
 

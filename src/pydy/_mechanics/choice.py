@@ -48,7 +48,7 @@ def chosen(body: Multibody) -> Formed:
 
 def estimated(formed: Formed, kind: str = "ldl", *, merged: bool = True) -> int:
     """Estimate the operations of q' and u': those of a graph, in which equal nodes may be one."""
-    graph, n = formed.graph, len(formed.forcing)
+    graph, n = formed.graph, len(formed.rest)
     if formed.accelerations is not None:
         roots, solving = list(formed.accelerations), 0
         guards = [k for k in graph.reachable(roots) if graph.ops[k] == "guard"]
@@ -59,9 +59,9 @@ def estimated(formed: Formed, kind: str = "ldl", *, merged: bool = True) -> int:
         filled = sum(node != graph.zero for node in cells)
         # What LU takes of a matrix with so many entries, less what its structure saves: half.
         solving = filled * (filled // n + 9) // 3
-        roots = [*cells, *formed.forcing]
+        roots = [*cells, *formed.rest]
     else:
-        matrix, column = formed.matrix, formed.forcing
+        matrix, column = formed.matrix, formed.rest
         if (chain := difference_basis(graph, matrix, column)) is not None:
             matrix, column = chain.matrix, chain.column
         lower = [matrix[i][j] for i in range(n) for j in range(i + 1)]
@@ -69,7 +69,7 @@ def estimated(formed: Formed, kind: str = "ldl", *, merged: bool = True) -> int:
         # What LDLᵀ takes of a matrix with so many entries, less what its structure saves: half.
         solving = filled * (filled // n + 9) // 3
         roots = [*lower, *column]
-    roots = [*formed.rates, *roots]
+    roots = [*formed.rates, *formed.start, *roots]
     return operations(graph, merge_equal(graph, roots) if merged else roots) + solving
 
 
@@ -85,7 +85,8 @@ def counted(formed: Formed, kind: str = "ldl") -> int:
     graph = formed.graph.copy()
     solved = formed.accelerations
     if solved is None:
-        solved = solve_accelerations(graph, formed.matrix, formed.forcing, kind, Passes())
+        beyond = solve_accelerations(graph, formed.matrix, formed.rest, kind, Passes())
+        solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
     nodes = simplify(graph, [*formed.rates, *solved])
     sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])

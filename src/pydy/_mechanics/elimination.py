@@ -14,8 +14,8 @@ the order in which the speeds go.
 
 from __future__ import annotations
 
-from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 
@@ -26,6 +26,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.tuning import SINGULAR
 from pydy._mechanics.components import transposed
 from pydy._mechanics.dynamics import Inertia, Load
+from pydy._mechanics.planes import Detours, split
 from pydy._mechanics.turns import joined_turns, turn_of
 
 __all__ = ["Solution", "composite", "eliminated"]
@@ -49,9 +50,10 @@ class Solution:
 
 @dataclass(frozen=True)
 class _Passed:
-    """A group of anchors that handed over: their rows."""
+    """A group of anchors that handed over: their rows, and those in one step."""
 
     rows: dict[int, Row]
+    whole: dict[int, Row]
 
 
 @dataclass(frozen=True)
@@ -90,12 +92,13 @@ def eliminated(
     inertias: Sequence[Inertia],
     loads: Sequence[Load],
     plain: Sequence[Inertia],
+    detours: Detours,
 ) -> Solution:
     """Return the accelerations by articulated-body elimination.
 
     `plain` are the inertias of whole bodies, where `inertias` are divided up in another way.
     """
-    push = _Push(graph, rows, groups, speeds, inertias, loads, plain)
+    push = _Push(graph, rows, detours.arranged(groups), speeds, inertias, loads, plain, detours)
     sizes = _Sizes(push)
     left = dict.fromkeys(speeds)
     done: list[_Passed | _Gone] = []
@@ -119,7 +122,7 @@ def eliminated(
             terms += [(graph.mul(share, found[s]), -1.0) for s, share in step.shares.items()]
             found[step.speed] = graph.sum(terms)
         else:
-            for node, row in step.rows.items():
+            for node, row in step.whole.items():
                 found[node] = graph.sum([(graph.mul(d, found[c]), 1.0) for c, d in row.items()])
     floors = {s: graph.sum([part[:2] for part in push.floors[s]]) for s in speeds}
     fixed = dict(zip(floors, _without_state(graph, list(floors.values())), strict=True))
@@ -147,9 +150,12 @@ class _Push:
         inertias: Sequence[Inertia],
         loads: Sequence[Load],
         plain: Sequence[Inertia] = (),
+        detours: Detours | None = None,
     ) -> None:
         self.graph, self.speeds = graph, list(speeds)
-        self.own = {k: rows.through(k) for group in groups for k in group}
+        # Rows of the anchors in one step, and as the form takes it.
+        self.whole = {k: rows.through(k) for group in groups for k in group}
+        self.own = dict(self.whole)
         self.cells: dict[tuple[int, int], list[tuple[int, float]]] = defaultdict(list)
         self.near: dict[int, set[int]] = defaultdict(set)
         self.forces: dict[int, list[tuple[int, float]]] = defaultdict(list)
@@ -171,20 +177,17 @@ class _Push:
                 for a, d in rows(n).items():
                     self.forces[a].append((graph.mul(d, force), 1.0))
         wanted = {a for key in (*self.cells, *self.first) for a in key} | set(self.forces)
-        order = _sorted_groups([list(group) for group in groups], self.own)[::-1]
+        order = _sorted_groups([list(group) for group in groups], self.whole)[::-1]
         self._moves(order)
-        self.order: list[list[int]] = []
-        self.waiting: dict[int, int] = defaultdict(int)
-        for group in order:
-            needed = [k for k in group if k in wanted]
-            if needed:
-                self.order.append(needed)
-            for k in needed:
-                for c in self.own[k]:
-                    wanted.add(c)
-                    self.waiting[c] += 1
-        self.groups = self.order
-        self.order = joined_turns(graph, self.groups, self.own)
+        self.groups = _needed(order, self.whole, set(wanted))
+        self.order = self.groups
+        if detours is not None and (turning := detours.paying(graph, order, self.whole)):
+            self.own.update((k, detours.rows[k]) for k in turning)
+            groups = split(groups, self.own, turning)
+            order = _sorted_groups(groups, self.own)[::-1]
+            self.order = _needed(order, self.own, wanted)
+        self.waiting = Counter(c for group in self.order for k in group for c in self.own[k])
+        self.order = joined_turns(graph, self.order, self.own)
 
     def _products(self, inertia: Inertia, rows: list[Row]) -> Iterator[tuple[int, int, int, float]]:
         """Give the entries that an inertia has at the anchors."""
@@ -252,12 +255,15 @@ class _Push:
                 self.add(c, s, self._dot(slope, column), 2.0 if c == s else 1.0)
             if c in self.floors:
                 self._found(c, dict(zip(group, slope, strict=True)))
+        whole = {k: self.whole[k] for k in group}
+        for c in sorted({c for row in whole.values() for c in row}):
+            slope = [row.get(c, graph.zero) for row in whole.values()]
             self.forces[c].append((self._dot(slope, forces), 1.0))
         for k in group:
             self._forget(k)
             for c in rows[k]:
                 self.waiting[c] -= 1
-        return _Passed(rows)
+        return _Passed(rows, whole)
 
     def _reduce(self, c: int, columns: list[int], rows: list[Row], within: list[list[int]]) -> None:
         """Add the column c, up to the diagonal, of Rᵀ K R."""
@@ -347,6 +353,18 @@ def _key(a: int, b: int) -> tuple[int, int]:
     return (a, b) if a >= b else (b, a)
 
 
+def _needed(
+    order: Sequence[list[int]], rows: Mapping[int, Row], wanted: set[int]
+) -> list[list[int]]:
+    """Return what of the groups is wanted, and what that is made of; the outer ones first."""
+    found = []
+    for group in order:
+        if needed := [k for k in group if k in wanted]:
+            found.append(needed)
+            wanted.update(c for k in needed for c in rows[k])
+    return found
+
+
 def _sorted_groups(groups: list[list[int]], rows: dict[int, Row]) -> list[list[int]]:
     """Return groups after what they are made of; single anchors where groups hang on each other.
 
@@ -383,7 +401,7 @@ class _Sizes:
     """
 
     def __init__(self, push: _Push) -> None:
-        self.graph, self.own, self.order = push.graph, push.own, push.groups
+        self.graph, self.own, self.order = push.graph, push.whole, push.groups
         self.weights = push.weights
 
     def of(self, speeds: Iterable[int]) -> dict[int, int]:

@@ -15,6 +15,7 @@ from pydy._mechanics.alignment import align
 from pydy._mechanics.axes import move_along_axes
 from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
+from pydy._mechanics.given import disagreeing
 from pydy._mechanics.gravity import take_gravity_off
 from pydy._mechanics.idle import idle_inputs
 from pydy._mechanics.kinematics import Kinematics
@@ -49,6 +50,10 @@ class Formed:
     forcing : list of nodes
     accelerations : list of nodes or None
         u', where it is formed without the mass matrix of all speeds.
+    start : list of nodes
+        A part of u' that is known beforehand: with it the angular accelerations at u' = 0 vanish.
+    rest : list of nodes
+        F − M · start: u' is `start` and what this accelerates beyond.
     kinetic : node
         The kinetic energy.
     honoured : tuple of points
@@ -67,6 +72,8 @@ class Formed:
     matrix: list[list[int]]
     forcing: list[int]
     accelerations: list[int] | None
+    start: list[int]
+    rest: list[int]
     kinetic: int
     honoured: tuple[Any, ...] = ()
     in_one_frame: bool = False
@@ -148,17 +155,21 @@ def forms(
     honoured : collection of points, optional
         What `Formed.honoured` of the body's equations in other axes is: found out by default.
     """
-    kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured)
+    kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured, referred=True)
     g, speeds, read = kinematics.graph, kinematics.speeds, kinematics.read
     inertias, loads, plain = lumped(kinematics) if in_bodies else _as_they_are(kinematics)
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
-    matrix, forcing = composite(*parts)
-    moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
+    matrix, rest = composite(*parts)
+    start = kinematics.start()
+    moved = bool(set(kinematics.accelerations) & set(g.reachable(rest)))
     if not moved:
         _check_masses(body, g, matrix, read.specifieds)
     accelerations = None
     if body.velocity:
-        matrix, forcing, accelerations = reduced(kinematics, matrix, forcing, moved)
+        matrix, rest, accelerations = reduced(kinematics, matrix, rest, moved)
+        accelerations = accelerations and kinematics.plus(start, accelerations)
+    # F of M u' = F.
+    forcing = kinematics.plus(rest, kinematics.turned(matrix, start))
     found = [
         Formed(
             g,
@@ -168,6 +179,8 @@ def forms(
             matrix,
             forcing,
             accelerations,
+            start,
+            rest,
             _kinetic(kinematics, plain),
             tuple(sorted(kinematics.honoured, key=str)),
             kinematics.in_one_frame,
@@ -175,9 +188,9 @@ def forms(
         )
     ]
     if not body.velocity and not moved:
-        solution = eliminated(*parts, plain)
-        solved = g.guard(matrix, forcing, solution.sound, solution.accelerations)
-        found.append(replace(found[0], accelerations=solved))
+        solution = eliminated(*parts, plain, kinematics.detours)
+        beyond = g.guard(matrix, rest, solution.sound, solution.accelerations)
+        found.append(replace(found[0], accelerations=kinematics.plus(start, beyond)))
     return [_without_idle(formed) for formed in found] if body.auxiliary else found
 
 
@@ -185,11 +198,12 @@ def _without_idle(formed: Formed) -> Formed:
     """Leave out specifieds that do no work: noncontributing forces."""
     g = formed.graph
     inputs = [g.input("r", k) for k in range(len(formed.specifieds))]
-    nothing = dict.fromkeys(idle_inputs(g, formed.forcing, inputs), g.zero)
+    nothing = dict.fromkeys(idle_inputs(g, formed.rest, inputs), g.zero)
     solved = formed.accelerations
     return replace(
         formed,
         forcing=substitute(g, formed.forcing, nothing),
+        rest=substitute(g, formed.rest, nothing),
         accelerations=solved and substitute(g, solved, nothing),
     )
 
@@ -290,6 +304,7 @@ def moving(
     *,
     auxiliary: bool = False,
     falling: bool = False,
+    referred: bool = False,
     known: Collection[Any] | None = None,
 ) -> Kinematics:
     """Return the kinematics with all points placed and velocities of the user's honoured.
@@ -299,7 +314,13 @@ def moving(
     """
     honoured: set[Any] = set(known or ())
     while True:
-        kinematics = Kinematics(body, in_bodies=in_bodies, auxiliary=auxiliary, honoured=honoured)
+        kinematics = Kinematics(
+            body,
+            in_bodies=in_bodies,
+            auxiliary=auxiliary,
+            referred=referred,
+            honoured=honoured,
+        )
         if falling:
             take_gravity_off(kinematics)
         points = points_of(kinematics)
@@ -309,7 +330,7 @@ def moving(
             move_along_axes(kinematics)
         for point in points:
             kinematics.motion(point)
-        wrong = kinematics.disagreeing() if known is None else ()
+        wrong = disagreeing(kinematics) if known is None else ()
         if not wrong:
             return kinematics
         honoured.update(wrong)

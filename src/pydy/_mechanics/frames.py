@@ -6,6 +6,7 @@ from typing import Any
 
 from pydy._graph.node import Graph
 from pydy._mechanics.components import turned, unrounded
+from pydy._mechanics.planes import plane_rotations
 from pydy._mechanics.reader import InputReader, Tree
 
 __all__ = ["Frames"]
@@ -34,6 +35,7 @@ class Frames:
         self.turns: dict[Any, Vec | None] = {}
         self.written: dict[Any, tuple[Any, list[Vec] | None]] = {}
         self.steps: dict[Any, list[Vec]] = {}
+        self._planes: dict[Any, list[list[Vec]]] = {}
 
     def insert(self, axes: Any, above: Any, step: list[Vec], turns: Vec | None, depth: int) -> None:
         """Add axes behind others, which turn so beside them; None if they are fixed."""
@@ -67,6 +69,13 @@ class Frames:
         """Return the axes in which an angular velocity is given, None for the inertial frame."""
         return self.above.get(axes) or self.axes(self.tree.turns_in(axes))
 
+    def way_in(self, axes: Any) -> list[Any]:
+        """Return the axes on the way to the inertial frame, these first."""
+        way = [axes]
+        while (parent := self.parent(way[-1])) is not None:
+            way.append(parent)
+        return way
+
     def is_fixed(self, axes: Any) -> bool:
         """Return whether axes do not turn beside those that they were put behind."""
         return axes in self.turns and self.turns[axes] is None
@@ -77,6 +86,12 @@ class Frames:
             above = self.tree.parent(axes)
             self.steps[axes] = [self.in_axes(row, above)[0] for row in self.given(axes, above)]
         return self.steps[axes]
+
+    def planes(self, axes: Any) -> list[list[Vec]]:
+        """Return rotations one after the other that together are the step to axes."""
+        if axes not in self._planes:
+            self._planes[axes] = plane_rotations(self.graph, self.step(axes))
+        return self._planes[axes]
 
     def given(self, frame: Any, parent: Any) -> list[Vec]:
         """Return the user's matrix that gives components in a frame from those in its parent."""

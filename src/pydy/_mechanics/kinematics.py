@@ -20,8 +20,9 @@ from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.symbols import input_nodes, input_symbols
-from pydy._mechanics.components import same_numbers, turned, unrounded
+from pydy._mechanics.components import turned, unrounded
 from pydy._mechanics.frames import Frames
+from pydy._mechanics.planes import Detours
 from pydy._mechanics.reader import InputReader, Multibody, Tree
 
 __all__ = ["Kinematics", "Motion", "Vec"]
@@ -44,6 +45,8 @@ class Kinematics:
         frame.
     auxiliary : bool
         Whether the auxiliary speeds are inputs; else they are zero.
+    referred : bool
+        Whether accelerations are those at the u' of `start`; else at u' = 0.
     honoured : iterable of points
         Those with a velocity that is not the derivative of their place: the user's holds.
 
@@ -61,6 +64,7 @@ class Kinematics:
         *,
         in_bodies: bool,
         auxiliary: bool = False,
+        referred: bool = False,
         honoured: Iterable[Any] = (),
     ) -> None:
         self.body, self.in_bodies, self.honoured = body, in_bodies, frozenset(honoured)
@@ -91,6 +95,8 @@ class Kinematics:
         variables = [*self.speeds, *self.auxiliary]
         self.rows = Rows(g, {n: {n: g.one} for n in variables})
         self.groups: list[list[int]] = []
+        self.detours = Detours()
+        self._referred = referred
         self.tree = Tree(body.frame)
         self.frames = Frames(g, self.tree, self.read)
         self._cosines: dict[Any, list[Vec]] = {}
@@ -123,9 +129,13 @@ class Kinematics:
     _at_rest = False
 
     def dt(self, nodes: Sequence[int]) -> Vec:
-        """Return derivatives by time at u' = 0."""
+        """Return derivatives by time at the u' of `start`."""
         zero = self.graph.zero
         return [self._dots(n).get(0, zero) for n in nodes]
+
+    def start(self) -> Vec:
+        """Return the u' of accelerations: where speeds allow, joints then have no angular one."""
+        return self.dt(self.speeds)
 
     def symbols(self) -> dict[int, Any]:
         """Return what each input node stands for, auxiliary speeds left out."""
@@ -175,7 +185,7 @@ class Kinematics:
             return self.turned(self._cosine(to), v)
         if to is self.inertial:
             return self.turned(list(zip(*self._cosine(frame), strict=True)), v)
-        up, down = self.way_in(frame), self.way_in(to)
+        up, down = self.frames.way_in(frame), self.frames.way_in(to)
         while up and down and up[-1] is down[-1]:
             up.pop()
             down.pop()
@@ -184,12 +194,6 @@ class Kinematics:
         for f in reversed(down):
             v = self.turned(self.frames.step(f), v)
         return list(v)
-
-    def way_in(self, frame: Any) -> list[Any]:
-        way = [frame]
-        while (parent := self.frames.parent(way[-1])) is not None:
-            way.append(parent)
-        return way
 
     def vector(self, vector: Any, to: Any) -> Vec:
         """Return the components of a SymPy vector in a frame."""
@@ -227,8 +231,8 @@ class Kinematics:
 
     # -- anchors ----------------------------------------------------------------------------------
 
-    def anchored(self, v: Vec) -> Vec:
-        """Let derivatives stop at the components of a velocity."""
+    def anchored(self, v: Vec, groups: list[list[int]] | None = None) -> Vec:
+        """Let derivatives stop at the components of a velocity; add them to the groups."""
         g, known, group = self.graph, self.rows.known, []
         for n in v:
             c, core = g.scaled(n)
@@ -242,8 +246,18 @@ class Kinematics:
                     known[node] = {core: g.const(size)}
             group.append(core)
         if group:
-            self.groups.append(group)
+            (self.groups if groups is None else groups).append(group)
         return v
+
+    def _handed(self, v: Vec, frame: Any, to: Any) -> Vec:
+        """Return a velocity's components in another frame, as anchors."""
+        count = len(self.groups)
+        found = self.anchored(self.expressed(v, frame, to))
+        direct = self.inertial not in (frame, to) and self.frames.parent(to) is frame
+        if direct and len(self.groups) > count and len(planes := self.frames.planes(to)) > 1:
+            parts = (self.graph, self.rows, (frame, to), (count, self.groups[count]), planes)
+            self.detours.add(*parts, (v, found), self.anchored)
+        return found
 
     # -- frames -----------------------------------------------------------------------------------
 
@@ -273,12 +287,31 @@ class Kinematics:
             base = self.frames.above[base]
         w, alpha = self.spin(base)
         own = self.relative_spin(frame, home)
-        carried = self.anchored(self.expressed(w, base, home))
+        carried = self._handed(w, base, home)
         whole = self.plus(carried, own)
         # d/dt of `own` in the inertial frame takes the angular velocity of the axes it is in.
         turning = whole if home is frame else carried if home is base else self.spin(home)[0]
-        alpha = self.plus(self.expressed(alpha, base, home), self.dt(own), self.cross(turning, own))
+        alpha = self.plus(self.expressed(alpha, base, home), self.cross(turning, own))
+        chosen = self._compensated(own, alpha) if self._referred else ()
+        alpha = self.plus(alpha, self.dt(own))
+        alpha = [self.graph.zero if i in chosen else n for i, n in enumerate(alpha)]
         return self.anchored(whole), alpha
+
+    def _compensated(self, own: Vec, alpha: Vec) -> set[int]:
+        """Choose u' that make components of an angular acceleration zero; return which.
+
+        Only of speeds that are one component of a joint's own, and were not asked for before.
+        """
+        g, known = self.graph, self._dots.known
+        found: set[int] = set()
+        for i, n in enumerate(own):
+            size, speed = g.scaled(n)
+            others = g.reachable([m for j, m in enumerate(own) if j != i])
+            alone = abs(size) == 1.0 and speed in self.speeds and speed not in others
+            if alone and speed not in known and alpha[i] != g.zero:
+                known[speed] = {0: g.sum([(alpha[i], -size)])}
+                found.add(i)
+        return found
 
     def turning(self, frame: Any) -> list[Vec]:
         """Return [α] + [ω][ω] in a frame's axes: what a place there is to be multiplied by."""
@@ -321,11 +354,11 @@ class Kinematics:
         return [self.graph.sub(x, y) for x, y in zip(a, own, strict=True)]
 
     def _accelerating(self, vector: Any, home: Any) -> Vec:
-        """Return an acceleration that the user wrote, at u' = 0."""
-        read, zero = self.read, self.graph.zero
+        """Return an acceleration that the user wrote, at the u' of `start`."""
+        read = self.read
         known = dict(zip(self.body.speed_rates, self.accelerations, strict=True))
-        for symbol in known:
-            read.define(symbol, zero)
+        for symbol, node in zip(known, self.start(), strict=True):
+            read.define(symbol, node)
         self._at_rest = True
         parts = self.vector(vector, home)
         self._at_rest = False
@@ -342,6 +375,10 @@ class Kinematics:
         roles = {where: "which a load acts at" for where, _ in self.body.loads}
         roles |= {b.masscenter: f"the mass centre of the body {b.name}" for b in self.body.bodies}
         self._ways, self._parts = self.tree.paths(points, roles), {}
+
+    def moved(self) -> list[Any]:
+        """Return the points whose motion has been asked for."""
+        return list(self._motions)
 
     def placed(self) -> list[Any]:
         """Return the points whose ways are known."""
@@ -372,18 +409,19 @@ class Kinematics:
     def motion(self, point: Any) -> Motion:
         """Return the frame of the components, velocity and acceleration of a point."""
         chain = [point]
-        while chain[-1] not in self._motions and (base := self._base(chain[-1])) is not None:
+        while chain[-1] not in self._motions and (base := self.base(chain[-1])) is not None:
             chain.append(base)
         for item in reversed(chain):
             if item not in self._motions:
                 self._motions[item] = self._moving(item)
         return self._motions[point]
 
-    def _base(self, point: Any) -> Any:
+    def base(self, point: Any) -> Any:
+        """Return the point that another's motion follows from, None where it is given."""
         return None if point in self.honoured else self._ways[point][0]
 
     def _moving(self, point: Any) -> Motion:
-        base = self._base(point)
+        base = self.base(point)
         if base is None:
             return self._given(point)
         home, v, a = self._motions[base]
@@ -415,7 +453,7 @@ class Kinematics:
                 # The plane rotations between two hinges, one after the other.
                 v, a = self._carried(base, home, v, a, above)
                 home = above
-            moved = self.anchored(self.expressed(v, home, to)), self.expressed(a, home, to)
+            moved = self._handed(v, home, to), self.expressed(a, home, to)
             if base is None:
                 return moved
             self._moved[key] = moved
@@ -428,8 +466,8 @@ class Kinematics:
 
     def first_there(self, point: Any) -> Any:
         """Return the first of the points that are at one place at all times."""
-        while (base := self._base(point)) is not None and not self.parts(point):
-            point = base
+        while self.base(point) is not None and not self.parts(point):
+            point = self.base(point)
         return point
 
     def fixed_step(self, point: Any) -> tuple[Any, Any, Vec] | None:
@@ -437,7 +475,7 @@ class Kinematics:
 
         None where the point's own velocity is given, or the way is none of constants in one frame.
         """
-        base = self._base(point)
+        base = self.base(point)
         frames = list(dict.fromkeys(frame for _, frame in self.parts(point)))
         if base is None or len(frames) != 1:
             return None
@@ -453,33 +491,6 @@ class Kinematics:
         v = self.vector(velocity, home)
         a = self.plus(self.dt(v), self.cross(self.spin(home)[0], v))
         return home, self.anchored(v), self._falling(a, home, self.pull)
-
-    def disagreeing(self) -> list[Any]:
-        """Return the points whose given velocity is not that of their place, innermost ones."""
-        points = [
-            p
-            for p in self._motions
-            if self._base(p) is not None and self.tree.velocity(p) is not None
-        ]
-        nodes: Vec = []
-        for point in points:
-            home, v, _ = self._motions[point]
-            nodes += [*v, *self.vector(self.tree.velocity(point), home)]
-        values = signatures(self.graph, nodes) if nodes else []
-        unequal = {
-            point: (nodes[k : k + 3], nodes[k + 3 : k + 6])
-            for k, point in zip(range(0, len(nodes), 6), points, strict=True)
-            if values[k : k + 3] != values[k + 3 : k + 6]
-        }
-        same = same_numbers(self.graph, list(unequal.values()))
-        bad = {point for point, near in zip(unequal, same, strict=True) if not near}
-        return [p for p in points if p in bad and not self._leads_to(p, bad)]
-
-    def _leads_to(self, point: Any, others: set[Any]) -> bool:
-        while (point := self._base(point)) is not None:
-            if point in others:
-                return True
-        return False
 
     def at(self, where: Any) -> tuple[Any, Vec]:
         """Return the frame and the components of the velocity of a point, or of a frame's spin."""

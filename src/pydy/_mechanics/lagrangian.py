@@ -50,6 +50,8 @@ def form_lagrangian(body: Multibody) -> Formed:
         matrix,
         forcing,
         accelerations,
+        [g.zero] * len(forcing),
+        forcing,
         g.zero,
     )
 
