@@ -32,7 +32,18 @@ def collector_paused() -> Iterator[None]:
         yield
     finally:
         _pausing = None
+        _let_age()
         gc.enable()
+
+
+def _let_age() -> None:
+    """Put all objects among the old ones, which the next full collection looks at.
+
+    Else the next allocation would have all that was built walked through at once.
+    """
+    if not gc.get_freeze_count():  # nobody else's are to be thawed
+        gc.freeze()
+        gc.unfreeze()
 
 
 @_forks.in_child

@@ -30,12 +30,16 @@ def classify(equations: Equations) -> Equations:
     if not equations.holonomic:
         return replace(equations, nonholonomic=equations.velocity)
     states = GenericStates(equations, (), "the constraints")
-    rates = states.rates(states.holonomic)
-    blocks = [_rows(states, "rates", rates), _rows(states, "motion", states.velocity)]
+    moving, rates = (list(nodes) for nodes in zip(*states.moving, strict=True))
+    blocks = [
+        states.table("gradient", states.holonomic, moving),
+        _rows(states, "kinematics", rates),
+        _rows(states, "motion", states.velocity),
+    ]
     values = next(states.samples(blocks, _TRIALS), None)
     if values is None:  # nothing can be evaluated
         return replace(equations, nonholonomic=equations.velocity)
-    rows, motion = values["rates"], values["motion"]
+    rows, motion = values["gradient"] @ values["kinematics"], values["motion"]
     return replace(
         equations,
         nonholonomic=tuple(equations.velocity[k] for k in _completing(rows, motion)),
