@@ -94,10 +94,21 @@ def test_the_n_four_bar_passes_its_singular_positions_with_its_rods_parallel(win
 
 
 @pytest.mark.parametrize("windows", [1, 2, 3])
-def test_the_n_four_bar_passes_its_singular_positions_implicitly_or_says_why_not(windows):
-    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12]:
-        for max_step in (None, 1e-2):
-            passes_or_says_why(n_four_bar(windows), "radau", tolerance, max_step)
+def test_the_n_four_bar_passes_its_singular_positions_implicitly(windows):
+    system = n_four_bar(windows).system
+    system.ode_solver, system.times = "radau", np.linspace(0.0, 10.0, 11)
+    for tolerance in [1e-6, 1e-8, 1e-10]:
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", ".* passed a singular configuration")
+            x = system.integrate(constraints="project", **options_of("radau", tolerance, 1e-2))
+        total = system.evaluate_energy(x=x).total
+        assert np.abs(total / total[0] - 1.0).max() < 10 * tolerance
+
+
+@pytest.mark.parametrize("windows", [1, 2, 3])
+def test_at_the_least_tolerance_it_does_so_or_says_why_not(windows):
+    for max_step in (None, 1e-2):
+        passes_or_says_why(n_four_bar(windows), "radau", 1e-12, max_step)
 
 
 @pytest.mark.parametrize("solver", ALL)

@@ -1,4 +1,4 @@
-; sources 904ef98b4e8f36012d29f89e5eef7f70b49adb01f8191d996ec4a93242779f43
+; sources e1a63d9ec692563f214eb01d118d8a8e642ed8a008a9c5b81038f2f662212ca6
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8
@@ -816,7 +816,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %177
 
 192:                                              ; preds = %154
-  br label %2600
+  br label %2632
 
 193:                                              ; preds = %154
   %194 = getelementptr i8, ptr %25, i64 1032
@@ -910,12 +910,12 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %282 = call i64 @llvm.smax.i64(i64 %273, i64 0)
   br label %283
 
-283:                                              ; preds = %2292, %193
-  %284 = phi i64 [ 0, %193 ], [ %2300, %2292 ]
-  %285 = phi i64 [ %282, %193 ], [ %2301, %2292 ]
-  %286 = phi double [ %281, %193 ], [ %2299, %2292 ]
+283:                                              ; preds = %2324, %193
+  %284 = phi i64 [ 0, %193 ], [ %2332, %2324 ]
+  %285 = phi i64 [ %282, %193 ], [ %2333, %2324 ]
+  %286 = phi double [ %281, %193 ], [ %2331, %2324 ]
   %287 = icmp sgt i64 %285, 0
-  br i1 %287, label %2292, label %288
+  br i1 %287, label %2324, label %288
 
 288:                                              ; preds = %283
   %289 = fcmp olt double %286, 0x3CB0000000000000
@@ -971,19 +971,19 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 316:                                              ; preds = %310, %312
   %317 = phi i32 [ %315, %312 ], [ 0, %310 ]
   %318 = phi i32 [ 0, %312 ], [ %311, %310 ]
-  switch i32 %318, label %2304 [
-    i32 -2, label %2302
-    i32 0, label %2302
+  switch i32 %318, label %2336 [
+    i32 -2, label %2334
+    i32 0, label %2334
   ], !prof !32
 
-319:                                              ; preds = %2302
+319:                                              ; preds = %2334
   %320 = getelementptr i8, ptr %110, i64 72
   store i64 3, ptr %320, align 8, !noalias !12
   %321 = icmp slt i32 %317, 0
   %322 = select i1 %321, i64 -4, i64 2
-  br label %2600
+  br label %2632
 
-323:                                              ; preds = %2302
+323:                                              ; preds = %2334
   store i64 1, ptr %110, align 8, !noalias !12
   %324 = getelementptr i8, ptr %105, i64 24
   store double 0.000000e+00, ptr %324, align 8, !noalias !12
@@ -995,15 +995,15 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double 0.000000e+00, ptr %327, align 8, !noalias !12
   store i8 0, ptr %23, align 1, !noalias !12
   %328 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %30, ptr %65, i64 %64, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %328, label %2308 [
-    i32 -2, label %2305
-    i32 0, label %2305
+  switch i32 %328, label %2340 [
+    i32 -2, label %2337
+    i32 0, label %2337
   ], !prof !32
 
-329:                                              ; preds = %2305
-  br label %2600
+329:                                              ; preds = %2337
+  br label %2632
 
-330:                                              ; preds = %2305
+330:                                              ; preds = %2337
   %331 = fcmp oeq double %299, 0.000000e+00
   br i1 %331, label %332, label %359
 
@@ -1015,7 +1015,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double 0.000000e+00, ptr %21, align 8, !noalias !34
   %335 = call fastcc i32 @norm(ptr nonnull %21, ptr %65, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %273) #3
   %336 = load double, ptr %21, align 8, !noalias !34
-  switch i32 %335, label %2309 [
+  switch i32 %335, label %2341 [
     i32 -2, label %337
     i32 0, label %337
   ], !prof !32
@@ -1023,7 +1023,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 337:                                              ; preds = %332, %332
   store double 0.000000e+00, ptr %22, align 8, !noalias !34
   %338 = call fastcc i32 @norm(ptr nonnull %22, ptr %85, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %273) #3
-  switch i32 %338, label %2309 [
+  switch i32 %338, label %2341 [
     i32 -2, label %339
     i32 0, label %339
   ], !prof !32
@@ -1057,9 +1057,9 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %360 = phi double [ %355, %339 ], [ %355, %357 ], [ %299, %330 ], [ %299, %288 ]
   br label %361
 
-361:                                              ; preds = %2288, %359
-  %362 = phi double [ %360, %359 ], [ %2289, %2288 ]
-  %363 = phi double [ %297, %359 ], [ %366, %2288 ]
+361:                                              ; preds = %2320, %359
+  %362 = phi double [ %360, %359 ], [ %2321, %2320 ]
+  %363 = phi double [ %297, %359 ], [ %366, %2320 ]
   br label %364
 
 364:                                              ; preds = %2241, %361
@@ -1071,7 +1071,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 369:                                              ; preds = %364
   store double %365, ptr %298, align 8, !noalias !12
-  br label %2600
+  br label %2632
 
 370:                                              ; preds = %364
   %371 = add nsw i64 %367, -1
@@ -1088,7 +1088,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 380:                                              ; preds = %370
   store double %365, ptr %298, align 8, !noalias !12
-  br label %2600
+  br label %2632
 
 381:                                              ; preds = %370
   %382 = getelementptr i8, ptr %105, i64 16
@@ -1107,7 +1107,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %395 = fcmp ogt double %394, %366
   %396 = fcmp oeq double %392, %280
   %397 = or i1 %395, %396
-  br i1 %397, label %398, label %2290
+  br i1 %397, label %398, label %2322
 
 398:                                              ; preds = %381
   %399 = getelementptr i8, ptr %196, i64 8
@@ -1145,49 +1145,49 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 414:                                              ; preds = %411, %411, %409, %413
   %415 = phi i32 [ %412, %413 ], [ 0, %409 ], [ 0, %411 ], [ 0, %411 ]
-  switch i32 %415, label %2315 [
-    i32 -2, label %2310
-    i32 0, label %2310
+  switch i32 %415, label %2347 [
+    i32 -2, label %2342
+    i32 0, label %2342
   ], !prof !32
 
 416:                                              ; preds = %402
   %417 = call i64 @llvm.smax.i64(i64 %403, i64 0)
   br label %418
 
-418:                                              ; preds = %416, %2316
-  %419 = phi i64 [ 0, %416 ], [ %2318, %2316 ]
-  %420 = phi i64 [ %417, %416 ], [ %2317, %2316 ]
+418:                                              ; preds = %416, %2348
+  %419 = phi i64 [ 0, %416 ], [ %2350, %2348 ]
+  %420 = phi i64 [ %417, %416 ], [ %2349, %2348 ]
   %421 = icmp sgt i64 %420, 0
-  br i1 %421, label %2316, label %422
+  br i1 %421, label %2348, label %422
 
 422:                                              ; preds = %418, %432
-  %423 = phi i64 [ %2329, %432 ], [ 0, %418 ]
-  %424 = phi i64 [ %2328, %432 ], [ %417, %418 ]
+  %423 = phi i64 [ %2361, %432 ], [ 0, %418 ]
+  %424 = phi i64 [ %2360, %432 ], [ %417, %418 ]
   %425 = icmp sgt i64 %424, 0
-  br i1 %425, label %2327, label %434
+  br i1 %425, label %2359, label %434
 
-426:                                              ; preds = %2360
-  %427 = sext i32 %2358 to i64
+426:                                              ; preds = %2392
+  %427 = sext i32 %2390 to i64
   br label %434
 
-428:                                              ; preds = %2360, %2363
-  %429 = phi i64 [ %2365, %2363 ], [ 0, %2360 ]
-  %430 = phi i64 [ %2364, %2363 ], [ %417, %2360 ]
+428:                                              ; preds = %2392, %2395
+  %429 = phi i64 [ %2397, %2395 ], [ 0, %2392 ]
+  %430 = phi i64 [ %2396, %2395 ], [ %417, %2392 ]
   %431 = icmp sgt i64 %430, 0
-  br i1 %431, label %2363, label %432
+  br i1 %431, label %2395, label %432
 
 432:                                              ; preds = %428
-  %433 = load double, ptr %2333, align 8, !noalias !12
-  store double %433, ptr %2343, align 8, !noalias !12
+  %433 = load double, ptr %2365, align 8, !noalias !12
+  store double %433, ptr %2375, align 8, !noalias !12
   br label %422
 
-434:                                              ; preds = %422, %2310, %426
-  %435 = phi i64 [ %2314, %2310 ], [ %427, %426 ], [ 0, %422 ]
+434:                                              ; preds = %422, %2342, %426
+  %435 = phi i64 [ %2346, %2342 ], [ %427, %426 ], [ 0, %422 ]
   %436 = icmp slt i64 %435, 0
   br i1 %436, label %437, label %438
 
 437:                                              ; preds = %434
-  br label %2600
+  br label %2632
 
 438:                                              ; preds = %434
   store i64 0, ptr %399, align 8, !noalias !12
@@ -1217,16 +1217,16 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %453
 
 453:                                              ; preds = %461, %448
-  %454 = phi i64 [ 0, %448 ], [ %2385, %461 ]
-  %455 = phi i64 [ %452, %448 ], [ %2384, %461 ]
+  %454 = phi i64 [ 0, %448 ], [ %2417, %461 ]
+  %455 = phi i64 [ %452, %448 ], [ %2416, %461 ]
   %456 = icmp sgt i64 %455, 0
-  br i1 %456, label %2383, label %487
+  br i1 %456, label %2415, label %487
 
-457:                                              ; preds = %2383, %2386
-  %458 = phi i64 [ 0, %2383 ], [ %2388, %2386 ]
-  %459 = phi i64 [ %452, %2383 ], [ %2387, %2386 ]
+457:                                              ; preds = %2415, %2418
+  %458 = phi i64 [ 0, %2415 ], [ %2420, %2418 ]
+  %459 = phi i64 [ %452, %2415 ], [ %2419, %2418 ]
   %460 = icmp sgt i64 %459, 0
-  br i1 %460, label %2386, label %461
+  br i1 %460, label %2418, label %461
 
 461:                                              ; preds = %457
   %462 = icmp slt i64 %454, 0
@@ -1627,7 +1627,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %762 = sub nsw i64 1, %761
   store i64 %762, ptr %399, align 8, !noalias !12
   store i64 0, ptr %442, align 8, !noalias !12
-  br label %2288
+  br label %2320
 
 763:                                              ; preds = %754, %445
   %764 = getelementptr i8, ptr %199, i64 8
@@ -1635,12 +1635,12 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %766
 
 766:                                              ; preds = %781, %763
-  %767 = phi i64 [ 0, %763 ], [ %2418, %781 ]
-  %768 = phi i64 [ 3, %763 ], [ %2417, %781 ]
+  %767 = phi i64 [ 0, %763 ], [ %2450, %781 ]
+  %768 = phi i64 [ 3, %763 ], [ %2449, %781 ]
   %769 = icmp sgt i64 %768, 0
-  br i1 %769, label %2416, label %835
+  br i1 %769, label %2448, label %835
 
-770:                                              ; preds = %2416
+770:                                              ; preds = %2448
   %771 = icmp slt i64 %767, 0
   %772 = add i64 %767, 3
   %773 = select i1 %771, i64 %772, i64 %767
@@ -1651,17 +1651,17 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %778 = fadd double %777, 1.000000e+00
   br label %779
 
-779:                                              ; preds = %2416, %770
-  %780 = phi double [ %778, %770 ], [ 0.000000e+00, %2416 ]
+779:                                              ; preds = %2448, %770
+  %780 = phi double [ %778, %770 ], [ 0.000000e+00, %2448 ]
   br label %781
 
 781:                                              ; preds = %779, %825, %785
-  %782 = phi i64 [ 0, %779 ], [ %2422, %785 ], [ %2422, %825 ]
-  %783 = phi i64 [ %282, %779 ], [ %2421, %785 ], [ %2421, %825 ]
+  %782 = phi i64 [ 0, %779 ], [ %2454, %785 ], [ %2454, %825 ]
+  %783 = phi i64 [ %282, %779 ], [ %2453, %785 ], [ %2453, %825 ]
   %784 = icmp sgt i64 %783, 0
-  br i1 %784, label %2420, label %766
+  br i1 %784, label %2452, label %766
 
-785:                                              ; preds = %2420
+785:                                              ; preds = %2452
   %786 = fsub double 1.000000e+00, %780
   %787 = icmp slt i64 %782, 0
   %788 = select i1 %787, i64 %256, i64 0
@@ -1704,7 +1704,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double %816, ptr %824, align 8, !noalias !12
   br label %781
 
-825:                                              ; preds = %2420
+825:                                              ; preds = %2452
   %826 = icmp slt i64 %767, 0
   %827 = select i1 %826, i64 %235, i64 0
   %828 = add i64 %767, %827
@@ -1718,16 +1718,16 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %781
 
 835:                                              ; preds = %766, %839
-  %836 = phi i64 [ %2425, %839 ], [ 0, %766 ]
-  %837 = phi i64 [ %2424, %839 ], [ 3, %766 ]
+  %836 = phi i64 [ %2457, %839 ], [ 0, %766 ]
+  %837 = phi i64 [ %2456, %839 ], [ 3, %766 ]
   %838 = icmp sgt i64 %837, 0
-  br i1 %838, label %2423, label %843
+  br i1 %838, label %2455, label %843
 
-839:                                              ; preds = %2423, %2426
-  %840 = phi i64 [ 0, %2423 ], [ %2428, %2426 ]
-  %841 = phi i64 [ %282, %2423 ], [ %2427, %2426 ]
+839:                                              ; preds = %2455, %2458
+  %840 = phi i64 [ 0, %2455 ], [ %2460, %2458 ]
+  %841 = phi i64 [ %282, %2455 ], [ %2459, %2458 ]
   %842 = icmp sgt i64 %841, 0
-  br i1 %842, label %2426, label %835
+  br i1 %842, label %2458, label %835
 
 843:                                              ; preds = %835
   %844 = fmul double %296, %286
@@ -3034,22 +3034,22 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %1843 = phi i1 [ %1286, %1283 ], [ true, %1175 ], [ true, %897 ], [ true, %1323 ], [ true, %894 ], [ true, %959 ], [ true, %1775 ], [ true, %1171 ]
   %1844 = phi i64 [ 0, %1283 ], [ 0, %1175 ], [ %898, %897 ], [ 0, %1323 ], [ 0, %894 ], [ 0, %959 ], [ 0, %1775 ], [ 0, %1171 ]
   %1845 = phi i32 [ 0, %1283 ], [ 0, %1175 ], [ 0, %897 ], [ 0, %1323 ], [ %896, %894 ], [ %960, %959 ], [ 0, %1775 ], [ %1174, %1171 ]
-  switch i32 %1845, label %2469 [
-    i32 -2, label %2467
-    i32 0, label %2467
+  switch i32 %1845, label %2501 [
+    i32 -2, label %2499
+    i32 0, label %2499
   ], !prof !32
 
-1846:                                             ; preds = %2467
-  br label %2600
+1846:                                             ; preds = %2499
+  br label %2632
 
-1847:                                             ; preds = %2467
+1847:                                             ; preds = %2499
   br i1 %1843, label %2263, label %1848
 
-1848:                                             ; preds = %1847, %2470
-  %1849 = phi i64 [ %2472, %2470 ], [ 0, %1847 ]
-  %1850 = phi i64 [ %2471, %2470 ], [ %282, %1847 ]
+1848:                                             ; preds = %1847, %2502
+  %1849 = phi i64 [ %2504, %2502 ], [ 0, %1847 ]
+  %1850 = phi i64 [ %2503, %2502 ], [ %282, %1847 ]
   %1851 = icmp sgt i64 %1850, 0
-  br i1 %1851, label %2470, label %1852
+  br i1 %1851, label %2502, label %1852
 
 1852:                                             ; preds = %1848
   %1853 = getelementptr i8, ptr %196, i64 32
@@ -3254,15 +3254,15 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %1972 = phi double [ %1929, %1930 ], [ 0.000000e+00, %1862 ], [ %1929, %1885 ], [ 0.000000e+00, %1927 ], [ 0.000000e+00, %1882 ], [ 0.000000e+00, %1891 ], [ %1970, %1969 ], [ 0.000000e+00, %1967 ]
   %1973 = phi i64 [ 0, %1930 ], [ 0, %1862 ], [ %1886, %1885 ], [ 0, %1927 ], [ 0, %1882 ], [ 0, %1891 ], [ 0, %1969 ], [ 0, %1967 ]
   %1974 = phi i32 [ 0, %1930 ], [ %1863, %1862 ], [ 0, %1885 ], [ %1928, %1927 ], [ %1884, %1882 ], [ %1892, %1891 ], [ 0, %1969 ], [ %1968, %1967 ]
-  switch i32 %1974, label %2490 [
-    i32 -2, label %2488
-    i32 0, label %2488
+  switch i32 %1974, label %2522 [
+    i32 -2, label %2520
+    i32 0, label %2520
   ], !prof !32
 
-1975:                                             ; preds = %2488
-  br label %2600
+1975:                                             ; preds = %2520
+  br label %2632
 
-1976:                                             ; preds = %2488
+1976:                                             ; preds = %2520
   %1977 = add nsw i64 %1842, 12
   %1978 = sitofp i64 %1977 to double
   %1979 = fdiv double 0x4027666666666667, %1978
@@ -3297,7 +3297,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %2000 = sub nsw i64 1, %1999
   store i64 1, ptr %1853, align 8, !noalias !12
   store i64 %2000, ptr %399, align 8, !noalias !12
-  br label %2288
+  br label %2320
 
 2001:                                             ; preds = %1987, %1986
   %2002 = load i64, ptr %372, align 8, !noalias !12
@@ -3332,16 +3332,16 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %2023
 
 2023:                                             ; preds = %2027, %2017
-  %2024 = phi i64 [ 0, %2017 ], [ %2493, %2027 ]
-  %2025 = phi i64 [ %282, %2017 ], [ %2492, %2027 ]
+  %2024 = phi i64 [ 0, %2017 ], [ %2525, %2027 ]
+  %2025 = phi i64 [ %282, %2017 ], [ %2524, %2027 ]
   %2026 = icmp sgt i64 %2025, 0
-  br i1 %2026, label %2491, label %2031
+  br i1 %2026, label %2523, label %2031
 
-2027:                                             ; preds = %2491, %2548
-  %2028 = phi i64 [ 0, %2491 ], [ %2550, %2548 ]
-  %2029 = phi i64 [ 3, %2491 ], [ %2549, %2548 ]
+2027:                                             ; preds = %2523, %2580
+  %2028 = phi i64 [ 0, %2523 ], [ %2582, %2580 ]
+  %2029 = phi i64 [ 3, %2523 ], [ %2581, %2580 ]
   %2030 = icmp sgt i64 %2029, 0
-  br i1 %2030, label %2548, label %2023
+  br i1 %2030, label %2580, label %2023
 
 2031:                                             ; preds = %2023
   store double %391, ptr %764, align 8, !noalias !12
@@ -3421,9 +3421,9 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %2089 = shl i64 %2088, 3
   %2090 = add i64 %2089, %1
   %2091 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2565
+  br label %2597
 
-2092:                                             ; preds = %2569
+2092:                                             ; preds = %2601
   %2093 = getelementptr i8, ptr %157, i64 56
   %2094 = load i64, ptr %2093, align 8, !noalias !12
   %2095 = load double, ptr %2084, align 8, !noalias !12
@@ -3432,7 +3432,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %2098 = icmp eq i64 %2097, 0
   br i1 %2098, label %2099, label %2114
 
-2099:                                             ; preds = %2569, %2092
+2099:                                             ; preds = %2601, %2092
   %2100 = add nsw i64 %2080, 1
   %2101 = icmp slt i64 %2100, %114
   br i1 %2101, label %2102, label %2112
@@ -3485,7 +3485,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %2133 = phi i64 [ 0, %2126 ], [ %2138, %2136 ]
   %2134 = phi i64 [ %2131, %2126 ], [ %2137, %2136 ]
   %2135 = icmp sgt i64 %2134, 0
-  br i1 %2135, label %2136, label %2581
+  br i1 %2135, label %2136, label %2613
 
 2136:                                             ; preds = %2132
   %2137 = add nsw i64 %2134, -1
@@ -3511,15 +3511,15 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double %2052, ptr %2153, align 8, !noalias !116
   br label %2122
 
-2154:                                             ; preds = %2581
+2154:                                             ; preds = %2613
   %2155 = getelementptr i8, ptr %157, i64 56
   %2156 = load i64, ptr %2155, align 8, !noalias !12
   %2157 = inttoptr i64 %2156 to ptr
   %2158 = call i64 %2157(i64 %0, double %2061, i64 %67) #3, !noalias !12
   br label %2159
 
-2159:                                             ; preds = %2581, %2154, %2114
-  %2160 = phi i64 [ %2158, %2154 ], [ 0, %2581 ], [ %2116, %2114 ]
+2159:                                             ; preds = %2613, %2154, %2114
+  %2160 = phi i64 [ %2158, %2154 ], [ 0, %2613 ], [ %2116, %2114 ]
   %2161 = icmp eq i64 %2160, 0
   br i1 %2161, label %2163, label %2162
 
@@ -3534,7 +3534,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 2164:                                             ; preds = %2163
   store i8 0, ptr %24, align 1, !noalias !12
   %2165 = call fastcc i32 @write_reached(ptr nonnull %24, ptr %30, ptr %70, i64 %69, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %2165, label %2584 [
+  switch i32 %2165, label %2616 [
     i32 -2, label %2166
     i32 0, label %2166
   ], !prof !32
@@ -3551,7 +3551,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %2171 = phi i64 [ 0, %2168 ], [ %2176, %2174 ]
   %2172 = phi i64 [ %2169, %2168 ], [ %2175, %2174 ]
   %2173 = icmp sgt i64 %2172, 0
-  br i1 %2173, label %2174, label %2585
+  br i1 %2173, label %2174, label %2617
 
 2174:                                             ; preds = %2170
   %2175 = add nsw i64 %2172, -1
@@ -3567,8 +3567,8 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double %2181, ptr %2184, align 8, !noalias !123
   br label %2170
 
-2185:                                             ; preds = %2166, %2585, %2162
-  %2186 = phi i64 [ %2160, %2162 ], [ %2053, %2585 ], [ 0, %2166 ]
+2185:                                             ; preds = %2166, %2617, %2162
+  %2186 = phi i64 [ %2160, %2162 ], [ %2053, %2617 ], [ 0, %2166 ]
   switch i64 %2186, label %2200 [
     i64 6, label %2187
     i64 0, label %2201
@@ -3595,19 +3595,19 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store i64 1, ptr %1853, align 8, !noalias !12
   store i64 %2199, ptr %399, align 8, !noalias !12
   store double 0.000000e+00, ptr %764, align 8, !noalias !12
-  br label %2288
+  br label %2320
 
 2200:                                             ; preds = %2187, %2185
-  br label %2600
+  br label %2632
 
 2201:                                             ; preds = %2185, %2035
   br label %2202
 
-2202:                                             ; preds = %2201, %2586
-  %2203 = phi i64 [ 0, %2201 ], [ %2588, %2586 ]
-  %2204 = phi i64 [ %282, %2201 ], [ %2587, %2586 ]
+2202:                                             ; preds = %2201, %2618
+  %2203 = phi i64 [ 0, %2201 ], [ %2620, %2618 ]
+  %2204 = phi i64 [ %282, %2201 ], [ %2619, %2618 ]
   %2205 = icmp sgt i64 %2204, 0
-  br i1 %2205, label %2586, label %2206
+  br i1 %2205, label %2618, label %2206
 
 2206:                                             ; preds = %2202
   %2207 = getelementptr i8, ptr %110, i64 24
@@ -3647,20 +3647,20 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 2220:                                             ; preds = %2214, %2216
   %2221 = phi i32 [ %2219, %2216 ], [ 0, %2214 ]
   %2222 = phi i32 [ 0, %2216 ], [ %2215, %2214 ]
-  switch i32 %2222, label %2599 [
-    i32 -2, label %2597
-    i32 0, label %2597
+  switch i32 %2222, label %2631 [
+    i32 -2, label %2629
+    i32 0, label %2629
   ], !prof !32
 
-2223:                                             ; preds = %2597
+2223:                                             ; preds = %2629
   %2224 = getelementptr i8, ptr %110, i64 72
   store i64 3, ptr %2224, align 8, !noalias !12
   store double %391, ptr %298, align 8, !noalias !12
   %2225 = icmp slt i32 %2221, 0
   %2226 = select i1 %2225, i64 -4, i64 2
-  br label %2600
+  br label %2632
 
-2227:                                             ; preds = %2597
+2227:                                             ; preds = %2629
   %2228 = icmp sgt i64 %1842, 2
   %2229 = fcmp ogt double %1841, 1.000000e-03
   %2230 = select i1 %2228, i1 %2229, i1 false
@@ -3686,7 +3686,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %2243 = getelementptr i8, ptr %110, i64 48
   %2244 = load i64, ptr %2243, align 8, !noalias !12
   %2245 = icmp eq i64 %2244, %114
-  br i1 %2245, label %2291, label %364
+  br i1 %2245, label %2323, label %364
 
 2246:                                             ; preds = %1976
   %2247 = load i64, ptr %374, align 8, !noalias !12
@@ -3713,14 +3713,14 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %2262 = sub nsw i64 1, %2261
   store i64 1, ptr %1853, align 8, !noalias !12
   store i64 %2262, ptr %399, align 8, !noalias !12
-  br label %2288
+  br label %2320
 
 2263:                                             ; preds = %1847
   %2264 = load i64, ptr %374, align 8, !noalias !12
   %2265 = add nsw i64 %2264, 1
   store i64 %2265, ptr %374, align 8, !noalias !12
-  %2266 = icmp ne i64 %1844, 0
-  br i1 %2266, label %2267, label %2269
+  %2266 = icmp eq i64 %1844, 0
+  br i1 %2266, label %2269, label %2267
 
 2267:                                             ; preds = %2263
   %2268 = getelementptr i8, ptr %110, i64 72
@@ -3746,458 +3746,511 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %2277 = getelementptr i8, ptr %196, i64 16
   %2278 = load i64, ptr %2277, align 8, !noalias !12
   %2279 = icmp eq i64 %2278, 1
-  %2280 = or i1 %2279, %2266
-  br i1 %2280, label %2281, label %2284
+  %2280 = and i1 %2279, %2266
+  br i1 %2280, label %2281, label %2308
 
 2281:                                             ; preds = %2276
-  %2282 = select i1 %2266, double 2.500000e-01, double 5.000000e-01
-  %2283 = fmul double %391, %2282
+  %2282 = call i64 @llvm.smax.i64(i64 %206, i64 0)
+  br label %2283
+
+2283:                                             ; preds = %2295, %2281
+  %2284 = phi i64 [ 0, %2281 ], [ %2303, %2295 ]
+  %2285 = phi i64 [ %2282, %2281 ], [ %2302, %2295 ]
+  %2286 = phi i1 [ false, %2281 ], [ %2296, %2295 ]
+  %2287 = icmp sgt i64 %2285, 0
+  br i1 %2287, label %2301, label %2304
+
+2288:                                             ; preds = %2301
+  %2289 = icmp slt i64 %2284, 0
+  %2290 = select i1 %2289, i64 %206, i64 0
+  %2291 = getelementptr double, ptr %207, i64 %2284
+  %2292 = getelementptr double, ptr %2291, i64 %2290
+  %2293 = load double, ptr %2292, align 8, !noalias !134
+  %2294 = fcmp une double %2293, 0.000000e+00
+  br label %2295
+
+2295:                                             ; preds = %2301, %2288
+  %2296 = phi i1 [ true, %2301 ], [ %2294, %2288 ]
+  %2297 = icmp slt i64 %2284, 0
+  %2298 = select i1 %2297, i64 %206, i64 0
+  %2299 = getelementptr double, ptr %207, i64 %2284
+  %2300 = getelementptr double, ptr %2299, i64 %2298
+  store double 0.000000e+00, ptr %2300, align 8, !noalias !134
+  br label %2283
+
+2301:                                             ; preds = %2283
+  %2302 = add nsw i64 %2285, -1
+  %2303 = add i64 %2284, 1
+  br i1 %2286, label %2295, label %2288
+
+2304:                                             ; preds = %2283
+  br i1 %2286, label %2305, label %2306
+
+2305:                                             ; preds = %2304
+  store i64 0, ptr %442, align 8, !noalias !12
+  br label %2320
+
+2306:                                             ; preds = %2304
+  store i64 0, ptr %2277, align 8, !noalias !12
+  %2307 = fmul double %391, 5.000000e-01
+  br label %2308
+
+2308:                                             ; preds = %2306, %2276
+  %2309 = phi double [ %2307, %2306 ], [ %365, %2276 ]
+  %2310 = load i64, ptr %2277, align 8, !noalias !12
+  %2311 = icmp ne i64 %2310, 1
+  %2312 = and i1 %2311, %2266
+  br i1 %2312, label %2316, label %2313
+
+2313:                                             ; preds = %2308
+  %2314 = select i1 %2266, double 5.000000e-01, double 2.500000e-01
+  %2315 = fmul double %391, %2314
   store double 0.000000e+00, ptr %764, align 8, !noalias !12
-  br label %2284
+  br label %2316
 
-2284:                                             ; preds = %2276, %2281
-  %2285 = phi double [ %2283, %2281 ], [ %365, %2276 ]
-  %2286 = load i64, ptr %2277, align 8, !noalias !12
-  %2287 = sub nsw i64 1, %2286
-  store i64 %2287, ptr %399, align 8, !noalias !12
-  br label %2288
+2316:                                             ; preds = %2308, %2313
+  %2317 = phi double [ %2315, %2313 ], [ %2309, %2308 ]
+  %2318 = load i64, ptr %2277, align 8, !noalias !12
+  %2319 = sub nsw i64 1, %2318
+  store i64 %2319, ptr %399, align 8, !noalias !12
+  br label %2320
 
-2288:                                             ; preds = %2284, %2257, %2190, %1993, %755
-  %2289 = phi double [ %2259, %2257 ], [ %1996, %1993 ], [ %2195, %2190 ], [ %2285, %2284 ], [ %758, %755 ]
+2320:                                             ; preds = %2316, %2305, %2257, %2190, %1993, %755
+  %2321 = phi double [ %2259, %2257 ], [ %1996, %1993 ], [ %2195, %2190 ], [ %365, %2305 ], [ %2317, %2316 ], [ %758, %755 ]
   br label %361
 
-2290:                                             ; preds = %381
+2322:                                             ; preds = %381
   store double %391, ptr %298, align 8, !noalias !12
-  br label %2600
+  br label %2632
 
-2291:                                             ; preds = %2241
+2323:                                             ; preds = %2241
   store double %2242, ptr %298, align 8, !noalias !12
-  br label %2600
+  br label %2632
 
-2292:                                             ; preds = %283
-  %2293 = icmp slt i64 %284, 0
-  %2294 = select i1 %2293, i64 %94, i64 0
-  %2295 = getelementptr double, ptr %95, i64 %284
-  %2296 = getelementptr double, ptr %2295, i64 %2294
-  %2297 = load double, ptr %2296, align 8, !noalias !12
-  %2298 = fcmp olt double %2297, %286
-  %2299 = select i1 %2298, double %2297, double %286
-  %2300 = add i64 %284, 1
-  %2301 = add nsw i64 %285, -1
+2324:                                             ; preds = %283
+  %2325 = icmp slt i64 %284, 0
+  %2326 = select i1 %2325, i64 %94, i64 0
+  %2327 = getelementptr double, ptr %95, i64 %284
+  %2328 = getelementptr double, ptr %2327, i64 %2326
+  %2329 = load double, ptr %2328, align 8, !noalias !12
+  %2330 = fcmp olt double %2329, %286
+  %2331 = select i1 %2330, double %2329, double %286
+  %2332 = add i64 %284, 1
+  %2333 = add nsw i64 %285, -1
   br label %283
 
-2302:                                             ; preds = %316, %316
-  %2303 = icmp eq i32 %317, 0
-  br i1 %2303, label %323, label %319
+2334:                                             ; preds = %316, %316
+  %2335 = icmp eq i32 %317, 0
+  br i1 %2335, label %323, label %319
 
-2304:                                             ; preds = %316
-  br label %2600
+2336:                                             ; preds = %316
+  br label %2632
 
-2305:                                             ; preds = %323, %323
-  %2306 = load i8, ptr %23, align 1, !noalias !12
-  %2307 = icmp eq i8 %2306, 0
-  br i1 %2307, label %330, label %329
+2337:                                             ; preds = %323, %323
+  %2338 = load i8, ptr %23, align 1, !noalias !12
+  %2339 = icmp eq i8 %2338, 0
+  br i1 %2339, label %330, label %329
 
-2308:                                             ; preds = %323
-  br label %2600
+2340:                                             ; preds = %323
+  br label %2632
 
-2309:                                             ; preds = %337, %332
-  br label %2600
+2341:                                             ; preds = %337, %332
+  br label %2632
 
-2310:                                             ; preds = %414, %414
-  %2311 = load i64, ptr %196, align 8, !noalias !12
-  %2312 = inttoptr i64 %2311 to ptr
-  %2313 = call i32 %2312(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !12
-  %2314 = sext i32 %2313 to i64
+2342:                                             ; preds = %414, %414
+  %2343 = load i64, ptr %196, align 8, !noalias !12
+  %2344 = inttoptr i64 %2343 to ptr
+  %2345 = call i32 %2344(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !12
+  %2346 = sext i32 %2345 to i64
   br label %434
 
-2315:                                             ; preds = %414
-  br label %2600
+2347:                                             ; preds = %414
+  br label %2632
 
-2316:                                             ; preds = %418
-  %2317 = add nsw i64 %420, -1
-  %2318 = add i64 %419, 1
-  %2319 = icmp slt i64 %419, 0
-  %2320 = select i1 %2319, i64 %64, i64 0
-  %2321 = getelementptr double, ptr %65, i64 %419
-  %2322 = getelementptr double, ptr %2321, i64 %2320
-  %2323 = load double, ptr %2322, align 8, !noalias !12
-  %2324 = select i1 %2319, i64 %74, i64 0
-  %2325 = getelementptr double, ptr %75, i64 %419
-  %2326 = getelementptr double, ptr %2325, i64 %2324
-  store double %2323, ptr %2326, align 8, !noalias !12
+2348:                                             ; preds = %418
+  %2349 = add nsw i64 %420, -1
+  %2350 = add i64 %419, 1
+  %2351 = icmp slt i64 %419, 0
+  %2352 = select i1 %2351, i64 %64, i64 0
+  %2353 = getelementptr double, ptr %65, i64 %419
+  %2354 = getelementptr double, ptr %2353, i64 %2352
+  %2355 = load double, ptr %2354, align 8, !noalias !12
+  %2356 = select i1 %2351, i64 %74, i64 0
+  %2357 = getelementptr double, ptr %75, i64 %419
+  %2358 = getelementptr double, ptr %2357, i64 %2356
+  store double %2355, ptr %2358, align 8, !noalias !12
   br label %418
 
-2327:                                             ; preds = %422
-  %2328 = add nsw i64 %424, -1
-  %2329 = add i64 %423, 1
-  %2330 = icmp slt i64 %423, 0
-  %2331 = select i1 %2330, i64 %64, i64 0
-  %2332 = getelementptr double, ptr %65, i64 %423
-  %2333 = getelementptr double, ptr %2332, i64 %2331
-  %2334 = load double, ptr %2333, align 8, !noalias !12
-  %2335 = call double @llvm.fabs.f64(double %2334)
-  %2336 = fcmp olt double %2335, 1.000000e-05
-  %2337 = select i1 %2336, double 1.000000e-05, double %2335
-  %2338 = fmul double %2337, 1.500000e-08
-  %2339 = fadd double %2334, %2338
-  %2340 = fsub double %2339, %2334
-  %2341 = select i1 %2330, i64 %74, i64 0
-  %2342 = getelementptr double, ptr %75, i64 %423
-  %2343 = getelementptr double, ptr %2342, i64 %2341
-  store double %2339, ptr %2343, align 8, !noalias !12
-  %2344 = getelementptr i8, ptr %110, i64 24
-  %2345 = load i64, ptr %2344, align 8, !noalias !12
-  %2346 = add nsw i64 %2345, 1
-  store i64 %2346, ptr %2344, align 8, !noalias !12
-  store ptr null, ptr %17, align 8, !noalias !134
-  store ptr null, ptr %18, align 8, !noalias !134
-  store double %366, ptr %33, align 8, !noalias !134
-  %2347 = icmp sgt i64 %45, 0
-  br i1 %2347, label %2348, label %2351
+2359:                                             ; preds = %422
+  %2360 = add nsw i64 %424, -1
+  %2361 = add i64 %423, 1
+  %2362 = icmp slt i64 %423, 0
+  %2363 = select i1 %2362, i64 %64, i64 0
+  %2364 = getelementptr double, ptr %65, i64 %423
+  %2365 = getelementptr double, ptr %2364, i64 %2363
+  %2366 = load double, ptr %2365, align 8, !noalias !12
+  %2367 = call double @llvm.fabs.f64(double %2366)
+  %2368 = fcmp olt double %2367, 1.000000e-05
+  %2369 = select i1 %2368, double 1.000000e-05, double %2367
+  %2370 = fmul double %2369, 1.500000e-08
+  %2371 = fadd double %2366, %2370
+  %2372 = fsub double %2371, %2366
+  %2373 = select i1 %2362, i64 %74, i64 0
+  %2374 = getelementptr double, ptr %75, i64 %423
+  %2375 = getelementptr double, ptr %2374, i64 %2373
+  store double %2371, ptr %2375, align 8, !noalias !12
+  %2376 = getelementptr i8, ptr %110, i64 24
+  %2377 = load i64, ptr %2376, align 8, !noalias !12
+  %2378 = add nsw i64 %2377, 1
+  store i64 %2378, ptr %2376, align 8, !noalias !12
+  store ptr null, ptr %17, align 8, !noalias !137
+  store ptr null, ptr %18, align 8, !noalias !137
+  store double %366, ptr %33, align 8, !noalias !137
+  %2379 = icmp sgt i64 %45, 0
+  br i1 %2379, label %2380, label %2383
 
-2348:                                             ; preds = %2327
-  store ptr null, ptr %17, align 8, !noalias !134
-  %2349 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
-  switch i32 %2349, label %2350 [
-    i32 -2, label %2351
-    i32 0, label %2351
+2380:                                             ; preds = %2359
+  store ptr null, ptr %17, align 8, !noalias !137
+  %2381 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
+  switch i32 %2381, label %2382 [
+    i32 -2, label %2383
+    i32 0, label %2383
   ], !prof !32
 
-2350:                                             ; preds = %2348
-  br label %2351
+2382:                                             ; preds = %2380
+  br label %2383
 
-2351:                                             ; preds = %2348, %2348, %2327, %2350
-  %2352 = phi i32 [ %2349, %2350 ], [ 0, %2327 ], [ 0, %2348 ], [ 0, %2348 ]
-  switch i32 %2352, label %2357 [
-    i32 -2, label %2353
-    i32 0, label %2353
+2383:                                             ; preds = %2380, %2380, %2359, %2382
+  %2384 = phi i32 [ %2381, %2382 ], [ 0, %2359 ], [ 0, %2380 ], [ 0, %2380 ]
+  switch i32 %2384, label %2389 [
+    i32 -2, label %2385
+    i32 0, label %2385
   ], !prof !32
 
-2353:                                             ; preds = %2351, %2351
-  %2354 = load i64, ptr %30, align 8, !noalias !141
-  %2355 = inttoptr i64 %2354 to ptr
-  %2356 = call i32 %2355(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !141
-  br label %2357
+2385:                                             ; preds = %2383, %2383
+  %2386 = load i64, ptr %30, align 8, !noalias !144
+  %2387 = inttoptr i64 %2386 to ptr
+  %2388 = call i32 %2387(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !144
+  br label %2389
 
-2357:                                             ; preds = %2351, %2353
-  %2358 = phi i32 [ %2356, %2353 ], [ 0, %2351 ]
-  %2359 = phi i32 [ 0, %2353 ], [ %2352, %2351 ]
-  switch i32 %2359, label %2362 [
-    i32 -2, label %2360
-    i32 0, label %2360
+2389:                                             ; preds = %2383, %2385
+  %2390 = phi i32 [ %2388, %2385 ], [ 0, %2383 ]
+  %2391 = phi i32 [ 0, %2385 ], [ %2384, %2383 ]
+  switch i32 %2391, label %2394 [
+    i32 -2, label %2392
+    i32 0, label %2392
   ], !prof !32
 
-2360:                                             ; preds = %2357, %2357
-  %2361 = icmp eq i32 %2358, 0
-  br i1 %2361, label %428, label %426
+2392:                                             ; preds = %2389, %2389
+  %2393 = icmp eq i32 %2390, 0
+  br i1 %2393, label %428, label %426
 
-2362:                                             ; preds = %2357
-  br label %2600
+2394:                                             ; preds = %2389
+  br label %2632
 
-2363:                                             ; preds = %428
-  %2364 = add nsw i64 %430, -1
-  %2365 = add i64 %429, 1
-  %2366 = icmp slt i64 %429, 0
-  %2367 = select i1 %2366, i64 %69, i64 0
-  %2368 = getelementptr double, ptr %70, i64 %429
-  %2369 = getelementptr double, ptr %2368, i64 %2367
-  %2370 = load double, ptr %2369, align 8, !noalias !12
-  %2371 = select i1 %2366, i64 %84, i64 0
-  %2372 = getelementptr double, ptr %85, i64 %429
-  %2373 = getelementptr double, ptr %2372, i64 %2371
-  %2374 = load double, ptr %2373, align 8, !noalias !12
-  %2375 = fsub double %2370, %2374
-  %2376 = fdiv double %2375, %2340
-  %2377 = mul nsw i64 %429, %403
-  %2378 = add nsw i64 %2377, %423
-  %2379 = icmp slt i64 %2378, 0
-  %2380 = select i1 %2379, i64 %206, i64 0
-  %2381 = getelementptr double, ptr %207, i64 %2378
-  %2382 = getelementptr double, ptr %2381, i64 %2380
-  store double %2376, ptr %2382, align 8, !noalias !12
+2395:                                             ; preds = %428
+  %2396 = add nsw i64 %430, -1
+  %2397 = add i64 %429, 1
+  %2398 = icmp slt i64 %429, 0
+  %2399 = select i1 %2398, i64 %69, i64 0
+  %2400 = getelementptr double, ptr %70, i64 %429
+  %2401 = getelementptr double, ptr %2400, i64 %2399
+  %2402 = load double, ptr %2401, align 8, !noalias !12
+  %2403 = select i1 %2398, i64 %84, i64 0
+  %2404 = getelementptr double, ptr %85, i64 %429
+  %2405 = getelementptr double, ptr %2404, i64 %2403
+  %2406 = load double, ptr %2405, align 8, !noalias !12
+  %2407 = fsub double %2402, %2406
+  %2408 = fdiv double %2407, %2372
+  %2409 = mul nsw i64 %429, %403
+  %2410 = add nsw i64 %2409, %423
+  %2411 = icmp slt i64 %2410, 0
+  %2412 = select i1 %2411, i64 %206, i64 0
+  %2413 = getelementptr double, ptr %207, i64 %2410
+  %2414 = getelementptr double, ptr %2413, i64 %2412
+  store double %2408, ptr %2414, align 8, !noalias !12
   br label %428
 
-2383:                                             ; preds = %453
-  %2384 = add nsw i64 %455, -1
-  %2385 = add i64 %454, 1
+2415:                                             ; preds = %453
+  %2416 = add nsw i64 %455, -1
+  %2417 = add i64 %454, 1
   br label %457
 
-2386:                                             ; preds = %457
-  %2387 = add nsw i64 %459, -1
-  %2388 = add i64 %458, 1
-  %2389 = mul nsw i64 %454, %225
-  %2390 = add nsw i64 %2389, %458
-  %2391 = icmp slt i64 %2390, 0
-  %2392 = select i1 %2391, i64 %206, i64 0
-  %2393 = getelementptr double, ptr %207, i64 %2390
-  %2394 = getelementptr double, ptr %2393, i64 %2392
-  %2395 = load double, ptr %2394, align 8, !noalias !12
-  %2396 = fneg double %2395
-  %2397 = icmp slt i64 %454, 0
-  %2398 = select i1 %2397, i64 %211, i64 0
-  %2399 = add i64 %454, %2398
-  %2400 = icmp slt i64 %458, 0
-  %2401 = select i1 %2400, i64 %213, i64 0
-  %2402 = mul i64 %2399, %213
-  %2403 = getelementptr double, ptr %214, i64 %2402
-  %2404 = getelementptr double, ptr %2403, i64 %458
-  %2405 = getelementptr double, ptr %2404, i64 %2401
-  store double %2396, ptr %2405, align 8, !noalias !12
-  %2406 = load double, ptr %2394, align 8, !noalias !12
-  %2407 = fneg double %2406
-  %2408 = select i1 %2397, i64 %218, i64 0
-  %2409 = add i64 %454, %2408
-  %2410 = select i1 %2400, i64 %220, i64 0
-  %2411 = mul i64 %2409, %220
-  %2412 = getelementptr { double, double }, ptr %221, i64 %2411
-  %2413 = getelementptr { double, double }, ptr %2412, i64 %458
-  %2414 = getelementptr { double, double }, ptr %2413, i64 %2410
-  store double %2407, ptr %2414, align 8, !noalias !12
-  %2415 = getelementptr inbounds nuw i8, ptr %2414, i64 8
-  store double 0.000000e+00, ptr %2415, align 8, !noalias !12
+2418:                                             ; preds = %457
+  %2419 = add nsw i64 %459, -1
+  %2420 = add i64 %458, 1
+  %2421 = mul nsw i64 %454, %225
+  %2422 = add nsw i64 %2421, %458
+  %2423 = icmp slt i64 %2422, 0
+  %2424 = select i1 %2423, i64 %206, i64 0
+  %2425 = getelementptr double, ptr %207, i64 %2422
+  %2426 = getelementptr double, ptr %2425, i64 %2424
+  %2427 = load double, ptr %2426, align 8, !noalias !12
+  %2428 = fneg double %2427
+  %2429 = icmp slt i64 %454, 0
+  %2430 = select i1 %2429, i64 %211, i64 0
+  %2431 = add i64 %454, %2430
+  %2432 = icmp slt i64 %458, 0
+  %2433 = select i1 %2432, i64 %213, i64 0
+  %2434 = mul i64 %2431, %213
+  %2435 = getelementptr double, ptr %214, i64 %2434
+  %2436 = getelementptr double, ptr %2435, i64 %458
+  %2437 = getelementptr double, ptr %2436, i64 %2433
+  store double %2428, ptr %2437, align 8, !noalias !12
+  %2438 = load double, ptr %2426, align 8, !noalias !12
+  %2439 = fneg double %2438
+  %2440 = select i1 %2429, i64 %218, i64 0
+  %2441 = add i64 %454, %2440
+  %2442 = select i1 %2432, i64 %220, i64 0
+  %2443 = mul i64 %2441, %220
+  %2444 = getelementptr { double, double }, ptr %221, i64 %2443
+  %2445 = getelementptr { double, double }, ptr %2444, i64 %458
+  %2446 = getelementptr { double, double }, ptr %2445, i64 %2442
+  store double %2439, ptr %2446, align 8, !noalias !12
+  %2447 = getelementptr inbounds nuw i8, ptr %2446, i64 8
+  store double 0.000000e+00, ptr %2447, align 8, !noalias !12
   br label %457
 
-2416:                                             ; preds = %766
-  %2417 = add nsw i64 %768, -1
-  %2418 = add i64 %767, 1
-  %2419 = fcmp ogt double %765, 0.000000e+00
-  br i1 %2419, label %770, label %779
+2448:                                             ; preds = %766
+  %2449 = add nsw i64 %768, -1
+  %2450 = add i64 %767, 1
+  %2451 = fcmp ogt double %765, 0.000000e+00
+  br i1 %2451, label %770, label %779
 
-2420:                                             ; preds = %781
-  %2421 = add nsw i64 %783, -1
-  %2422 = add i64 %782, 1
-  br i1 %2419, label %785, label %825
+2452:                                             ; preds = %781
+  %2453 = add nsw i64 %783, -1
+  %2454 = add i64 %782, 1
+  br i1 %2451, label %785, label %825
 
-2423:                                             ; preds = %835
-  %2424 = add nsw i64 %837, -1
-  %2425 = add i64 %836, 1
+2455:                                             ; preds = %835
+  %2456 = add nsw i64 %837, -1
+  %2457 = add i64 %836, 1
   br label %839
 
-2426:                                             ; preds = %839
-  %2427 = add nsw i64 %841, -1
-  %2428 = add i64 %840, 1
-  %2429 = icmp slt i64 %836, 0
-  %2430 = add i64 %836, 3
-  %2431 = select i1 %2429, i64 %2430, i64 %836
-  %2432 = mul i64 %2431, 24
-  %2433 = getelementptr i8, ptr @1, i64 %2432
-  %2434 = load double, ptr %2433, align 8, !noalias !12
-  %2435 = icmp slt i64 %840, 0
-  %2436 = select i1 %2435, i64 %237, i64 0
-  %2437 = getelementptr double, ptr %238, i64 %840
-  %2438 = getelementptr double, ptr %2437, i64 %2436
-  %2439 = load double, ptr %2438, align 8, !noalias !12
-  %2440 = fmul double %2434, %2439
-  %2441 = getelementptr i8, ptr @2, i64 %2432
-  %2442 = getelementptr i8, ptr %2441, i64 8
-  %2443 = load double, ptr %2442, align 8, !noalias !12
-  %2444 = getelementptr double, ptr %238, i64 %237
-  %2445 = getelementptr double, ptr %2444, i64 %840
-  %2446 = getelementptr double, ptr %2445, i64 %2436
-  %2447 = load double, ptr %2446, align 8, !noalias !12
-  %2448 = fmul double %2443, %2447
-  %2449 = fadd double %2440, %2448
-  %2450 = getelementptr i8, ptr @3, i64 %2432
-  %2451 = getelementptr i8, ptr %2450, i64 16
-  %2452 = load double, ptr %2451, align 8, !noalias !12
-  %2453 = shl i64 %237, 4
-  %2454 = getelementptr i8, ptr %238, i64 %2453
-  %2455 = getelementptr double, ptr %2454, i64 %840
-  %2456 = getelementptr double, ptr %2455, i64 %2436
-  %2457 = load double, ptr %2456, align 8, !noalias !12
-  %2458 = fmul double %2452, %2457
-  %2459 = fadd double %2449, %2458
-  %2460 = select i1 %2429, i64 %242, i64 0
-  %2461 = add i64 %836, %2460
-  %2462 = select i1 %2435, i64 %244, i64 0
-  %2463 = mul i64 %2461, %244
-  %2464 = getelementptr double, ptr %245, i64 %2463
-  %2465 = getelementptr double, ptr %2464, i64 %840
-  %2466 = getelementptr double, ptr %2465, i64 %2462
-  store double %2459, ptr %2466, align 8, !noalias !12
+2458:                                             ; preds = %839
+  %2459 = add nsw i64 %841, -1
+  %2460 = add i64 %840, 1
+  %2461 = icmp slt i64 %836, 0
+  %2462 = add i64 %836, 3
+  %2463 = select i1 %2461, i64 %2462, i64 %836
+  %2464 = mul i64 %2463, 24
+  %2465 = getelementptr i8, ptr @1, i64 %2464
+  %2466 = load double, ptr %2465, align 8, !noalias !12
+  %2467 = icmp slt i64 %840, 0
+  %2468 = select i1 %2467, i64 %237, i64 0
+  %2469 = getelementptr double, ptr %238, i64 %840
+  %2470 = getelementptr double, ptr %2469, i64 %2468
+  %2471 = load double, ptr %2470, align 8, !noalias !12
+  %2472 = fmul double %2466, %2471
+  %2473 = getelementptr i8, ptr @2, i64 %2464
+  %2474 = getelementptr i8, ptr %2473, i64 8
+  %2475 = load double, ptr %2474, align 8, !noalias !12
+  %2476 = getelementptr double, ptr %238, i64 %237
+  %2477 = getelementptr double, ptr %2476, i64 %840
+  %2478 = getelementptr double, ptr %2477, i64 %2468
+  %2479 = load double, ptr %2478, align 8, !noalias !12
+  %2480 = fmul double %2475, %2479
+  %2481 = fadd double %2472, %2480
+  %2482 = getelementptr i8, ptr @3, i64 %2464
+  %2483 = getelementptr i8, ptr %2482, i64 16
+  %2484 = load double, ptr %2483, align 8, !noalias !12
+  %2485 = shl i64 %237, 4
+  %2486 = getelementptr i8, ptr %238, i64 %2485
+  %2487 = getelementptr double, ptr %2486, i64 %840
+  %2488 = getelementptr double, ptr %2487, i64 %2468
+  %2489 = load double, ptr %2488, align 8, !noalias !12
+  %2490 = fmul double %2484, %2489
+  %2491 = fadd double %2481, %2490
+  %2492 = select i1 %2461, i64 %242, i64 0
+  %2493 = add i64 %836, %2492
+  %2494 = select i1 %2467, i64 %244, i64 0
+  %2495 = mul i64 %2493, %244
+  %2496 = getelementptr double, ptr %245, i64 %2495
+  %2497 = getelementptr double, ptr %2496, i64 %840
+  %2498 = getelementptr double, ptr %2497, i64 %2494
+  store double %2491, ptr %2498, align 8, !noalias !12
   br label %839
 
-2467:                                             ; preds = %1840, %1840
-  %2468 = icmp slt i64 %1844, 0
-  br i1 %2468, label %1846, label %1847
+2499:                                             ; preds = %1840, %1840
+  %2500 = icmp slt i64 %1844, 0
+  br i1 %2500, label %1846, label %1847
 
-2469:                                             ; preds = %1840
-  br label %2600
+2501:                                             ; preds = %1840
+  br label %2632
 
-2470:                                             ; preds = %1848
-  %2471 = add nsw i64 %1850, -1
-  %2472 = add i64 %1849, 1
-  %2473 = icmp slt i64 %1849, 0
-  %2474 = select i1 %2473, i64 %64, i64 0
-  %2475 = getelementptr double, ptr %65, i64 %1849
-  %2476 = getelementptr double, ptr %2475, i64 %2474
-  %2477 = load double, ptr %2476, align 8, !noalias !12
-  %2478 = select i1 %2473, i64 %237, i64 0
-  %2479 = shl i64 %237, 4
-  %2480 = getelementptr i8, ptr %238, i64 %2479
-  %2481 = getelementptr double, ptr %2480, i64 %1849
-  %2482 = getelementptr double, ptr %2481, i64 %2478
-  %2483 = load double, ptr %2482, align 8, !noalias !12
-  %2484 = fadd double %2477, %2483
-  %2485 = select i1 %2473, i64 %69, i64 0
-  %2486 = getelementptr double, ptr %70, i64 %1849
-  %2487 = getelementptr double, ptr %2486, i64 %2485
-  store double %2484, ptr %2487, align 8, !noalias !12
+2502:                                             ; preds = %1848
+  %2503 = add nsw i64 %1850, -1
+  %2504 = add i64 %1849, 1
+  %2505 = icmp slt i64 %1849, 0
+  %2506 = select i1 %2505, i64 %64, i64 0
+  %2507 = getelementptr double, ptr %65, i64 %1849
+  %2508 = getelementptr double, ptr %2507, i64 %2506
+  %2509 = load double, ptr %2508, align 8, !noalias !12
+  %2510 = select i1 %2505, i64 %237, i64 0
+  %2511 = shl i64 %237, 4
+  %2512 = getelementptr i8, ptr %238, i64 %2511
+  %2513 = getelementptr double, ptr %2512, i64 %1849
+  %2514 = getelementptr double, ptr %2513, i64 %2510
+  %2515 = load double, ptr %2514, align 8, !noalias !12
+  %2516 = fadd double %2509, %2515
+  %2517 = select i1 %2505, i64 %69, i64 0
+  %2518 = getelementptr double, ptr %70, i64 %1849
+  %2519 = getelementptr double, ptr %2518, i64 %2517
+  store double %2516, ptr %2519, align 8, !noalias !12
   br label %1848
 
-2488:                                             ; preds = %1971, %1971
-  %2489 = icmp slt i64 %1973, 0
-  br i1 %2489, label %1975, label %1976
+2520:                                             ; preds = %1971, %1971
+  %2521 = icmp slt i64 %1973, 0
+  br i1 %2521, label %1975, label %1976
 
-2490:                                             ; preds = %1971
-  br label %2600
+2522:                                             ; preds = %1971
+  br label %2632
 
-2491:                                             ; preds = %2023
-  %2492 = add nsw i64 %2025, -1
-  %2493 = add i64 %2024, 1
-  %2494 = icmp slt i64 %2024, 0
-  %2495 = select i1 %2494, i64 %237, i64 0
-  %2496 = getelementptr double, ptr %238, i64 %2024
-  %2497 = getelementptr double, ptr %2496, i64 %2495
-  %2498 = load double, ptr %2497, align 8, !noalias !12
-  %2499 = fmul double %2498, 0xC039A12CE7B30915
-  %2500 = getelementptr double, ptr %238, i64 %237
-  %2501 = getelementptr double, ptr %2500, i64 %2024
-  %2502 = getelementptr double, ptr %2501, i64 %2495
-  %2503 = load double, ptr %2502, align 8, !noalias !12
-  %2504 = fmul double %2503, 0x402497AF24BB677E
-  %2505 = fadd double %2499, %2504
-  %2506 = shl i64 %237, 4
-  %2507 = getelementptr i8, ptr %238, i64 %2506
-  %2508 = getelementptr double, ptr %2507, i64 %2024
-  %2509 = getelementptr double, ptr %2508, i64 %2495
-  %2510 = load double, ptr %2509, align 8, !noalias !12
-  %2511 = fmul double %2510, 0xC005555555555555
-  %2512 = fadd double %2505, %2511
-  %2513 = fmul double %2498, 0x402F295C43B61425
-  %2514 = fmul double %2503, 0xC021D406EE60BECF
-  %2515 = fadd double %2513, %2514
-  %2516 = fmul double %2510, 0x400AAAAAAAAAAAAB
-  %2517 = fadd double %2515, %2516
-  %2518 = select i1 %2494, i64 %69, i64 0
-  %2519 = getelementptr double, ptr %70, i64 %2024
-  %2520 = getelementptr double, ptr %2519, i64 %2518
-  %2521 = load double, ptr %2520, align 8, !noalias !12
-  %2522 = select i1 %2494, i64 %64, i64 0
-  %2523 = getelementptr double, ptr %65, i64 %2024
-  %2524 = getelementptr double, ptr %2523, i64 %2522
-  %2525 = load double, ptr %2524, align 8, !noalias !12
-  %2526 = fsub double %2521, %2525
-  %2527 = select i1 %2494, i64 %89, i64 0
-  %2528 = getelementptr double, ptr %90, i64 %2024
+2523:                                             ; preds = %2023
+  %2524 = add nsw i64 %2025, -1
+  %2525 = add i64 %2024, 1
+  %2526 = icmp slt i64 %2024, 0
+  %2527 = select i1 %2526, i64 %237, i64 0
+  %2528 = getelementptr double, ptr %238, i64 %2024
   %2529 = getelementptr double, ptr %2528, i64 %2527
-  store double %2526, ptr %2529, align 8, !noalias !12
-  %2530 = fneg double %2512
-  %2531 = fsub double %2530, %2517
-  %2532 = add nsw i64 %64, %2024
-  %2533 = icmp slt i64 %2532, 0
-  %2534 = select i1 %2533, i64 %89, i64 0
-  %2535 = getelementptr double, ptr %90, i64 %2532
-  %2536 = getelementptr double, ptr %2535, i64 %2534
-  store double %2531, ptr %2536, align 8, !noalias !12
-  %2537 = fneg double %2517
-  %2538 = shl nsw i64 %64, 1
-  %2539 = add nsw i64 %2538, %2024
-  %2540 = icmp slt i64 %2539, 0
-  %2541 = select i1 %2540, i64 %89, i64 0
-  %2542 = getelementptr double, ptr %90, i64 %2539
-  %2543 = getelementptr double, ptr %2542, i64 %2541
-  store double %2537, ptr %2543, align 8, !noalias !12
-  %2544 = load double, ptr %2524, align 8, !noalias !12
-  %2545 = select i1 %2494, i64 %256, i64 0
-  %2546 = getelementptr double, ptr %257, i64 %2024
-  %2547 = getelementptr double, ptr %2546, i64 %2545
-  store double %2544, ptr %2547, align 8, !noalias !12
-  br label %2027
-
-2548:                                             ; preds = %2027
-  %2549 = add nsw i64 %2029, -1
-  %2550 = add i64 %2028, 1
-  %2551 = mul nsw i64 %2028, %64
-  %2552 = add nsw i64 %2551, %2024
-  %2553 = icmp slt i64 %2552, 0
-  %2554 = select i1 %2553, i64 %89, i64 0
-  %2555 = getelementptr double, ptr %90, i64 %2552
+  %2530 = load double, ptr %2529, align 8, !noalias !12
+  %2531 = fmul double %2530, 0xC039A12CE7B30915
+  %2532 = getelementptr double, ptr %238, i64 %237
+  %2533 = getelementptr double, ptr %2532, i64 %2024
+  %2534 = getelementptr double, ptr %2533, i64 %2527
+  %2535 = load double, ptr %2534, align 8, !noalias !12
+  %2536 = fmul double %2535, 0x402497AF24BB677E
+  %2537 = fadd double %2531, %2536
+  %2538 = shl i64 %237, 4
+  %2539 = getelementptr i8, ptr %238, i64 %2538
+  %2540 = getelementptr double, ptr %2539, i64 %2024
+  %2541 = getelementptr double, ptr %2540, i64 %2527
+  %2542 = load double, ptr %2541, align 8, !noalias !12
+  %2543 = fmul double %2542, 0xC005555555555555
+  %2544 = fadd double %2537, %2543
+  %2545 = fmul double %2530, 0x402F295C43B61425
+  %2546 = fmul double %2535, 0xC021D406EE60BECF
+  %2547 = fadd double %2545, %2546
+  %2548 = fmul double %2542, 0x400AAAAAAAAAAAAB
+  %2549 = fadd double %2547, %2548
+  %2550 = select i1 %2526, i64 %69, i64 0
+  %2551 = getelementptr double, ptr %70, i64 %2024
+  %2552 = getelementptr double, ptr %2551, i64 %2550
+  %2553 = load double, ptr %2552, align 8, !noalias !12
+  %2554 = select i1 %2526, i64 %64, i64 0
+  %2555 = getelementptr double, ptr %65, i64 %2024
   %2556 = getelementptr double, ptr %2555, i64 %2554
   %2557 = load double, ptr %2556, align 8, !noalias !12
-  %2558 = icmp slt i64 %2028, -1
-  %2559 = select i1 %2558, i64 %254, i64 0
-  %2560 = add i64 %2550, %2559
-  %2561 = mul i64 %2560, %256
-  %2562 = getelementptr double, ptr %257, i64 %2561
-  %2563 = getelementptr double, ptr %2562, i64 %2024
-  %2564 = getelementptr double, ptr %2563, i64 %2545
-  store double %2557, ptr %2564, align 8, !noalias !12
+  %2558 = fsub double %2553, %2557
+  %2559 = select i1 %2526, i64 %89, i64 0
+  %2560 = getelementptr double, ptr %90, i64 %2024
+  %2561 = getelementptr double, ptr %2560, i64 %2559
+  store double %2558, ptr %2561, align 8, !noalias !12
+  %2562 = fneg double %2544
+  %2563 = fsub double %2562, %2549
+  %2564 = add nsw i64 %64, %2024
+  %2565 = icmp slt i64 %2564, 0
+  %2566 = select i1 %2565, i64 %89, i64 0
+  %2567 = getelementptr double, ptr %90, i64 %2564
+  %2568 = getelementptr double, ptr %2567, i64 %2566
+  store double %2563, ptr %2568, align 8, !noalias !12
+  %2569 = fneg double %2549
+  %2570 = shl nsw i64 %64, 1
+  %2571 = add nsw i64 %2570, %2024
+  %2572 = icmp slt i64 %2571, 0
+  %2573 = select i1 %2572, i64 %89, i64 0
+  %2574 = getelementptr double, ptr %90, i64 %2571
+  %2575 = getelementptr double, ptr %2574, i64 %2573
+  store double %2569, ptr %2575, align 8, !noalias !12
+  %2576 = load double, ptr %2556, align 8, !noalias !12
+  %2577 = select i1 %2526, i64 %256, i64 0
+  %2578 = getelementptr double, ptr %257, i64 %2024
+  %2579 = getelementptr double, ptr %2578, i64 %2577
+  store double %2576, ptr %2579, align 8, !noalias !12
   br label %2027
 
-2565:                                             ; preds = %2079, %2574
-  %2566 = phi i64 [ 0, %2079 ], [ %2576, %2574 ]
-  %2567 = phi i64 [ %2091, %2079 ], [ %2575, %2574 ]
-  %2568 = icmp sgt i64 %2567, 0
-  br i1 %2568, label %2574, label %2569
+2580:                                             ; preds = %2027
+  %2581 = add nsw i64 %2029, -1
+  %2582 = add i64 %2028, 1
+  %2583 = mul nsw i64 %2028, %64
+  %2584 = add nsw i64 %2583, %2024
+  %2585 = icmp slt i64 %2584, 0
+  %2586 = select i1 %2585, i64 %89, i64 0
+  %2587 = getelementptr double, ptr %90, i64 %2584
+  %2588 = getelementptr double, ptr %2587, i64 %2586
+  %2589 = load double, ptr %2588, align 8, !noalias !12
+  %2590 = icmp slt i64 %2028, -1
+  %2591 = select i1 %2590, i64 %254, i64 0
+  %2592 = add i64 %2582, %2591
+  %2593 = mul i64 %2592, %256
+  %2594 = getelementptr double, ptr %257, i64 %2593
+  %2595 = getelementptr double, ptr %2594, i64 %2024
+  %2596 = getelementptr double, ptr %2595, i64 %2577
+  store double %2589, ptr %2596, align 8, !noalias !12
+  br label %2027
 
-2569:                                             ; preds = %2565
-  %2570 = getelementptr i8, ptr %27, i64 24
-  %2571 = load i64, ptr %2570, align 8, !noalias !142
-  %2572 = getelementptr i8, ptr %30, i64 16
-  %2573 = load i64, ptr %2572, align 8, !noalias !142
-  call fastcc void @pydy_nested(i64 %2090, i64 %62, i64 %87, i64 %64, i64 %2571, i64 %77, i64 %2573) #3, !noalias !142
+2597:                                             ; preds = %2079, %2606
+  %2598 = phi i64 [ 0, %2079 ], [ %2608, %2606 ]
+  %2599 = phi i64 [ %2091, %2079 ], [ %2607, %2606 ]
+  %2600 = icmp sgt i64 %2599, 0
+  br i1 %2600, label %2606, label %2601
+
+2601:                                             ; preds = %2597
+  %2602 = getelementptr i8, ptr %27, i64 24
+  %2603 = load i64, ptr %2602, align 8, !noalias !145
+  %2604 = getelementptr i8, ptr %30, i64 16
+  %2605 = load i64, ptr %2604, align 8, !noalias !145
+  call fastcc void @pydy_nested(i64 %2090, i64 %62, i64 %87, i64 %64, i64 %2603, i64 %77, i64 %2605) #3, !noalias !145
   br i1 %2065, label %2092, label %2099
 
-2574:                                             ; preds = %2565
-  %2575 = add nsw i64 %2567, -1
-  %2576 = add i64 %2566, 1
-  %2577 = icmp slt i64 %2566, 0
-  %2578 = select i1 %2577, i64 %79, i64 0
-  %2579 = getelementptr double, ptr %80, i64 %2566
-  %2580 = getelementptr double, ptr %2579, i64 %2578
-  store double %2087, ptr %2580, align 8, !noalias !142
-  br label %2565
+2606:                                             ; preds = %2597
+  %2607 = add nsw i64 %2599, -1
+  %2608 = add i64 %2598, 1
+  %2609 = icmp slt i64 %2598, 0
+  %2610 = select i1 %2609, i64 %79, i64 0
+  %2611 = getelementptr double, ptr %80, i64 %2598
+  %2612 = getelementptr double, ptr %2611, i64 %2610
+  store double %2087, ptr %2612, align 8, !noalias !145
+  br label %2597
 
-2581:                                             ; preds = %2132
-  %2582 = load i64, ptr %157, align 8, !noalias !12
-  %2583 = icmp eq i64 %2582, 1
-  br i1 %2583, label %2154, label %2159
+2613:                                             ; preds = %2132
+  %2614 = load i64, ptr %157, align 8, !noalias !12
+  %2615 = icmp eq i64 %2614, 1
+  br i1 %2615, label %2154, label %2159
 
-2584:                                             ; preds = %2164
-  br label %2600
+2616:                                             ; preds = %2164
+  br label %2632
 
-2585:                                             ; preds = %2170
+2617:                                             ; preds = %2170
   store double %2061, ptr %105, align 8, !noalias !12
   store double 0.000000e+00, ptr %298, align 8, !noalias !12
   store i64 0, ptr %110, align 8, !noalias !12
   br label %2185
 
-2586:                                             ; preds = %2202
-  %2587 = add nsw i64 %2204, -1
-  %2588 = add i64 %2203, 1
-  %2589 = icmp slt i64 %2203, 0
-  %2590 = select i1 %2589, i64 %69, i64 0
-  %2591 = getelementptr double, ptr %70, i64 %2203
-  %2592 = getelementptr double, ptr %2591, i64 %2590
-  %2593 = load double, ptr %2592, align 8, !noalias !12
-  %2594 = select i1 %2589, i64 %64, i64 0
-  %2595 = getelementptr double, ptr %65, i64 %2203
-  %2596 = getelementptr double, ptr %2595, i64 %2594
-  store double %2593, ptr %2596, align 8, !noalias !12
+2618:                                             ; preds = %2202
+  %2619 = add nsw i64 %2204, -1
+  %2620 = add i64 %2203, 1
+  %2621 = icmp slt i64 %2203, 0
+  %2622 = select i1 %2621, i64 %69, i64 0
+  %2623 = getelementptr double, ptr %70, i64 %2203
+  %2624 = getelementptr double, ptr %2623, i64 %2622
+  %2625 = load double, ptr %2624, align 8, !noalias !12
+  %2626 = select i1 %2621, i64 %64, i64 0
+  %2627 = getelementptr double, ptr %65, i64 %2203
+  %2628 = getelementptr double, ptr %2627, i64 %2626
+  store double %2625, ptr %2628, align 8, !noalias !12
   br label %2202
 
-2597:                                             ; preds = %2220, %2220
-  %2598 = icmp eq i32 %2221, 0
-  br i1 %2598, label %2227, label %2223
+2629:                                             ; preds = %2220, %2220
+  %2630 = icmp eq i32 %2221, 0
+  br i1 %2630, label %2227, label %2223
 
-2599:                                             ; preds = %2220
-  br label %2600
+2631:                                             ; preds = %2220
+  br label %2632
 
-2600:                                             ; preds = %2599, %2584, %2490, %2469, %2362, %2315, %2309, %2308, %2304, %2291, %2290, %2223, %2200, %1975, %1846, %437, %380, %369, %329, %319, %192
-  %2601 = phi i64 [ 0, %2584 ], [ -1, %192 ], [ 2, %2290 ], [ %2186, %2200 ], [ -4, %1846 ], [ 0, %2599 ], [ %2226, %2223 ], [ 0, %2304 ], [ %322, %319 ], [ 0, %2308 ], [ 0, %329 ], [ 0, %2309 ], [ -1, %369 ], [ 1, %380 ], [ 0, %2315 ], [ -4, %437 ], [ 0, %2362 ], [ 0, %2490 ], [ -4, %1975 ], [ 0, %2291 ], [ 0, %2469 ]
-  ret i64 %2601
+2632:                                             ; preds = %2631, %2616, %2522, %2501, %2394, %2347, %2341, %2340, %2336, %2323, %2322, %2223, %2200, %1975, %1846, %437, %380, %369, %329, %319, %192
+  %2633 = phi i64 [ -4, %1846 ], [ -1, %192 ], [ 2, %2322 ], [ %2186, %2200 ], [ 0, %2501 ], [ 0, %2631 ], [ %2226, %2223 ], [ 0, %2336 ], [ %322, %319 ], [ 0, %2340 ], [ 0, %329 ], [ 0, %2341 ], [ -1, %369 ], [ 1, %380 ], [ 0, %2347 ], [ -4, %437 ], [ 0, %2394 ], [ 0, %2522 ], [ -4, %1975 ], [ 0, %2323 ], [ 0, %2616 ]
+  ret i64 %2633
 }
 
 
@@ -4348,15 +4401,18 @@ attributes #4 = { nounwind willreturn }
 !131 = distinct !{!131}
 !132 = distinct !{!132, !131}
 !133 = !{!130, !132}
-!134 = !{!135, !137, !138, !140}
+!134 = !{!135}
 !135 = distinct !{!135, !136}
 !136 = distinct !{!136}
-!137 = distinct !{!137, !136}
+!137 = !{!138, !140, !141, !143}
 !138 = distinct !{!138, !139}
 !139 = distinct !{!139}
 !140 = distinct !{!140, !139}
-!141 = !{!138, !140}
-!142 = !{!143, !145, !13, !15}
-!143 = distinct !{!143, !144}
-!144 = distinct !{!144}
-!145 = distinct !{!145, !144}
+!141 = distinct !{!141, !142}
+!142 = distinct !{!142}
+!143 = distinct !{!143, !142}
+!144 = !{!141, !143}
+!145 = !{!146, !148, !13, !15}
+!146 = distinct !{!146, !147}
+!147 = distinct !{!147}
+!148 = distinct !{!148, !147}

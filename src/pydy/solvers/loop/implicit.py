@@ -83,6 +83,16 @@ def _pair_over(h):
     return complex(_COMPLEX_REAL / h, _COMPLEX_IMAG / h)
 
 
+@inlined
+def _forget(newton):
+    """Go on without derivatives, which are worthless near a singularity; tell if there were any."""
+    there = False
+    for i in range(newton.jacobian.size):
+        there = there or newton.jacobian[i] != 0.0
+        newton.jacobian[i] = 0.0
+    return there
+
+
 @inlined(pasted=True)
 def _factorise_pair(newton, n, h):
     """Factorise (μ / h) I − J for both eigenvalues μ."""
@@ -309,6 +319,12 @@ def advance_implicit(table, states, fresh):
                 count[FAILURE] = NO_CONVERGENCE
             else:
                 count[FAILURE] = NOT_FINITE
+            if words[FRESH] == 1 and code == 0:
+                if _forget(newton):
+                    words[FACTORISED] = 0
+                    continue
+                words[FRESH] = 0  # a shorter step has its derivatives again
+                h = 0.5 * size
             if words[FRESH] == 1 or code != 0:
                 h = 0.5 * size if code == 0 else AFTER_FAILURE * size
                 sizes[PREDICTING] = 0.0
