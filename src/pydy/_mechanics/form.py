@@ -155,7 +155,10 @@ def forms(
     honoured : collection of points, optional
         What `Formed.honoured` of the body's equations in other axes is: found out by default.
     """
-    kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured, referred=True)
+    # With dependent speeds the constraints hold what is known of u' too: a rider's bicycle would
+    # take 4,359 operations in place of 4,211.
+    free = not body.velocity
+    kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured, referred=free)
     g, speeds, read = kinematics.graph, kinematics.speeds, kinematics.read
     inertias, loads, plain = lumped(kinematics) if in_bodies else _as_they_are(kinematics)
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
@@ -167,7 +170,6 @@ def forms(
     accelerations = None
     if body.velocity:
         matrix, rest, accelerations = reduced(kinematics, matrix, rest, moved)
-        accelerations = accelerations and kinematics.plus(start, accelerations)
     # F of M u' = F.
     forcing = kinematics.plus(rest, kinematics.turned(matrix, start))
     found = [

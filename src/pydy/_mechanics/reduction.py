@@ -27,8 +27,8 @@ def reduced(
 ) -> tuple[list[list[int]], list[int], list[int] | None]:
     """Return M, F and u' with the dependent speeds' equations by the acceleration constraints.
 
-    F and u' are those beyond the kinematics' `start`. With u_d' = A u_i' + b the equations of the
-    independent speeds are [1; A]ᵀ M [1; A] u_i' = [1; A]ᵀ (F − M [0; b]).
+    With u_d' = A u_i' + b the equations of the independent speeds are
+    [1; A]ᵀ M [1; A] u_i' = [1; A]ᵀ (F − M [0; b]).
     """
     g, n = kinematics.graph, len(forcing)
     d = len(kinematics.body.velocity)
@@ -226,8 +226,7 @@ def _given_accelerations(
         return None
     nodes = kinematics.read.all(body.acceleration)
     table = slopes(g, nodes, kinematics.accelerations)
-    start = zip(kinematics.accelerations, kinematics.start(), strict=True)
-    rest = substitute(g, nodes, dict(start))
+    rest = substitute(g, nodes, dict.fromkeys(kinematics.accelerations, g.zero))
     flat = [n for row in (*table, rest) for n in row]
     own = [n for row in (*rows, drift) for n in row]
     return None if kinematics.equal(flat, own) else (table, rest)
