@@ -248,3 +248,40 @@ def peaucellier(rate=0.3, angle=2.6):
     spans = [upper, lower, upper - corner, lower - corner, last - upper, last - lower]
     angles = [angle, *(float(np.arctan2(s[1], s[0])) for s in spans)]
     return definition, dict(zip(q, angles, strict=True)) | {u[0]: rate}
+
+
+def scissor_lift(stages, angle=0.6, configuration=None):
+    """A lift of crossed bars: the bars of a stage could also lie on each other.
+
+    Three rows for each stage, one of them redundant if its bars are crossed, all but two if not.
+    """
+    frame, origin = _ground()
+    q, u = (
+        list(me.dynamicsymbols(f"q:{2 * stages + 1}")),
+        list(me.dynamicsymbols(f"u:{2 * stages + 1}")),
+    )
+    left, right = origin, origin.locatenew("foot", q[0] * frame.x)
+    bodies, rows = [me.Particle("foot", right, sm.Rational(1, 10))], []
+    for k in range(stages):
+        ends, middles = [], []
+        for start, place in ((left, 2 * k + 1), (right, 2 * k + 2)):
+            own = me.ReferenceFrame(f"B{place}")
+            own.orient_axis(frame, frame.z, q[place])
+            own.set_ang_vel(frame, u[place] * frame.z)
+            centre = start.locatenew(f"C{place}", own.x)
+            ends.append(start.locatenew(f"E{place}", 2 * own.x))
+            middles.append(centre)
+            inertia = me.inertia(own, 0, 0, sm.Rational(1, 3))
+            bodies.append(me.RigidBody(f"bar{place}", centre, own, 1, (inertia, centre)))
+        gap = middles[0].pos_from(middles[1])
+        rows += [gap.dot(frame.x), gap.dot(frame.y), ends[0].pos_from(ends[1]).dot(frame.y)]
+        right, left = ends
+    loads = [(b.masscenter, -b.mass * GRAVITY * frame.y) for b in bodies]
+    start = dict.fromkeys(u, 0.0) | {q[0]: 2 * np.cos(angle)}
+    for k in range(stages):
+        start |= {q[2 * k + 1]: angle, q[2 * k + 2]: np.pi - angle}
+    definition = Definition(
+        frame, q, u, bodies=bodies, loads=loads, holonomic_constraints=rows,
+        configuration=start if configuration else None,
+    )  # fmt: skip
+    return definition, start

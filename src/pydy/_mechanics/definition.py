@@ -3,21 +3,21 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
 
-from pydy._checks import describe, listed, shown
+from pydy._checks import check_mapping, describe, listed, number, resolved, shown
 from pydy._forks import cached_property
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import equations_of
 from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
-from pydy._mechanics.symbols import rate_of
+from pydy._mechanics.symbols import find_symbols, rate_of
 
 __all__ = ["Definition", "equations_of_definition"]
 
@@ -54,6 +54,11 @@ class Definition:
         solved for them at random states. They are moved behind the independent ones.
     auxiliary_speeds : sequence of functions of time, optional
         Speeds that are zero, and bring noncontributing forces into evidence.
+    configuration : mapping of coordinates and constants to numbers, optional
+        Roughly how the mechanism is assembled. Which constraints are redundant is found out at
+        random states that satisfy all of them; a linkage that can also be assembled in degenerate
+        ways, in which more of them are redundant, may need to be told which way is meant. Speeds
+        in it are not used: it may be the ``initial_conditions`` of a System.
 
     Raises
     ------
@@ -92,6 +97,7 @@ class Definition:
         dependent_coordinates: Sequence[Any] | None = None,
         dependent_speeds: Sequence[Any] | None = None,
         auxiliary_speeds: Sequence[Any] = (),
+        configuration: Mapping[Any, float] | None = None,
     ) -> None:
         if not isinstance(frame, ReferenceFrame):
             raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
@@ -123,6 +129,7 @@ class Definition:
             "dependent_coordinates", dependent_coordinates, self.coordinates, "coordinates"
         )
         self.dependent_speeds = _among("dependent_speeds", dependent_speeds, self.speeds, "speeds")
+        self.configuration = self._near(configuration)
         self._check_names()
         self.as_method: Callable[[Definition], Any] | None = None
 
@@ -149,6 +156,25 @@ class Definition:
                 "derivatives of the coordinates."
             )
         return tuple(q - u for q, u in zip(rates, self.speeds, strict=True))
+
+    def _near(self, configuration: Any) -> dict[Any, float]:
+        given = check_mapping("configuration", configuration)
+        known = {
+            *self.coordinates,
+            *self.speeds,
+            *find_symbols((*self.holonomic_constraints, *self.velocity_constraints)),
+        }
+        keys = resolved("configuration", given, known, "coordinates and constants")
+        for key in keys:
+            if key not in known:
+                raise ValueError(
+                    "`configuration` must give coordinates, and constants of the constraints, got "
+                    f"{shown(key)}."
+                )
+        return {
+            key: number(value, f"`configuration[{key}]`", finite=True)
+            for key, value in zip(keys, given.values(), strict=True)
+        }
 
     def _check_names(self) -> None:
         counts = Counter((*self.coordinates, *self.speeds, *self.auxiliary_speeds))
@@ -189,6 +215,7 @@ class Definition:
             self.velocity_constraints,
             self.dependent_coordinates,
             self.dependent_speeds,
+            self.configuration,
         )
 
     def _unconstrained(self, body: Multibody) -> Multibody:

@@ -6,7 +6,7 @@ a pivot is as good as it is at the worst of them. What is left below the rank is
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -23,6 +23,9 @@ from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, SMALL_PIVOT
 __all__ = ["Chosen", "constrained"]
 
 _TRIALS = 12
+_AROUND = (
+    60  # more, where constraints seem redundant: in a three-stage lift each sixth finds its shape
+)
 _STATES = 3  # of those at which the constraints hold
 _SHARE = 0.1  # of the largest residual: what is named with it
 _STEADY = 10.0  # a pivot that is the same in all configurations weighs so much more
@@ -84,6 +87,7 @@ def constrained(
     velocity: Sequence[Any],
     coordinates: Sequence[Any] | None = None,
     speeds: Sequence[Any] | None = None,
+    near: Mapping[Any, float] | None = None,
 ) -> Multibody:
     """Return the same with constraints, and dependent coordinates and speeds behind the others.
 
@@ -96,6 +100,8 @@ def constrained(
         keep the norm of a quaternion.
     coordinates, speeds : sequence of symbols, optional
         The user's choice of the dependent ones.
+    near : mapping of symbols to numbers, optional
+        A configuration close to which the mechanism is assembled.
 
     Raises
     ------
@@ -104,7 +110,7 @@ def constrained(
     """
     velocity = _moving_rows(kinematics_of(body), velocity)
     body = replace(body, holonomic=tuple(holonomic), velocity=tuple(velocity))
-    (places, q_dep), (motions, u_dep) = _choose(kinematics_of(body), coordinates, speeds)
+    (places, q_dep), (motions, u_dep) = _choose(kinematics_of(body), coordinates, speeds, near)
     order = {q: k for k, q in enumerate(body.coordinates)}
     moved = _behind(body.coordinates, q_dep)
     return replace(
@@ -119,6 +125,7 @@ def constrained(
         dependent_speeds=u_dep,
         chosen=(*(() if coordinates else q_dep), *(() if speeds else u_dep)),
         redundant=tuple(e for k, e in enumerate(body.velocity) if k not in motions.rows),
+        closed=tuple(e for k, e in enumerate(body.holonomic) if k not in places.rows),
         changing=speeds is None,
     )
 
@@ -138,6 +145,7 @@ def _choose(
     equations: Equations,
     coordinates: Sequence[Any] | None,
     speeds: Sequence[Any] | None,
+    near: Mapping[Any, float] | None,
 ) -> tuple[tuple[Chosen, tuple[Any, ...]], tuple[Chosen, tuple[Any, ...]]]:
     """Return the independent constraints, and the coordinates and speeds that follow from them.
 
@@ -147,6 +155,8 @@ def _choose(
         With kinematics and constraints.
     coordinates, speeds : sequence of symbols, or None
         The user's choice.
+    near : mapping or None
+        See `constrained`.
 
     Returns
     -------
@@ -166,13 +176,16 @@ def _choose(
     ]
     blocks = [*tables, ("residuals", (len(residuals),), residuals)]
     _check_linear(equations, states, tables)
-    every = list(states.samples(blocks, _TRIALS))
+    every = list(states.samples(blocks, _TRIALS, near=near))
+    samples = _closed(every)
+    if not near and samples and _seem_redundant([s["velocity"] for s in samples]):
+        every += states.samples(blocks, _AROUND, around=True)
+        samples = _closed(every)
     if not every:
         raise ValueError(
             "The constraints cannot be evaluated: they give NaN or infinity at random states. "
             "Check what they divide by."
         )
-    samples = [s for s in every if np.abs(s["residuals"]).max(initial=0.0) < OPEN]
     if not samples:
         best = min(every, key=lambda s: float(np.abs(s["residuals"]).max()))["residuals"]
         names = [("holonomic", k, e) for k, e in enumerate(equations.holonomic)]
@@ -222,6 +235,14 @@ def _check_linear(equations: Equations, states: GenericStates, tables: Sequence[
                 f"The velocity constraint {k}, `{e}`, is not linear in the speeds. Replace it with "
                 "one that is."
             )
+
+
+def _closed(samples: list[dict[str, np.ndarray]]) -> list[dict[str, np.ndarray]]:
+    return [s for s in samples if np.abs(s["residuals"]).max(initial=0.0) < OPEN]
+
+
+def _seem_redundant(matrices: list[np.ndarray]) -> bool:
+    return len(Chosen(_of_full_rank(matrices)[:1]).rows) < len(matrices[0])
 
 
 def _of_full_rank(matrices: list[np.ndarray]) -> list[np.ndarray]:

@@ -7,7 +7,7 @@ too, since a four-bar with lengths chosen at random need not close.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -28,6 +28,8 @@ from pydy._mechanics.tuning import CLOSED, FULL_STEPS
 __all__ = ["Block", "GenericStates", "generic_inputs", "values_of"]
 
 _STEPS = 50
+_LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
+_NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
 
 Block = tuple[str, tuple[int, ...], list[int]]
 Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
@@ -77,6 +79,7 @@ class GenericStates:
         atoms = input_nodes(graph, x=states, r=others, t=[t])
         self.coordinates, self.speeds = [atoms[s] for s in q], [atoms[s] for s in u]
         self._others, time = [atoms[s] for s in others], atoms[t]
+        self._symbols = *q, *others
         self._sizes = (len(states), len(others), 0)
         atoms |= dict.fromkeys(equations.zeros, graph.zero)
         self.read = SymPyReader(graph, atoms, what)
@@ -107,8 +110,26 @@ class GenericStates:
         cells = [row.get(k, self.graph.zero) for row in rows for k in range(n)]
         return name, (len(nodes), n), cells
 
-    def samples(self, blocks: Sequence[Block], trials: int) -> Iterator[dict[str, np.ndarray]]:
-        """Yield the values of blocks at states that keep the constraints, where all are finite."""
+    def samples(
+        self,
+        blocks: Sequence[Block],
+        trials: int,
+        *,
+        around: bool = False,
+        near: Mapping[Any, float] | None = None,
+    ) -> Iterator[dict[str, np.ndarray]]:
+        """Yield the values of blocks at states that keep the constraints, where all are finite.
+
+        Parameters
+        ----------
+        blocks : sequence of Block
+        trials : int
+        around : bool
+            Whether the search begins with angles all around the circle, to find all ways in which
+            a linkage can be assembled.
+        near : mapping of symbols to numbers, optional
+            Where the search begins.
+        """
         free = [*self.coordinates, *self._others]
         closing = self._program(
             [
@@ -119,7 +140,8 @@ class GenericStates:
             ]
         )
         wanted = self._program(blocks)
-        values = values_of(wanted, *self._consistent(closing, trials))
+        begin = self._beginning(trials, around, near or {})
+        values = values_of(wanted, *self._consistent(closing, begin))
         for k in range(trials):
             own = {name: block[k] for name, block in values.items()}
             if all(np.isfinite(v).all() for v in own.values()):
@@ -129,10 +151,24 @@ class GenericStates:
         # Evaluated a few times: to look for what is shared takes longer than it saves.
         return lower(self.graph, self._sizes, blocks, passes=Passes.none())
 
-    def _consistent(self, closing: Program, trials: int) -> Inputs:
-        """Return states that keep the constraints, as far as Newton's method finds them."""
+    def _beginning(self, trials: int, around: bool, near: Mapping[Any, float]) -> Inputs:
+        """Return where the search for consistent states begins."""
         n = len(self.coordinates)
         t, x, r, p = generic_inputs(self._sizes, range(trials))
+        if around:
+            x[:, :n] = np.pi * (2.0 * (x[:, :n] - _LOW) / (_HIGH - _LOW) - 1.0)
+        size = _NEAR * max((abs(value) for value in near.values()), default=0.0)
+        for k, symbol in enumerate(self._symbols):
+            if symbol in near:
+                column = x[:, k] if k < n else r[:, k - n]
+                column[:] = near[symbol] + (size * (column - 1.0) if k < n else 0.0)
+        return t, x, r, p
+
+    def _consistent(self, closing: Program, begin: Inputs) -> Inputs:
+        """Return states that keep the constraints, as far as Newton's method finds them."""
+        n = len(self.coordinates)
+        t, x, r, p = begin
+        trials = len(t)
 
         def residuals(rows: Sequence[int]) -> dict[str, np.ndarray]:
             return values_of(closing, t[rows], x[rows], r[rows], p)
@@ -182,7 +218,7 @@ def generic_inputs(sizes: tuple[int, int, int], seeds: Sequence[int]) -> Inputs:
     """
     n, s, k = sizes
     rngs = [np.random.default_rng(seed) for seed in seeds]
-    x = np.array([rng.uniform(0.3, 1.3, n) for rng in rngs])
+    x = np.array([rng.uniform(_LOW, _HIGH, n) for rng in rngs])
     r = np.array([rng.uniform(0.5, 1.5, s) for rng in rngs])
     t = np.array([rng.uniform(0.1, 1.0) for rng in rngs])
     return t, x, r, rngs[0].uniform(0.5, 1.5, k)

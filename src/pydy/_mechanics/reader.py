@@ -66,6 +66,8 @@ class Multibody:
         In place of bodies; the speeds are then the derivatives of the coordinates.
     redundant : tuple of expressions
         More velocity constraints, which follow from the others at generic states.
+    closed : tuple of expressions
+        More holonomic constraints, which follow from the others wherever their speeds do.
     changing : bool
         Whether no choice of dependent speeds is to be relied on: the rank of the constraints, or
         what they can be solved for, may change as the system moves.
@@ -88,6 +90,7 @@ class Multibody:
     chosen: tuple[Any, ...] = ()
     lagrangian: Any = None
     redundant: tuple[Any, ...] = ()
+    closed: tuple[Any, ...] = ()
     changing: bool = False
 
     @cached_property

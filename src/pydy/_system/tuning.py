@@ -12,6 +12,7 @@ __all__ = [
     "DIGITS",
     "FIT",
     "HELD",
+    "INDEPENDENT",
     "INSTANT",
     "LARGEST_BLOCK",
     "LEAST_SPREAD",
@@ -46,6 +47,9 @@ NO_INERTIA = 1e-12
 
 HELD = 1e-12
 """Residuals of constraints that hold, in units of the largest coordinate's square up to 1."""
+
+INDEPENDENT = 1e-3
+"""A singular value of constraints' rows of unit size that is not zero, at a state of six digits."""
 
 UNSOLVED = 1e-8
 """What dependent speeds leave of equations that they do not solve, in units of the terms."""
