@@ -279,6 +279,66 @@ def test_real_and_imaginary_parts_of_what_is_real():
     assert evaluate(2 * sm.re(x) + sm.conjugate(x) + 5 * sm.im(x), 3.0) == 9.0
 
 
+# -- derivatives that SymPy does not take ---------------------------------------------------------
+
+# what is differentiated by x -> its derivative
+UNTAKEN = {
+    sm.Mod(x, y): 1,
+    sm.Mod(y, x): -sm.floor(y / x),
+    sm.Mod(x + 1, 2 * y) ** 2: 2 * sm.Mod(x + 1, 2 * y),
+    sm.Mod(x**2, sm.Mod(3 * x, y)): 2 * x - 3 * sm.floor(x**2 / sm.Mod(3 * x, y)),
+    x * sm.floor(x * y): sm.floor(x * y),
+    sm.ceiling(x) * x: sm.ceiling(x),
+    sm.sin(sm.frac(x)): sm.cos(sm.frac(x)),
+    sm.sign(x) * x: sm.sign(x),
+    sm.re(x) * sm.conjugate(x) + sm.im(x): 2 * x,
+}
+
+
+@pytest.mark.parametrize("function", UNTAKEN, ids=str)
+def test_a_derivative_that_sympy_leaves_unevaluated_is_taken(function):
+    derivative = function.diff(x)
+    assert derivative.has(sm.Derivative)
+    for point in [(0.7, 1.1), (2.3, 0.4), (-1.6, 0.9)]:
+        close(evaluate(derivative, *point), evaluate(sm.sympify(UNTAKEN[function]), *point))
+
+
+@pytest.mark.parametrize("function", [sm.Mod(f(T), 2), sm.frac(f(T)), f(T) * sm.sign(f(T))])
+def test_derivatives_by_time_go_through_functions_of_time(function):
+    q = f(T)
+    inputs = dict(zip([q, q.diff(T), q.diff(T, 2)], X, strict=False))
+    slope = {sm.Mod(q, 2): 1, sm.frac(q): 1, q * sm.sign(q): sm.sign(x)}[function]
+    first, second = (sm.Derivative(function, (T, n), evaluate=False) for n in (1, 2))
+    for derivative, expected in ((first, slope * y), (second, slope * z)):
+        graph, found = nodes_of([expected])
+        read = SymPyReader(graph, {s: graph.input("x", X.index(v)) for s, v in inputs.items()})
+        for point in ([2.7, 0.3, -0.8, 0.0], [-0.4, 1.7, 2.2, 0.0]):
+            got, due = values(on_tape(graph, [read(derivative), *found]), point)
+            assert got == pytest.approx(due, rel=1e-14)
+
+
+def test_what_was_read_can_be_differentiated_by_sympy():
+    graph = Graph()
+    node = SymPyReader(graph, {x: graph.input("x", 0), y: graph.input("x", 1)})(sm.sin(x) * y)
+    whole = NodeExpression.of(graph, node, {graph.input("x", 0): x, graph.input("x", 1): x**2})
+    expected = 2 * 0.7 * math.sin(0.7) + 0.7**2 * math.cos(0.7)
+    assert evaluate((3 * whole).diff(x), 0.7) == pytest.approx(3 * expected, rel=1e-14)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [
+        sm.Derivative(x * f(2 * x), x, evaluate=False),
+        sm.Derivative(sm.sin(x), (x, sm.Symbol("n", integer=True)), evaluate=False),
+        sm.Derivative(sm.floor(f(T, x)), T, evaluate=False),
+    ],
+    ids=str,
+)
+def test_a_derivative_that_cannot_be_taken_is_named(expression):
+    with pytest.raises(UnsupportedFunctionError, match="hold the function `Derivative` in `"):
+        nodes_of([expression])
+
+
 # -- what cannot be read --------------------------------------------------------------------------
 
 
@@ -298,10 +358,9 @@ def test_an_unknown_function_of_time_is_named():
         nodes_of([x * f(T)])
 
 
-@pytest.mark.parametrize("argument", [f(x), x**2], ids=str)
-def test_an_unevaluated_derivative_is_named(argument):
+def test_a_derivative_of_an_undefined_function_is_named():
     with pytest.raises(ValueError, match=r"`Derivative\(.*, x0\)` occurs in"):
-        nodes_of([sm.Derivative(argument, x)])
+        nodes_of([sm.Derivative(f(x), x)])
 
 
 @pytest.mark.parametrize(

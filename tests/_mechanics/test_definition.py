@@ -238,3 +238,59 @@ def test_gimbal_lock_of_the_mass_matrix_is_told_from_a_mechanism_without_inertia
     with pytest.raises(SingularMatrixError, match=r"in this configuration: w1\(t\), w3\(t\) can"):
         system.evaluate_ode([0.1, np.pi / 2, 0.3, 0.0, 0.0, 0.0])
     assert np.isfinite(system.evaluate_ode([0.1, 0.2, 0.3, 0.0, 0.0, 0.0])).all()
+
+
+def wrapped(function):
+    """A bead on a curve in the plane, as one particle on a place and as a constrained one."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    free = O.locatenew("P", x * N.x + y * N.y)
+    bound = O.locatenew("P", x * N.x + function * N.y)
+    pull = 3 * N.x - 2 * N.y
+    constrained = Definition(
+        N,
+        [x, y],
+        [vx, vy],
+        bodies=[me.Particle("bead", free, 2)],
+        loads=[(free, pull)],
+        holonomic_constraints=[y - function],
+        dependent_coordinates=[y],
+        dependent_speeds=[vy],
+    )
+    placed = me.Particle("bead", bound, 2)
+    bound.vel(N)  # SymPy's derivative of the place
+    return constrained, Definition(N, [x], [vx], bodies=[placed], loads=[(bound, pull)])
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        sm.sin(sm.Mod(x + sm.pi, 2 * sm.pi) - sm.pi),
+        sm.Piecewise((sm.cos(sm.Mod(x, sm.pi / 3)), sm.Mod(x, sm.pi) < 2), (1, True)),
+        sm.floor(x) + sm.frac(x) ** 2,
+        sm.Abs(x) ** 3,
+    ],
+    ids=str,
+)
+def test_places_may_hold_functions_that_sympy_cannot_differentiate(function):
+    smooth = {
+        sm.Mod(x + sm.pi, 2 * sm.pi): x + sm.pi - 2 * sm.pi,
+        sm.Mod(x, sm.pi / 3): x - sm.pi,
+        sm.Mod(x, sm.pi): x - sm.pi,
+        sm.floor(x): 3,
+        sm.frac(x): x - 3,
+        sm.Abs(x): x,
+    }
+    at, rate = 3.7, 0.6
+    f = function.subs(smooth)
+    s0, s1, s2 = (float(f.diff(x, n).subs(x, at)) for n in range(3))
+    acceleration = ((3 - 2 * s1) / 2 - s1 * s2 * rate**2) / (1 + s1**2)
+    constrained, placed = map(System, wrapped(function))
+    found = placed.evaluate_ode([at, rate])
+    assert found == pytest.approx([rate, acceleration], rel=1e-12)
+    rows = acceleration, s2 * rate**2 + s1 * acceleration
+    state = {x: at, y: s0, vx: rate, vy: s1 * rate}
+    found = constrained.evaluate_ode([state[s] for s in constrained.states])
+    assert found == pytest.approx([rate, s1 * rate, *rows], rel=1e-12)
+    energy = placed.evaluate_energy([at, rate])
+    assert energy.kinetic == pytest.approx(rate**2 * (1 + s1**2), rel=1e-12)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
+from functools import lru_cache
 from typing import Any
 
 import sympy as sm
@@ -18,11 +19,12 @@ from sympy.core.numbers import NumberSymbol
 from sympy.logic.boolalg import BooleanFalse, BooleanTrue
 
 from pydy._errors import UnsupportedFunctionError
+from pydy._graph.derivative import jacobian
 from pydy._graph.node import Graph
 from pydy._graph.operations import named_in_sympy
 from pydy._graph.rewrite import transplanted
 
-__all__ = ["NodeExpression", "SymPyReader"]
+__all__ = ["NodeExpression", "SymPyReader", "differentiated", "is_unevaluated"]
 
 Handler = Callable[[Graph, Any, list[int]], int]
 
@@ -133,11 +135,9 @@ class Formula(sm.Atom):  # type: ignore[misc]
     graph: Graph
     node: int
     inputs: tuple[int, ...]
-    name: str
+    name: Any
 
-    def __new__(
-        cls, graph: Graph, node: int, inputs: tuple[int, ...], name: str | None = None
-    ) -> Formula:
+    def __new__(cls, graph: Graph, node: int, inputs: tuple[int, ...], name: Any = None) -> Formula:
         """Make a formula; two are equal if they are of the same node of the same graph."""
         self: Formula = super().__new__(cls)
         self.graph, self.node, self.inputs = graph, node, inputs
@@ -151,7 +151,7 @@ class Formula(sm.Atom):  # type: ignore[misc]
         return (id(self.graph), self.node)
 
     def _sympystr(self, printer: Any) -> str:
-        return self.name
+        return str(self.name)
 
 
 class NodeExpression(sm.Expr):  # type: ignore[misc]
@@ -161,20 +161,22 @@ class NodeExpression(sm.Expr):  # type: ignore[misc]
 
     @classmethod
     def of(
-        cls, graph: Graph, node: int, symbols: Mapping[int, Any], name: str | None = None
+        cls, graph: Graph, node: int, symbols: Mapping[int, Any], name: Any = None
     ) -> NodeExpression:
         """Return the expression of a node; `symbols` says what each input stands for.
 
-        It prints as its name, or as a number.
+        It prints as its name, which may be an expression, or as a number.
         """
         inputs = tuple(n for n in graph.reachable([node]) if graph.ops[n] == "input")
         formula = Formula(graph, node, inputs, name)
         made: NodeExpression = cls(formula, *(symbols[n] for n in inputs))
         return made
 
+    def _eval_derivative(self, symbol: Any) -> Any:
+        return sm.Derivative(self, symbol, evaluate=False)
+
     def _sympystr(self, printer: Any) -> str:
-        name: str = self.args[0].name
-        return name
+        return str(self.args[0].name)
 
 
 def _node_expression(graph: Graph, expr: Any, args: list[int]) -> int:
@@ -287,7 +289,7 @@ class SymPyReader:
             alive.append(expr)
             handler = _handler(type(expr)) if args else None
             if handler is None:
-                leaf = self._leaf(expr)
+                leaf = None if is_unevaluated(expr) else self._leaf(expr)
                 if leaf is not None:
                     seen[key] = leaf
                     continue
@@ -336,6 +338,8 @@ class SymPyReader:
 
     def _written_out(self, expr: Any) -> Any:
         """Return the expression that a function stands for, as the curves of muscles do."""
+        if is_unevaluated(expr):
+            return differentiated(expr)
         written = expr.doit(deep=False) if isinstance(expr, sm.Function) else expr
         if isinstance(written, type(expr)):
             raise UnsupportedFunctionError(self._unsupported(expr))
@@ -350,3 +354,79 @@ class SymPyReader:
             "translated to numerical code. Rewrite it with elementary functions "
             "(`expr.rewrite(...)`, `expr.doit()`), Piecewise, Min, Max, Abs or sign."
         )
+
+
+# -- derivatives that SymPy leaves unevaluated ----------------------------------------------------
+
+
+def is_unevaluated(expr: Any) -> bool:
+    """Return whether an expression is a derivative that can be taken, or holds one at a point.
+
+    SymPy has no rules for those of ``Mod``, ``floor`` and others. A derivative of an undefined
+    function is a symbol.
+    """
+    if isinstance(expr, sm.Derivative):
+        return not isinstance(expr.expr, AppliedUndef)
+    return isinstance(expr, sm.Subs)
+
+
+class _OpenReader(SymPyReader):
+    """Reads expressions; each symbol becomes an input when it is met."""
+
+    def _leaf(self, expr: Any) -> int | None:
+        if isinstance(expr, (sm.Symbol, AppliedUndef, sm.Derivative)) and expr not in self.atoms:
+            self.atoms[expr] = self.graph.input("x", len(self.atoms))
+        return super()._leaf(expr)
+
+
+@lru_cache(maxsize=512)
+def differentiated(expr: Any) -> NodeExpression:
+    """Return a derivative that SymPy left unevaluated, by the rules of the graph.
+
+    At steps the derivatives of ``Mod``, ``floor`` and others are those of the branch that is taken.
+
+    Raises
+    ------
+    UnsupportedFunctionError
+        It is by something that an undefined function depends on, or holds a function that cannot
+        be translated.
+    """
+    graph = Graph()
+    read = _OpenReader(graph, {})
+    node = read(expr.expr)
+    if isinstance(expr, sm.Subs):
+        given = dict(zip(expr.variables, expr.point, strict=True))
+        if any(_inside(v, read.atoms) for v in given):
+            raise UnsupportedFunctionError(read._unsupported(expr))
+        symbols = {n: given.get(s, s) for s, n in read.atoms.items()}
+        return NodeExpression.of(graph, node, symbols, expr)
+    for variable, count in expr.variable_count:
+        if not count.is_Integer:
+            raise UnsupportedFunctionError(read._unsupported(expr))
+        for _ in range(int(count)):
+            rates = _rates(variable, read.atoms)
+            if rates is None:
+                raise UnsupportedFunctionError(read._unsupported(expr))
+            (row,) = jacobian(graph, [node], [read.atoms[s] for s in rates])
+            parts = zip(row.values(), (list(rates.values())[k] for k in row), strict=True)
+            node = graph.sum([(graph.mul(d, read(rate)), 1.0) for d, rate in parts])
+    return NodeExpression.of(graph, node, {n: s for s, n in read.atoms.items()}, expr)
+
+
+def _rates(variable: Any, symbols: Iterable[Any]) -> dict[Any, Any] | None:
+    """Return the derivatives of symbols by one variable; None where they are not known."""
+    rates: dict[Any, Any] = {}
+    for symbol in symbols:
+        function = symbol.expr if isinstance(symbol, sm.Derivative) else symbol
+        if symbol == variable:
+            rates[symbol] = sm.S.One
+        elif isinstance(function, AppliedUndef) and function.args == (variable,):
+            rates[symbol] = symbol.diff(variable)
+        elif _inside(variable, [function]):
+            return None
+    return rates
+
+
+def _inside(variable: Any, symbols: Iterable[Any]) -> bool:
+    """Return whether a variable is an argument of an undefined function, or a part of one."""
+    return any(s != variable and s.has(variable) for s in symbols)

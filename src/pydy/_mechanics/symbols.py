@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sm
 from sympy.core.function import AppliedUndef
 
+from pydy._graph.from_sympy import differentiated, is_unevaluated
 from pydy._names import written_out
 
 __all__ = ["find_symbols", "rate_of", "replace_symbols", "sort_symbols"]
@@ -41,12 +42,13 @@ def rate_of(symbol: Any, time: Any) -> Any:
 def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
     """Return the symbols, applied undefined functions and derivatives, in order of discovery.
 
-    Derivatives and undefined functions are taken whole: what they are of is not entered.
+    Undefined functions and their derivatives are taken whole: what they are of is not entered.
     SymPy's ``free_symbols`` walks the tree, which for multibody equations can be larger than the
     graph of distinct objects by orders of magnitude; this walk does not.
     """
     found: dict[Any, None] = {}
     seen: set[int] = set()
+    made: list[Any] = []  # keeps ids unique
     stack = list(expressions)
     while stack:
         expr = stack.pop()
@@ -54,7 +56,10 @@ def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
         if key in seen:
             continue
         seen.add(key)
-        if isinstance(expr, (AppliedUndef, sm.Derivative, sm.Symbol)):
+        if is_unevaluated(expr):
+            made.append(differentiated(expr))
+            stack.append(made[-1])
+        elif isinstance(expr, (AppliedUndef, sm.Derivative, sm.Symbol)):
             found[expr] = None
         else:
             stack.extend(expr.args)
@@ -69,13 +74,20 @@ def replace_symbols(expression: Any, mapping: Mapping[Any, Any]) -> Any:
     """
     root = sm.sympify(expression)
     done: dict[int, Any] = {}
+    made: dict[int, Any] = {}
     stack = [(root, False)]
     while stack:
         expr, ready = stack.pop()
         key = id(expr)
         if key in done:
             continue
-        if not expr.args or isinstance(expr, (AppliedUndef, sm.Derivative)):
+        if is_unevaluated(expr):
+            if ready:
+                done[key] = done[id(made[key])]
+            else:
+                made[key] = differentiated(expr)
+                stack += [(expr, True), (made[key], False)]
+        elif not expr.args or isinstance(expr, (AppliedUndef, sm.Derivative)):
             done[key] = mapping.get(expr, expr)
         elif ready:
             args = [done[id(a)] for a in expr.args]
