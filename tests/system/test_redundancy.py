@@ -45,6 +45,8 @@ def test_a_lift_that_was_taken_for_bars_on_each_other_is_refused_with_the_remedy
         system.integrate(constraints="project")
     with pytest.raises(ValueError, match="6 independent"):
         system.simulate()
+    with pytest.raises(ValueError, match="6 independent"):
+        system.integrate_ensemble(constants={loops.GRAVITY: [9.81, 1.62]})
     lift(3, configuration=True).simulate()
 
 

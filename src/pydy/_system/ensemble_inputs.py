@@ -243,10 +243,12 @@ def make_ensemble(
     samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
 
     constrained = definition.equations.holonomic or definition.equations.velocity
-    if constrained and options.get("constraints") is None:
+    if constrained:
         start, shape = float(times[0]), tuple(axes.dims.values())
-        columns = (aligned[0], aligned[1], aligned[2])
-        check_samples(definition, driven(now.model, definition, plan), start, plan, columns, shape)
+        columns = aligned[0], aligned[1], aligned[2]
+        mended = options.get("constraints") is not None
+        moved = driven(now.model, definition, plan)
+        check_samples(definition, moved, start, plan, columns, shape, mended)
     integrated, rest = prepare(solver, definition, now.model, plan, dict(options))
     wanted = differentiated(now, integrated, plan, solver, rest, sensitivities)
     if wanted is not None:

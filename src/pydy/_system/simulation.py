@@ -15,13 +15,12 @@ from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatri
 from pydy._system.causes import explain
 from pydy._system.dependents import latest_dependents
 from pydy._system.inputs import check_times
-from pydy._system.redundancy import check_redundant
 from pydy._system.scipy_ivp import SolveIvp
 from pydy._system.scipy_odeint import ODEINT_OPTIONS, call_odeint
 from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import prepare
-from pydy._system.start import check_resets, check_start, violations
+from pydy._system.start import check_resets, check_start
 from pydy.codegen.right_hand_side import rates_function
 from pydy.solvers.options import check_option_names
 from pydy.solvers.solver import Solver
@@ -126,12 +125,8 @@ def begin(now: Snapshot, solver: SolverFunction, options: dict[str, Any]) -> Sta
     plan.check_times(times, "times")
     if _is_constrained(definition):
         t = float(times[0])
-        at = t, now.x, plan(now.x, t), now.p
-        held = not violations(definition, now.driven, *at)
-        if held:
-            check_redundant(definition, now.driven, *at)
-        elif options.get("constraints") is None:
-            check_start(definition, now.driven, *at)
+        mended = options.get("constraints") is not None
+        check_start(definition, now.driven, t, now.x, plan(now.x, t), now.p, mended=mended)
     model, options = prepare(solver, definition, now.model, plan, options)
     return Start(times, model, options)
 

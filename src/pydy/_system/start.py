@@ -11,6 +11,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._errors import warn_user
 from pydy._graph.derivative import dense_jacobian
+from pydy._system.redundancy import check_redundant
 from pydy._system.solving import constraint_names
 from pydy._system.tuning import DIGITS, HELD, TRIED
 from pydy.trajectory import EventRecord
@@ -26,16 +27,23 @@ def check_start(
     r: np.ndarray,
     p: np.ndarray,
     whose: str = "",
+    mended: bool = False,
 ) -> bool:
     """Warn where a motion starts off the constraints; return whether it does.
+
+    Where it does not, what was left out as redundant must hold too: see `check_redundant`.
 
     The parameters are those of `violations`, and
 
     whose : str
         Says in the warning which initial conditions are meant.
+    mended : bool
+        Whether the motion is brought onto the constraints, so that there is nothing to warn of.
     """
     told = violations(definition, model, t, x, r, p)
-    if told:
+    if not told:
+        check_redundant(definition, model, t, x, r, p)
+    elif not mended:
         warn_user(
             f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
             f"the motion back onto them. {told} Call "
@@ -171,6 +179,7 @@ def check_samples(
     specified: Callable[[np.ndarray, float], np.ndarray],
     columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
     shape: tuple[int, ...],
+    mended: bool,
 ) -> None:
     """Warn of the first sample of an ensemble that is off the constraints, of 64 that are tried.
 
@@ -185,6 +194,8 @@ def check_samples(
         For each symbol an array that can be broadcast to `shape`.
     shape : tuple of int
         Of the samples.
+    mended : bool
+        See `check_start`.
     """
     total = int(np.prod(shape))
     for number in np.unique(np.linspace(0, total - 1, min(total, TRIED)).astype(int)):
@@ -193,5 +204,5 @@ def check_samples(
         varied = [np.size(a) > 1 for a in columns[1]]
         r = np.where(varied, own, specified(x, t)) if len(own) else own
         whose = f" of sample {', '.join(map(str, at))}" if shape else ""
-        if check_start(definition, model, t, x, r, p, whose):
+        if check_start(definition, model, t, x, r, p, whose, mended):
             return
