@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from scipy.linalg import null_space
+import scipy
 
 from pydy._checks import real_array
 
@@ -94,7 +94,7 @@ def reduce_state_matrix(state_matrix: Any, constraint_jacobian: Any) -> np.ndarr
         return A
     # A constraint in millimetres is the same constraint: its scale must not decide on the rank.
     sizes = np.linalg.norm(C, axis=1, keepdims=True)
-    T = null_space(C / np.where(sizes > 0, sizes, 1.0))
+    T = scipy.linalg.null_space(C / np.where(sizes > 0, sizes, 1.0))
     AT = A @ T
     reduced: np.ndarray = T.T @ AT
     outside = float(np.linalg.norm(AT - T @ reduced))

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
+import scipy
 import sympy as sm
-from scipy.integrate import odeint
 
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
@@ -187,7 +187,7 @@ class System:
             self._specifieds,
             self._initial_conditions,
             self._times,
-            self._ode_solver,
+            self.ode_solver,
         )
 
     if not TYPE_CHECKING:  # or type checkers would let any attribute pass
@@ -602,11 +602,11 @@ class System:
         >>> system.integrate(rtol=1e-10, atol=1e-10)[:, 0]
         array([1.        , 0.65970..., 0.1505...])
         """
-        return self._ode_solver
+        return scipy.integrate.odeint if self._ode_solver is None else self._ode_solver
 
     @ode_solver.setter
     def ode_solver(self, ode_solver: Callable[..., Any] | str | None) -> None:
-        self._ode_solver: Callable[..., Any] = resolve_ode_solver(ode_solver)
+        self._ode_solver: Callable[..., Any] | None = resolve_ode_solver(ode_solver)
 
     # -- generation -------------------------------------------------------------------------------
 
@@ -618,7 +618,7 @@ class System:
         """
         if self._generated is None:
             return None
-        return self._compiled().function(any_layout=self._ode_solver is not odeint)
+        return self._compiled().function(any_layout=self._ode_solver is not None)
 
     def generate_ode_function(self, **kwargs: Any) -> Any:
         """Generate the function that evaluates the derivatives, and keep it.
@@ -653,7 +653,7 @@ class System:
         """
         kwargs = checked_options(kwargs)
         made = generate(self._definition, self._eom_method, kwargs)
-        function = made.function(any_layout=self._ode_solver is not odeint)
+        function = made.function(any_layout=self._ode_solver is not None)
         self._options, self._generated = kwargs, made
         return function
 
@@ -1369,7 +1369,7 @@ class System:
         now = self._now()
         dependent = latest_dependents(now.definition, self._dependent)
         return adjoint_gradient(
-            now, self._ode_solver, wrt, final, integral, solver_kwargs, dependent
+            now, self.ode_solver, wrt, final, integral, solver_kwargs, dependent
         )
 
     def find_periodic_orbit(
@@ -1517,7 +1517,7 @@ class System:
             The initial conditions violate the constraints by more than rounding to six digits
             explains, and `constraints` is not set.
         """
-        return integrate(self._now(), self._ode_solver, solver_kwargs)
+        return integrate(self._now(), self.ode_solver, solver_kwargs)
 
     def simulate(
         self,
@@ -1571,7 +1571,7 @@ class System:
         array([1.      , 0.895595, 0.6597  ])
         """
         wanted = (sensitivities, control_sensitivities, self._dependent)
-        return simulate(self._now(), self._ode_solver, solver_kwargs, wanted)
+        return simulate(self._now(), self.ode_solver, solver_kwargs, wanted)
 
     def integrate_ensemble(
         self,

@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-from scipy.linalg import qr
+import scipy
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
@@ -193,7 +193,7 @@ def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
             "The velocity constraints are not independent there: the configuration is a singular "
             "one, or a constraint is redundant."
         )
-    others = [speeds[k] for k in sorted(qr(rows, pivoting=True)[2][: len(rows)])]
+    others = [speeds[k] for k in sorted(scipy.linalg.qr(rows, pivoting=True)[2][: len(rows)])]
     return (
         f"The velocity constraints cannot be solved there for the dependent speeds "
         f"{describe(chosen)}: their matrix is singular in this configuration. Choose others, such "

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from scipy import optimize
+import scipy
 
 from pydy._assembly.definition import Definition
 from pydy._checks import Places, listed
@@ -133,7 +133,7 @@ def solve_dependents(
                 "jac": lambda z: value(gradient, placed(z)).reshape(shape)[:, coordinates],
                 **root_kwargs,
             }
-        solution = optimize.root(
+        solution = scipy.optimize.root(
             lambda z: value(bounded, placed(z))[:size], x[coordinates], **root_kwargs
         )
         x[coordinates] = solution.x

@@ -8,22 +8,24 @@ from inspect import signature
 from typing import Any
 
 import numpy as np
-from scipy.integrate import BDF, DOP853, LSODA, RK23, RK45, OdeSolver, Radau, odeint, solve_ivp
+import scipy
 
 from pydy._checks import shown
 from pydy._errors import IntegrationError
 from pydy._names import nearest
 from pydy.solvers.options import check_option_names
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW
-from pydy.solvers.solver import SOLVERS
+from pydy.solvers.solver import SOLVERS, Solver
 
 __all__ = ["METHODS", "SolveIvp", "resolve_ode_solver"]
 
-METHODS = {method.__name__: method for method in (RK45, RK23, DOP853, Radau, BDF, LSODA)}
+METHODS = ("RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA")
 
 
 def resolve_ode_solver(solver: Any) -> Any:
-    """Return the function that an `ode_solver` stands for, called as odeint is.
+    """Return the function that an `ode_solver` stands for, called as odeint is; None for odeint.
+
+    SciPy's integrators take as long to load as SymPy: they are loaded when they are first used.
 
     Parameters
     ----------
@@ -31,28 +33,40 @@ def resolve_ode_solver(solver: Any) -> Any:
         A name is ``'odeint'`` or ``'lsoda'``, that of a native solver, or of a method of
         `scipy.integrate.solve_ivp`. A class is such a method.
     """
-    if solver is None or (isinstance(solver, str) and solver in ("odeint", "lsoda")):
-        return odeint
-    if solver is solve_ivp or (isinstance(solver, str) and solver == "solve_ivp"):
-        return SolveIvp(RK45)
-    if isinstance(solver, type) and issubclass(solver, OdeSolver):
-        return SolveIvp(solver)
+    if solver is None:
+        return None
     if not isinstance(solver, str):
-        if not callable(solver):
-            raise ValueError(
-                "`ode_solver` must be a function with the signature of scipy.integrate.odeint, or "
-                f"the name of a solver, got {shown(solver)}."
-            )
-        return solver
-    if solver in METHODS:
-        return SolveIvp(METHODS[solver])
+        return _called(solver)
+    if solver in ("odeint", "lsoda"):
+        return None
     if solver in SOLVERS:
         return SOLVERS[solver]
+    if solver == "solve_ivp":
+        return SolveIvp(scipy.integrate.RK45)
+    if solver in METHODS:
+        return SolveIvp(getattr(scipy.integrate, solver))
     names = ("odeint", *SOLVERS, "solve_ivp", *METHODS)
     raise ValueError(
         f"`ode_solver` must be one of {', '.join(map(repr, names))}, or a function, got "
         f"{solver!r}. {nearest(solver, names, or_all=False)}".rstrip()
     )
+
+
+def _called(solver: Any) -> Any:
+    if isinstance(solver, Solver):
+        return solver
+    if not callable(solver):
+        raise ValueError(
+            "`ode_solver` must be a function with the signature of scipy.integrate.odeint, or "
+            f"the name of a solver, got {shown(solver)}."
+        )
+    if solver is scipy.integrate.odeint:
+        return None
+    if solver is scipy.integrate.solve_ivp:
+        return SolveIvp(scipy.integrate.RK45)
+    if isinstance(solver, type) and issubclass(solver, scipy.integrate.OdeSolver):
+        return SolveIvp(solver)
+    return solver
 
 
 @dataclass(frozen=True)
@@ -95,7 +109,9 @@ class SolveIvp:
             It could not go on.
         """
         method = options.pop("method", self.method)
-        method = METHODS.get(method, method) if isinstance(method, str) else method
+        if isinstance(method, str) and method in METHODS:
+            method = getattr(scipy.integrate, method)
+        solve_ivp = scipy.integrate.solve_ivp
         own = {*signature(solve_ivp).parameters, *signature(method).parameters}
         taken = {"fun", "t_span", "y0", "t0", "t_bound", "t_eval", "args", "events", "vectorized"}
         extra = {"support_complex", "extraneous", "options"}

@@ -10,20 +10,25 @@ from inspect import signature
 from typing import Any
 
 import numpy as np
-from scipy.integrate import ODEintWarning, odeint
+import scipy
 
 from pydy._errors import IntegrationError
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
 
-__all__ = ["ODEINT_OPTIONS", "call_odeint"]
+__all__ = ["call_odeint", "odeint_options"]
 
-ODEINT_OPTIONS = frozenset(signature(odeint).parameters) - {"func", "y0", "t", "args", "tfirst"}
 _ILLEGAL = "Illegal input"
 _GOOD = ("Integration successful", "Nothing was done")
 _MORE_STEPS = (
     "Raise `mxstep`, how many steps it may take between two times (500 by default), ask for more "
     "`times`, or set `system.ode_solver = 'dop853'`."
 )
+
+
+def odeint_options() -> frozenset[str]:
+    """Return the options that odeint takes from users."""
+    given = {"func", "y0", "t", "args", "tfirst"}
+    return frozenset(signature(scipy.integrate.odeint).parameters) - given
 
 
 def call_odeint(
@@ -54,8 +59,10 @@ def call_odeint(
     alone = threading.current_thread() is threading.main_thread()
     with warnings.catch_warnings() if alone else nullcontext():
         if alone and not options.get("printmessg"):
-            warnings.simplefilter("ignore", ODEintWarning)
-        states, info = odeint(f, x0, times, args=args, **{**options, "full_output": True})
+            warnings.simplefilter("ignore", scipy.integrate.ODEintWarning)
+        states, info = scipy.integrate.odeint(
+            f, x0, times, args=args, **{**options, "full_output": True}
+        )
     good = info["message"].startswith(_GOOD)
     if good and np.isfinite(states).all():
         return states, info

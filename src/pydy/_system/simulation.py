@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.integrate import odeint
+import scipy
 
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
@@ -16,7 +16,7 @@ from pydy._system.causes import explain
 from pydy._system.dependents import latest_dependents
 from pydy._system.inputs import check_times
 from pydy._system.scipy_ivp import SolveIvp
-from pydy._system.scipy_odeint import ODEINT_OPTIONS, call_odeint
+from pydy._system.scipy_odeint import call_odeint, odeint_options
 from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import prepare
@@ -43,7 +43,7 @@ def integrate(now: Snapshot, solver: SolverFunction, options: dict[str, Any]) ->
         For the solver, and those that `prepare` understands.
     """
     full = options.get("full_output", False)
-    if solver is odeint or isinstance(solver, (Solver, SolveIvp)):
+    if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
         full = flag(full, "`full_output`")
     return _solve(now, solver, options, checked=not full)
 
@@ -64,7 +64,7 @@ def simulate(
         By what the states are differentiated, or None; whether the step control looks at that; and
         the initial conditions that follow from the others, None for those of the method.
     """
-    if solver is odeint or isinstance(solver, (Solver, SolveIvp)):
+    if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
         options = {"full_output": True, **options}
     wanted, n = None, len(now.definition.states)
     parameters, control, dependent = sensitivities
@@ -149,8 +149,8 @@ def _solve(
     ready = begin(now, solver, options)
     definition, plan, model, options = now.definition, now.plan, ready.model, ready.options
     times, x0, p = ready.times, now.x, now.p
-    if solver is odeint:
-        check_option_names("odeint", ODEINT_OPTIONS, options)
+    if solver is scipy.integrate.odeint:
+        check_option_names("odeint", odeint_options(), options)
     if wanted is None:
         f = rates_function(model, plan)
     else:
@@ -162,7 +162,7 @@ def _solve(
     if watched := "events" in options and free and _is_constrained(definition):
         options = {**options, "full_output": True}
     try:
-        if not checked or solver is not odeint:
+        if not checked or solver is not scipy.integrate.odeint:
             result = solver(f, x0, times, args=args, **options)
             if watched:
                 check_resets(definition, now.driven, result[1]["events"], plan, p)

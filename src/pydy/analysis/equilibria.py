@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from scipy.optimize import least_squares
+import scipy
 
 from pydy._errors import EquilibriumError
 from pydy._names import place_of, unique_names
@@ -169,7 +169,7 @@ def _search(
         if near is not None:
             return near, ""
         try:
-            found = least_squares(
+            found = scipy.optimize.least_squares(
                 share, z, slopes, bounds, x_scale="jac",
                 xtol=TO_ROUNDING, ftol=TO_ROUNDING, gtol=TO_ROUNDING,
             )  # fmt: skip

@@ -12,8 +12,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from scipy.optimize import least_squares
-from scipy.stats import t as student
+import scipy
 
 from pydy._checks import number
 from pydy._errors import FitInterrupted, warn_user
@@ -137,7 +136,9 @@ class FitResult:
         share = number(level, "`level`", finite=True)
         if not 0.0 < share < 1.0:
             raise ValueError(f"`level` must lie between 0 and 1, got {share!r}.")
-        reach = student.ppf(0.5 + 0.5 * share, max(self.degrees, 1)) * self.standard_errors
+        reach = (
+            scipy.special.stdtrit(max(self.degrees, 1), 0.5 + 0.5 * share) * self.standard_errors
+        )
         return np.stack([self.estimates - reach, self.estimates + reach], axis=1)
 
     def plot_residuals(self, axes: Any = None) -> Any:
@@ -204,7 +205,7 @@ def estimate(
         # The gradient is compared with `gtol` as it is: residuals of nanometres would end at once.
         first = float(np.linalg.norm(at(start)[0]))
         unit = min(first, 1.0) if first > 0.0 else 1.0
-        found = least_squares(
+        found = scipy.optimize.least_squares(
             lambda z: at(z)[0] / unit, start, lambda z: at(z)[1] / unit, bounds, x_scale="jac",
             xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
         )  # fmt: skip

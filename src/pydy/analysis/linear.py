@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.linalg import qr
+import scipy
 
 from pydy._checks import choice, real_array
 from pydy._optional import require
@@ -167,7 +167,7 @@ def independent_places(
     elif len(preferred) != rank:
         preferred = preferred[:0]
     if len(preferred) < rank:
-        _, _, order = qr(rows, pivoting=True, mode="economic")
+        _, _, order = scipy.linalg.qr(rows, pivoting=True, mode="economic")
         preferred = np.sort(order[:rank])
     free = np.setdiff1d(np.arange(n), preferred)
     return free, preferred

@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from scipy.linalg import matrix_balance
-from scipy.optimize import brentq, linear_sum_assignment
+import scipy
 
 from pydy._optional import require
 from pydy.analysis.pictures import plot_eigenvalues, plot_root_locus
@@ -122,7 +121,7 @@ class EigenvalueSweep:
             expected = ends[0] + share * (ends[1] - ends[0])
             return complex(spectrum[np.abs(spectrum - expected).argmin()])
 
-        value = brentq(
+        value = scipy.optimize.brentq(
             lambda v: near(v).real,
             a,
             b,
@@ -169,7 +168,7 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     m, k = A.shape[:2]
     entries = np.abs(A)
     # In units of their own, coordinates and speeds of 1e10 rad/s are alike.
-    units = np.diag(matrix_balance(entries.max(axis=0), permute=False)[1])
+    units = np.diag(scipy.linalg.matrix_balance(entries.max(axis=0), permute=False)[1])
     entries *= units / units[:, None]
     sizes = entries.max(axis=2, keepdims=True, initial=0.0)
     sizes = np.maximum(sizes, CROSSED * sizes.max(initial=0.0))
@@ -201,6 +200,6 @@ def _followed(spectra: np.ndarray) -> np.ndarray:
         distance = np.abs(expected[:, None] - followed[k])
         nearest = distance.argmin(axis=1)
         if len(set(nearest.tolist())) < len(nearest):
-            nearest = linear_sum_assignment(distance)[1]
+            nearest = scipy.optimize.linear_sum_assignment(distance)[1]
         followed[k] = followed[k, nearest]
     return followed
