@@ -17,6 +17,8 @@ __all__ = ["collector_paused"]
 
 
 _pausing: int | None = None  # the thread
+_put_aside = 0  # how many objects
+_limit: int | None = None
 
 
 @contextmanager
@@ -31,19 +33,36 @@ def collector_paused() -> Iterator[None]:
     try:
         yield
     finally:
-        _pausing = None
-        _let_age()
-        gc.enable()
+        try:
+            _let_age()
+        finally:
+            _pausing = None
+            gc.enable()
 
 
 def _let_age() -> None:
     """Put all objects among the old ones, which the next full collection looks at.
 
-    Else the next allocation would have all that was built walked through at once.
+    Else the next allocation would have all that was built walked through at once. It also puts off
+    that full collection, for ever in a loop of builds: it is done here whenever half of all objects
+    may have come since the last one.
     """
-    if not gc.get_freeze_count():  # nobody else's are to be thawed
-        gc.freeze()
+    global _put_aside, _limit
+    if gc.get_freeze_count():  # nobody else's are to be thawed
+        return
+    often, seldom, _ = gc.get_threshold()
+    if _limit is not None:  # the first time most is needed: what was imported, and a model
+        young, middle, old = gc.get_count()  # the last two in collections of those before them
+        _put_aside += young + often * (middle + seldom * old)
+    gc.freeze()
+    try:
+        if _limit is None or _put_aside > _limit:
+            _limit = gc.get_freeze_count() // 2
+    finally:
         gc.unfreeze()
+    if often and _put_aside > _limit:  # with a threshold of zero nothing is to be collected
+        _put_aside = _limit = 0
+        gc.collect()
 
 
 @_forks.in_child
