@@ -294,3 +294,16 @@ def test_places_may_hold_functions_that_sympy_cannot_differentiate(function):
     assert found == pytest.approx([rate, s1 * rate, *rows], rel=1e-12)
     energy = placed.evaluate_energy([at, rate])
     assert energy.kinetic == pytest.approx(rate**2 * (1 + s1**2), rel=1e-12)
+
+
+def test_constraints_are_differentiated_by_the_graph():
+    # SymPy's derivative of |x| is x x' sign(x)/x where x is not known to be real: NaN at zero.
+    constrained, _ = wrapped(sm.Abs(x) ** 3)
+    system = System(constrained)
+    state = {x: 0.0, y: 0.0, vx: 0.5, vy: 0.0}
+    found = system.evaluate_ode([state[s] for s in system.states])
+    assert found == pytest.approx([0.5, 0.0, 1.5, 0.0], rel=1e-12)
+    curve = y - sm.sin(x) * x
+    constrained, _ = wrapped(y - curve)
+    (rate,) = constrained.velocity_constraints
+    assert rate == curve.diff(T)

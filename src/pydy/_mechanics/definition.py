@@ -117,11 +117,8 @@ class Definition:
         self.nonholonomic_constraints = _expressions(
             "nonholonomic_constraints", nonholonomic_constraints
         )
-        self.velocity_constraints = (
-            (
-                *(sm.sympify(e).diff(t) for e in self.holonomic_constraints),
-                *self.nonholonomic_constraints,
-            )
+        self._given_motion = (
+            None
             if velocity_constraints is None
             else _expressions("velocity_constraints", velocity_constraints)
         )
@@ -142,6 +139,26 @@ class Definition:
         return f"<Definition in {self.frame}: {counts}>"
 
     @cached_property
+    def velocity_constraints(self) -> tuple[Any, ...]:
+        """All constraints of the speeds, differentiated by SymPy."""
+        if self._given_motion is not None:
+            return self._given_motion
+        rates = (e.diff(dynamicsymbols._t) for e in self.holonomic_constraints)
+        return (*rates, *self.nonholonomic_constraints)
+
+    @cached_property
+    def _motion(self) -> tuple[Any, ...]:
+        """The same with derivatives that the graph takes.
+
+        SymPy's take longer than all the rest for constraints of several hundred terms.
+        """
+        if self._given_motion is not None:
+            return self._given_motion
+        t = dynamicsymbols._t
+        rates = (sm.Derivative(e, t, evaluate=False) for e in self.holonomic_constraints)
+        return (*rates, *self.nonholonomic_constraints)
+
+    @cached_property
     def method(self) -> Any:
         """What System shows as its `eom_method`: this, or what `as_method` makes of it, once."""
         return self if self.as_method is None else self.as_method(self)
@@ -159,10 +176,12 @@ class Definition:
 
     def _near(self, configuration: Any) -> dict[Any, float]:
         given = check_mapping("configuration", configuration)
+        if not given:
+            return {}
         known = {
             *self.coordinates,
             *self.speeds,
-            *find_symbols((*self.holonomic_constraints, *self.velocity_constraints)),
+            *find_symbols((*self.holonomic_constraints, *self._motion)),
         }
         keys = resolved("configuration", given, known, "coordinates and constants")
         for key in keys:
@@ -207,12 +226,12 @@ class Definition:
             coordinate_derivatives=tuple(solved.get(rate, rate) for rate in rates),
             auxiliary=self.auxiliary_speeds,
         )
-        if not self.holonomic_constraints and not self.velocity_constraints:
+        if not self.holonomic_constraints and not self._motion:
             return self._unconstrained(body)
         return constrained(
             body,
             self.holonomic_constraints,
-            self.velocity_constraints,
+            self._motion,
             self.dependent_coordinates,
             self.dependent_speeds,
             self.configuration,
