@@ -22,6 +22,32 @@ def test_what_cancels_is_left_out_and_what_contributes_is_not():
     assert first not in kept[0].atoms(sm.Function)
 
 
+HEIGHT, FORCE = (sm.Function(name)(T) for name in ("h", "R"))
+
+
+@pytest.mark.parametrize(
+    "share",
+    [
+        sm.Max(HEIGHT - 9, 0),
+        sm.Max(HEIGHT, 9) - 9,
+        sm.Heaviside(HEIGHT - 9),
+        sm.Piecewise((1, HEIGHT > 9), (0, True)),
+        sm.sqrt(HEIGHT**2) - HEIGHT,
+        sm.Abs(HEIGHT) - HEIGHT,
+        sm.exp(-2000 * HEIGHT),
+    ],
+)
+def test_a_force_that_acts_in_some_states_only_is_kept(share):
+    forcing = [-FORCE * share - HEIGHT]
+    assert without_idle(forcing, [FORCE], {HEIGHT}) == tuple(forcing)
+
+
+def test_an_identity_of_angles_is_seen_beside_what_is_known_in_parts():
+    identity = sm.sin(HEIGHT) ** 2 + sm.cos(HEIGHT) ** 2 - 1
+    forcing = [FORCE * identity * sm.Max(HEIGHT - 9, 0) - HEIGHT]
+    assert without_idle(forcing, [FORCE], {HEIGHT}) == (-HEIGHT,)
+
+
 @pytest.mark.parametrize("equations", [None, "graph", "method"])
 def test_the_forces_in_a_rolling_contact_are_outputs_whatever_the_source(equations):
     model = ball_on_a_turntable()

@@ -27,6 +27,9 @@ from pydy._mechanics.tuning import CANCELLING
 __all__ = ["idle_inputs", "without_idle"]
 
 _STATES = 2
+# Functions that are the same everywhere if they are so at random states; min, max and roots are
+# not, and stand for themselves.
+_MEROMORPHIC = frozenset(("sum", "prod", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"))
 
 
 def without_idle(
@@ -64,22 +67,26 @@ def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
     if not rest or not any(signatures(graph, rest)):
         return True
     # Identities of angles are not seen modulo a prime.
-    return all((abs(v) <= CANCELLING * size).all() for v, size in _with_sizes(graph, rest))
+    return all(
+        (abs(v) <= CANCELLING * size).all() and (size > 0.0).all()
+        for v, size in _with_sizes(graph, rest)
+    )
 
 
 def _with_sizes(graph: Graph, nodes: Sequence[int]) -> list[tuple[np.ndarray, np.ndarray]]:
     """Return values at random states, and what they would be if all terms had one sign."""
+    leaves = _leaves(graph, nodes)
+    nodes = substitute(graph, nodes, {n: graph.input("x", k) for k, n in enumerate(leaves)})
     written: list[int] = []
     terms: list[int] = []
     for n in graph.reachable(nodes):
         (written if graph.ops[n] in ("sum", "prod") else terms).append(n)
     used = {m for n in (*written, *nodes) for m in graph.operands(n)} | {*nodes}
     terms = [n for n in terms if n in used]
-    inputs = [n for n in graph.reachable(terms) if graph.ops[n] == "input"]
-    places = {n: graph.input("x", k) for k, n in enumerate(inputs)}
-    blocks = [("terms", (len(terms),), substitute(graph, terms, places))]
-    program = lower(graph, (len(inputs), 0, 0), blocks, passes=Passes.none())
-    x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
+    program = lower(
+        graph, (len(leaves), 0, 0), [("terms", (len(terms),), terms)], passes=Passes.none()
+    )
+    x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(leaves)))
     found, _ = run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))
     known = {n: (found[:, k], abs(found[:, k])) for k, n in enumerate(terms)}
     for n in written:
@@ -98,3 +105,18 @@ def _with_sizes(graph: Graph, nodes: Sequence[int]) -> list[tuple[np.ndarray, np
                 ),
             )
     return [known[n] for n in nodes]
+
+
+def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return the inputs, and what is looked at as if it were one."""
+    found: dict[int, None] = {}
+    seen, left = set(nodes), list(nodes)
+    while left:
+        n = left.pop()
+        if graph.ops[n] in _MEROMORPHIC:
+            new = [m for m in graph.operands(n) if m not in seen]
+            seen.update(new)
+            left += new
+        elif graph.ops[n] != "const":
+            found[n] = None
+    return list(found)
