@@ -127,6 +127,34 @@ def test_a_velocity_that_is_not_the_rate_of_its_place_is_the_users():
     assert [p.name for p in formed.honoured] == ["C"]
 
 
+@pytest.mark.parametrize("in_bodies", [True, False])
+def test_points_reached_from_one_whose_velocity_is_given_move_with_it(in_bodies):
+    q, v = me.dynamicsymbols("q:2"), me.dynamicsymbols("v:2")
+    ground, arm = me.ReferenceFrame("N"), me.ReferenceFrame("A")
+    arm.orient_axis(ground, q[0], ground.z)
+    arm.set_ang_vel(ground, v[0] * ground.z)
+    origin = me.Point("O")
+    origin.set_vel(ground, 0)
+    slipping = origin.locatenew("slipping", q[1] * arm.x)
+    carried = slipping.locatenew("carried", 2 * arm.y)
+    between = carried.locatenew("between", arm.x)
+    held = between.locatenew("held", arm.x - arm.y)
+    rate = v[1] * arm.x + q[1] * v[0] * arm.y
+    slipping.set_vel(ground, rate + 3 * v[0] * arm.x)
+    carried.set_vel(ground, rate + v[0] * arm.x)  # that of the slipping point, and 2 v0 less
+    held.set_vel(ground, rate + v[0] * (arm.x + 2 * arm.y))  # that of its place, 3 v0 less
+    bodies = [me.Particle(p.name, p, 1) for p in (slipping, carried, held)]
+    model = Definition(
+        frame=ground,
+        coordinates=q,
+        speeds=v,
+        kinematic_equations=[a.diff() - b for a, b in zip(q, v, strict=True)],
+        bodies=bodies,
+    )
+    formed = form(model.multibody, in_bodies=in_bodies, articulated=False)
+    assert [p.name for p in formed.honoured] == ["held", "slipping"]
+
+
 def test_a_velocity_that_is_the_rate_of_its_place_is_replaced_by_it():
     model = mechanisms.tilted_plates()
     formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=False)

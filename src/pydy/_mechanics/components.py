@@ -11,11 +11,11 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.switches import Passes
-from pydy._mechanics.tuning import SAME_AXES, SAME_DIRECTION
+from pydy._mechanics.tuning import SAME_AXES
 
 _STATES = 3
 
-__all__ = ["same_numbers", "terms_of", "transposed", "turned", "unrounded"]
+__all__ = ["numbers_of", "terms_of", "transposed", "turned", "unrounded"]
 
 
 def turned(graph: Graph, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:
@@ -53,28 +53,12 @@ def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
     ]
 
 
-def same_numbers(graph: Graph, pairs: Sequence[tuple[Sequence[int], Sequence[int]]]) -> list[bool]:
-    """Return which pairs of vectors are equal at random states, but for rounding.
-
-    Directions that are given by numbers are rounded: products of them that are equal are not so
-    modulo a prime.
-    """
-    if not pairs:
-        return []
-    flat = [n for pair in pairs for v in pair for n in v]
+def numbers_of(graph: Graph, flat: Sequence[int]) -> np.ndarray:
+    """Return values of nodes at random states, one row for each state."""
     inputs = [n for n in graph.reachable(flat) if graph.ops[n] == "input"]
     places = {n: graph.input("x", k) for k, n in enumerate(inputs)}
     nodes = substitute(graph, flat, places)
     blocks = [("all", (len(nodes),), nodes)]
     program = lower(graph, (len(inputs), 0, 0), blocks, passes=Passes.none())
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
-    found, _ = run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))
-    same, start = [], 0
-    for a, b in pairs:
-        middle, end = start + len(a), start + len(a) + len(b)
-        one, two = found[:, start:middle], found[:, middle:end]
-        start = end
-        size = np.linalg.norm(one, axis=1) + np.linalg.norm(two, axis=1)
-        # What a singular solve gives is not a number, and equal to nothing.
-        same.append(bool((np.linalg.norm(one - two, axis=1) <= SAME_DIRECTION * size).all()))
-    return same
+    return run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))[0]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -315,6 +315,7 @@ def moving(
     points of their axes. Which velocities are to be honoured is found out, if it is not known.
     """
     honoured: set[Any] = set(known or ())
+    checked: dict[Any, Any] = {}
     while True:
         kinematics = Kinematics(
             body,
@@ -332,7 +333,13 @@ def moving(
             move_along_axes(kinematics)
         for point in points:
             kinematics.motion(point)
-        wrong = disagreeing(kinematics) if known is None else ()
-        if not wrong:
-            return kinematics
-        honoured.update(wrong)
+        if known is None and checked != (ways := _ways(kinematics, points)):
+            checked = ways
+            if wrong := disagreeing(kinematics):
+                honoured.update(wrong)
+                continue
+        return kinematics
+
+
+def _ways(kinematics: Kinematics, points: Iterable[Any]) -> dict[Any, Any]:
+    return {p: kinematics.way(p)[0] for p in points}
