@@ -290,3 +290,55 @@ def test_what_cannot_be_formed_is_named():
         System(me.LagrangesMethod(x.diff(T) ** 2 + x * x.diff(T, 2), [x]))
     with pytest.raises(TypeError, match="a KanesMethod, LagrangesMethod or System"):
         System(x)
+
+
+def two_links(*, lagrangian=None, spring=False):
+    """A pendulum of a particle and a rod, with its bodies, and by hand its energies."""
+    q = me.dynamicsymbols("q1:3")
+    u = [a.diff(T) for a in q]
+    m, length, g, k = sm.symbols("m l g k")
+    ground, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(ground, 0)
+    first, second = (
+        ground.orientnew(n, "Axis", (a, ground.z)) for n, a in zip("AB", q, strict=True)
+    )
+    bob, centre = origin.locatenew("P", length * first.x), me.Point("Q")
+    centre.set_pos(bob, length * second.x)
+    bob.v2pt_theory(origin, ground, first)
+    centre.v2pt_theory(bob, ground, second)
+    inertia = me.inertia(second, 0, 0, m * length**2 / 12), centre
+    bodies = [me.Particle("bob", bob, m), me.RigidBody("rod", centre, second, m, inertia)]
+    for body in bodies:
+        body.potential_energy = m * g * body.masscenter.pos_from(origin).dot(ground.y)
+    made = me.Lagrangian(ground, *bodies) if lagrangian is None else lagrangian(q, u, m, length, g)
+    loads = [(first, -k * q[0] * ground.z)] if spring else []
+    method = me.LagrangesMethod(made, q, bodies=bodies, frame=ground, forcelist=loads)
+    return System(method, {m: 2.0, length: 0.5, g: 9.81, **({k: 3.0} if spring else {})})
+
+
+@pytest.mark.parametrize("spring", [False, True])
+def test_the_energy_is_that_of_the_bodies_that_were_given(spring):
+    system = two_links(spring=spring)
+    a, b, u, v = state = [0.3, -0.4, 0.7, 1.1]
+    m, length, g = 2.0, 0.5, 9.81
+    kinetic = m * length**2 * (u**2 + v**2 * (1 + 1 / 12) / 2 + u * v * np.cos(a - b))
+    potential = m * g * length * (2 * np.sin(a) + np.sin(b)) + (1.5 * a**2 if spring else 0.0)
+    found = system.evaluate_energy(state)
+    assert found == pytest.approx([kinetic, potential, kinetic + potential], rel=1e-13)
+
+
+def test_energy_is_kept_by_a_lagrangian_with_bodies():
+    system = two_links()
+    system.times = np.linspace(0.0, 3.0, 31)
+    system.initial_conditions = dict(zip(system.states, [0.3, -0.4, 0.7, 1.1], strict=True))
+    total = system.simulate(rtol=1e-11, atol=1e-11).energy[:, 2]
+    assert np.ptp(total) < 1e-8
+
+
+def test_bodies_that_are_not_those_of_the_lagrangian_have_no_known_potential():
+    system = two_links(
+        lagrangian=lambda q, u, m, l, g: m * l**2 * (u[0] ** 2 + 3 * u[1] ** 2) - m * g * l * q[0]
+    )
+    assert system.evaluate_ode([0.3, -0.4, 0.7, 1.1])[2:] == pytest.approx([-9.81, 0.0])
+    with pytest.raises(ValueError, match="in another way than the kinetic energy of the `bodies`"):
+        system.evaluate_energy([0.3, -0.4, 0.7, 1.1])

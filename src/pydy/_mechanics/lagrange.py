@@ -11,7 +11,8 @@ from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.lagrangian import form_lagrangian
-from pydy._mechanics.reader import Multibody, read_loads
+from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.reader import Multibody, check_bodies, is_rigid, read_loads
 
 __all__ = ["equations_of_lagrange"]
 
@@ -63,8 +64,24 @@ def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) ->
                 "`equations='method'` needs the equations of `eom_method`: call its "
                 "`form_lagranges_equations()` before it is handed to System."
             )
-        base = kinematics_of(body)
+        base = replace(kinematics_of(body), mechanism=_mechanism(method, body))
         return replace(base, mass_matrix=method.mass_matrix, forcing=tuple(method.forcing))
     if velocity:
         body = constrained(body, holonomic, velocity)
-    return classify(replace(kinematics_of(body), formed=form_lagrangian(body)))
+    base = replace(kinematics_of(body), mechanism=_mechanism(method, body))
+    return classify(replace(base, formed=form_lagrangian(body)))
+
+
+def _mechanism(method: LagrangesMethod, body: Multibody) -> Mechanism | None:
+    """Return the bodies that a method was given, for energies and scenes; None without motion."""
+    if not method.bodies or method.inertial is None:
+        return None
+    bodies = check_bodies(method.bodies)
+    try:
+        for item in bodies:
+            item.masscenter.vel(body.frame)
+            if is_rigid(item):
+                item.frame.ang_vel_in(body.frame)
+    except ValueError:
+        return None
+    return Mechanism(body.frame, bodies, body.loads, lagrangian=body.lagrangian)

@@ -28,6 +28,8 @@ class Mechanism:
         The kinetic energy, where it was formed already.
     joints : tuple of Joint
         Those of SymPy that connect the bodies, where they are known.
+    lagrangian : expression or None
+        The kinetic energy less the potential one of all that is not among the loads.
     """
 
     frame: Any
@@ -35,6 +37,7 @@ class Mechanism:
     loads: tuple[tuple[Any, Any], ...] = ()
     known_energy: Any = None
     joints: tuple[Any, ...] = ()
+    lagrangian: Any = None
     _rotations: dict[Any, Any] = field(default_factory=dict, repr=False)
 
     @cached_property

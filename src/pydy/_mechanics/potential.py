@@ -19,7 +19,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._errors import UnsupportedFunctionError
-from pydy._mechanics.balance import is_potential_of
+from pydy._mechanics.balance import has_momenta_of, is_potential_of
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.mechanism import Mechanism
 from pydy._mechanics.reader import given_velocity, places
@@ -80,7 +80,23 @@ def find_potential(equations: Equations) -> Potential:
     mechanism = equations.mechanism
     if mechanism is None:
         return Potential()
-    return _Search(equations, mechanism).result()
+    found = _Search(equations, mechanism).result()
+    if mechanism.lagrangian is not None:
+        found.expression += _within(equations, mechanism)
+    return found
+
+
+def _within(equations: Equations, mechanism: Mechanism) -> Any:
+    """Return the potential energy that a Lagrangian holds, with the bodies' kinetic one."""
+    kinetic = equations.in_states(mechanism.kinetic_energy)
+    lagrangian = equations.in_states(mechanism.lagrangian)
+    if not has_momenta_of(equations, lagrangian, kinetic):
+        raise ValueError(
+            "Cannot determine the potential energy: the Lagrangian depends on the speeds in "
+            "another way than the kinetic energy of the `bodies` of `eom_method`. Give it all "
+            "bodies, or set `system.potential_energy`."
+        )
+    return replace_symbols(kinetic - lagrangian, dict.fromkeys(equations.speeds, sm.S.Zero))
 
 
 class _Search:
@@ -106,9 +122,8 @@ class _Search:
         others = [term for term in rest if term not in lost]
         unknown = [*lost, *self._integrable(others, self._antiderivative)]
         found = sm.Add(*self.energies)
-        own = self.equations.in_states(
-            sm.Add(*(body.potential_energy for body in self.mechanism.bodies))
-        )
+        bodies = self.mechanism.bodies if self.mechanism.lagrangian is None else ()
+        own = self.equations.in_states(sm.Add(*(body.potential_energy for body in bodies)))
         everything = [*self.powers, *(self._power(t.where, t.vector) for t in unknown)]
         sound = not self.powers or is_potential_of(self.equations, found, self.powers)
         if sound and not unknown:

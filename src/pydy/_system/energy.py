@@ -52,7 +52,10 @@ class EnergyModel:
         """The kinetic energy, or an error where the method knows no bodies."""
         energy = self.equations.kinetic_energy
         if energy is None:
-            raise ValueError("Cannot compute the system's energy: its `eom_method` has no bodies.")
+            raise ValueError(
+                "Cannot compute the system's energy: its `eom_method` has no bodies, or no frame "
+                "in which their velocities are known."
+            )
         return energy
 
     @cached_property
