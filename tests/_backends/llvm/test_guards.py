@@ -6,7 +6,7 @@ import pytest
 
 from graphs import on_tape
 from pydy._backends.c.cython_ import CythonBackend
-from pydy._backends.llvm import jit, tiers
+from pydy._backends.llvm import jit, native, tiers
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.counting import operations
@@ -151,6 +151,24 @@ def test_one_state_has_its_fallback_compiled_with_the_constants_that_are_bound(q
     out[:] = np.nan
     assert kernel.gate(x[3], 0.0, r, p, out) == 0
     np.testing.assert_allclose(out, exact(x[3], p, n), rtol=1e-9)
+
+
+def test_solvers_have_fallbacks_after_an_interrupt_while_code_was_made(quick, monkeypatch):
+    program = scaled(5)
+    kernel = BACKENDS["llvm"].compile(program)
+    entry, use = kernel.owner[0], native.Entry._use
+
+    def interrupted(self, code):
+        monkeypatch.setattr(native.Entry, "_use", use)
+        use(self, code)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(native.Entry, "_use", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        kernel.begin()
+    assert entry.short
+    kernel.settled()
+    assert not entry.short
 
 
 def test_a_singular_system_is_one_where_fallbacks_were_left_out(quick):

@@ -103,9 +103,11 @@ class Entry:
                 return
             code, quality = self._tiers.at_hand()
             self.short = quality is Quality.SHORT
-            self._use(code)
             if quality is not Quality.BEST:
+                # Known before the code is: who wants the best after an interrupt finds it.
                 self.better = Task(partial(_improve, ref(self), self._tiers))
+            self._use(code)
+            if self.better is not None:
                 background.submit(self.better)
 
     def complete(self) -> None:
