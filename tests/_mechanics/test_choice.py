@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 from trees import HUMANOID, definition, rods, tree
 
 import mechanisms
+from pydy._assembly import assembly
 from pydy._graph.lower import lower
 from pydy._graph.simplify import simplify
 from pydy._graph.solve.choose import solve_accelerations
@@ -108,3 +109,24 @@ def test_the_chosen_form_is_the_one_that_is_compiled():
     assert sum(program.operation_count["run"].values()) == operations(
         chosen(multibody_of_kane(kane))
     )
+
+
+def test_what_was_simplified_to_be_counted_is_what_is_compiled(monkeypatch):
+    def again(*_):
+        raise AssertionError("simplified again")
+
+    system = n_link_pendulum_on_cart(5)
+    monkeypatch.setattr(assembly, "simplify", again)
+    program = system.model.assembly.program("rates")
+    assert sum(program.operation_count["run"].values()) <= 229
+
+
+def test_counted_forms_take_expressions_for_their_forces():
+    system = n_link_pendulum_on_cart(5)
+    x = np.linspace(0.1, 1.2, 12)
+    (force,) = system.specifieds_symbols
+    system.specifieds[force] = 3.0 * x[1]
+    expected = system.evaluate_ode(x)
+    system.specifieds[force] = 3 * system.coordinates[1]
+    np.testing.assert_allclose(system.evaluate_ode(x), expected, rtol=1e-12, atol=1e-12)
+    assert abs(expected).max() > 0.1

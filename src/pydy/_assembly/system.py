@@ -55,8 +55,8 @@ def assemble_system(
         names, or outputs refer to each other in a circle.
     """
     passes = passes or Passes()
-    formed = equations.formed
-    graph = Graph() if formed is None else formed.placed(constants, specifieds)
+    formed = equations.formed and equations.formed.placed(constants, specifieds)
+    graph = Graph() if formed is None else formed.graph
     q, u, t = equations.coordinates, equations.speeds, equations.time
     atoms = input_nodes(graph, p=constants, t=[t], r=specifieds, x=[*q, *u, *auxiliaries])
     accelerations = [graph.input("a", k) for k in range(len(u))]
@@ -110,10 +110,12 @@ def assemble_system(
             outputs=[n for part in values for n in part],
         )
 
+    same = formed is not None and not moved and not any(integrated) and passes == Passes()
     return Assembly(
         graph,
         sizes,
         *depending(solved),
+        ready=formed.simplified if formed is not None and same else None,
         holonomic=holonomic,
         velocity=velocity,
         nonholonomic=nonholonomic,

@@ -7,9 +7,12 @@ everywhere, and what simplification saves is not seen before: forms are counted.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from pydy._graph.collector import collector_paused
 from pydy._graph.counting import operations
 from pydy._graph.lower import lower
+from pydy._graph.node import Graph
 from pydy._graph.passes.merge import merge_equal
 from pydy._graph.simplify import simplify
 from pydy._graph.solve.choose import solve_accelerations
@@ -42,6 +45,7 @@ def chosen(body: Multibody) -> Formed:
         costs.append(min(own))
         best.append(same[own.index(costs[-1])])
     if len(best) == 2 and not many and max(costs) < NEAR_ESTIMATES * min(costs):
+        best = [replace(formed, simplified=_simplified(formed, "ldl")) for formed in best]
         costs = [counted(formed) for formed in best]
     return best[costs.index(min(costs))]
 
@@ -82,12 +86,19 @@ def counted(formed: Formed, kind: str = "ldl") -> int:
     kind : {'ldl', 'lu'}
         How the mass matrix is solved, where the accelerations are left to that.
     """
+    graph, nodes = _simplified(formed, kind)
+    sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
+    program = lower(graph.copy(), sizes, [("rates", (len(nodes),), nodes)])
+    return sum(program.operation_count["run"].values())
+
+
+def _simplified(formed: Formed, kind: str) -> tuple[Graph, list[int]]:
+    """Return q' and u' after simplification, in a graph of their own."""
+    if formed.simplified is not None and kind == "ldl":
+        return formed.simplified
     graph = formed.graph.copy()
     solved = formed.accelerations
     if solved is None:
         beyond = solve_accelerations(graph, formed.matrix, formed.rest, kind, Passes())
         solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
-    nodes = simplify(graph, [*formed.rates, *solved])
-    sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
-    program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])
-    return sum(program.operation_count["run"].values())
+    return graph, simplify(graph, [*formed.rates, *solved])

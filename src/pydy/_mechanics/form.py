@@ -63,6 +63,8 @@ class Formed:
     measures : tuple of nodes
         What speeds move, and where: its constants are some of the equations', whether the form
         needs them or not.
+    simplified : (graph, nodes) or None
+        q' and u' as simplification leaves them, in a graph of their own, where forms were counted.
     """
 
     graph: Graph
@@ -78,6 +80,7 @@ class Formed:
     honoured: tuple[Any, ...] = ()
     in_one_frame: bool = False
     measures: tuple[int, ...] = ()
+    simplified: tuple[Graph, list[int]] | None = None
 
     def inputs(self) -> set[tuple[str, int]]:
         """Return the inputs that q', M, F and u' depend on, and the constants of what moves."""
@@ -102,8 +105,8 @@ class Formed:
         symbols = self.input_symbols(time, (*coordinates, *speeds))
         return NodeExpression.of(self.graph, self.kinetic, symbols)
 
-    def placed(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> Graph:
-        """Return the graph with its inputs in the order of arrays p and r.
+    def placed(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> Formed:
+        """Return the same with the inputs in the order of arrays p and r.
 
         Raises
         ------
@@ -128,7 +131,10 @@ class Formed:
                     )
                 else:
                     names[group, k] = f"idle {group}", k
-        return self.graph.renamed(names)
+        simplified = self.simplified
+        if simplified is not None:
+            simplified = simplified[0].renamed(names), simplified[1]
+        return replace(self, graph=self.graph.renamed(names), simplified=simplified)
 
 
 def form(body: Multibody, *, in_bodies: bool, articulated: bool) -> Formed:
