@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import cache
+from math import isnan
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from pydy._assembly.definition import Definition, Layout
 from pydy._assembly.external import LinearSolver, with_external_solver
 from pydy._assembly.stored import stored_jacobian, stored_program
 from pydy._errors import SingularMatrixError
+from pydy._graph.derivative import Guards
 from pydy._graph.interpret import run
 from pydy._graph.jacobian_columns import JacobianColumns
 from pydy._graph.lower import lower
@@ -21,7 +23,7 @@ from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 
-__all__ = ["CompiledModel"]
+__all__ = ["CompiledModel", "with_finite_samples"]
 
 _VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
 _AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
@@ -117,31 +119,71 @@ class CompiledModel:
             return assembly.program(*blocks)  # made from the bodies, which have no fingerprint
         return stored_program(assembly, ", ".join(blocks), lambda: assembly.program(*blocks))
 
-    def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
+    def compiled_jacobian(
+        self, block: str, by: str | tuple[tuple[str, int], ...], *, checked: bool = True
+    ) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`.
 
         A back end with a method ``compile_jacobian`` may take several columns at a time.
-        """
-        return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by))
 
-    def _jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
-        assembly, what = self.assembly, f"{block} by {by}"
+        Parameters
+        ----------
+        block, by
+            See `Assembly.jacobian_program`.
+        checked : bool
+            Whether sweeps of it hold where guards fall back. Newton's method of a solver needs no
+            more than what leads to convergence; its derivatives are those of the ways found.
+        """
+        if checked or not self.assembly.has_other_ways(block):
+            return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by, "checked"))
+        key = (block, "by", by, "as found")
+        return self.kernel_by(key, lambda: self._jacobian(block, by, "as found"))
+
+    def _jacobian(
+        self, block: str, by: str | tuple[tuple[str, int], ...], guards: Guards
+    ) -> Kernel:
+        assembly = self.assembly
+
+        def program(guards: Guards) -> Program:
+            return stored_program(
+                assembly,
+                f"{block} by {by}, {guards}",
+                lambda: assembly.jacobian_program(block, by, guards),
+            )
 
         @cache
         def whole() -> Program:
-            return stored_program(assembly, what, lambda: assembly.jacobian_program(block, by))
+            return program("by systems" if guards == "checked" else guards)
 
         in_parts = getattr(self.backend, "compile_jacobian", None)
         if in_parts is not None:
             made = stored_jacobian(
-                assembly, f"{what}, in parts", lambda: assembly.jacobian_in_parts(block, by)
+                assembly,
+                f"{block} by {by}, {guards}, in parts",
+                lambda: assembly.jacobian_in_parts(block, by, guards),
             )
             if isinstance(made, JacobianColumns):
-                return _with_finite_columns(in_parts(made), whole)
+                return with_finite_samples(in_parts(made), whole)
         else:
-            made = whole()
-        kernel: Kernel = self.backend.compile(made)
-        return kernel
+            made = program(guards)
+        return self._holding(made, whole)
+
+    def compiled_derivative(
+        self, key: tuple[Any, ...], make: Callable[[Guards], Program]
+    ) -> Kernel:
+        """Return the Kernel of derivatives that `make` makes; its sweeps hold everywhere."""
+        return self.kernel_by(
+            key, lambda: self._holding(make("checked"), cache(lambda: make("by systems")))
+        )
+
+    def _holding(self, program: Program, whole: Callable[[], Program]) -> Kernel:
+        """Compile derivatives, which are NaN where a guard falls back if there is a NaN in them."""
+        kernel: Kernel = self.backend.compile(program)
+        checked = any(
+            op == "const" and isnan(args[0])
+            for op, args in zip(program.ops, program.args, strict=True)
+        )
+        return with_finite_samples(kernel, whole) if checked else kernel
 
     def compiled_bounded(self, block: str) -> Kernel:
         """Return the Kernel of a block and its rounding bounds; see `Assembly.bounded_program`."""
@@ -246,11 +288,12 @@ class CompiledModel:
         )
 
 
-def _with_finite_columns(kernel: Kernel, whole: Callable[[], Program]) -> Kernel:
-    """Return the Kernel of a Jacobian in parts whose columns do not spoil each other.
+def with_finite_samples(kernel: Kernel, whole: Callable[[], Program]) -> Kernel:
+    """Return the Kernel of derivatives with another Program interpreted where they are NaN.
 
-    Where one derivative is infinite, zero times it is NaN in all columns of the part. There the
-    Program of the whole, which has no product for a variable that does not occur, is interpreted.
+    That is where a guard falls back: the other Program differentiates by systems. In a Jacobian in
+    parts an infinite derivative also spoils the other columns of its part, as zero times it is NaN:
+    the Program of the whole has no product for a variable that does not occur.
     """
 
     def sweep(
@@ -262,7 +305,8 @@ def _with_finite_columns(kernel: Kernel, whole: Callable[[], Program]) -> Kernel
             rows = np.flatnonzero(~finite.all(axis=1) & ~failed)
             for start in range(0, len(rows), _AT_ONCE):
                 k = rows[start : start + _AT_ONCE]
-                values[k], _ = run(whole(), t[k], x[k], r if len(r) == 1 else r[k], p)
+                values[k], bad = run(whole(), t[k], x[k], r if len(r) == 1 else r[k], p)
+                failed[k] |= bad
         return values, failed
 
     return replace(kernel, sweep=sweep)

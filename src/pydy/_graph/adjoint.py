@@ -26,6 +26,7 @@ def adjoints(
     variables: Sequence[int],
     *,
     through_guards: bool = False,
+    by_systems: bool = False,
 ) -> list[int]:
     """Return the derivatives of ``Σ weight · output`` with respect to `variables`.
 
@@ -39,7 +40,9 @@ def adjoints(
     through_guards : bool
         Whether a guarded solution is differentiated as it was found, in O(n) where that is so; the
         derivatives are NaN where a guard falls back. By default they are those of the linear system
-        that it solves, which hold everywhere.
+        that it solves, if that is symmetric.
+    by_systems : bool
+        Whether they are so too if it is not symmetric: they then hold everywhere.
 
     Returns
     -------
@@ -56,7 +59,7 @@ def adjoints(
         fast = through_guards and graph.ops[node] == "guard"
         if not active.isdisjoint(graph.args[node][4] if fast else graph.operands(node)):
             active.add(node)
-    sweep = _Sweep(graph, active, through_guards)
+    sweep = _Sweep(graph, active, through_guards, by_systems)
     for output, weight in zip(outputs, weights, strict=True):
         sweep.add(output, weight)
     for node in reversed(order):
@@ -66,10 +69,13 @@ def adjoints(
 
 
 class _Sweep:
-    def __init__(self, graph: Graph, active: set[int], through_guards: bool) -> None:
+    def __init__(
+        self, graph: Graph, active: set[int], through_guards: bool, by_systems: bool
+    ) -> None:
         self.graph = graph
         self.active = active
         self.through_guards = through_guards
+        self.by_systems = by_systems
         self.terms: dict[int, Terms] = {}
         self.vectors: dict[int, dict[int, int]] = {}  # adjoints of the components of a solution
 
@@ -84,11 +90,10 @@ class _Sweep:
         """Hand the adjoint of a node to its operands."""
         g = self.graph
         op, args = g.ops[node], g.args[node]
-        if op == "guard" and (self.through_guards or not is_symmetric(*args[:2])):
+        if op == "guard" and self._as_found(*args[:2]):
             *_, sound, fast = args
             for k, bar in self.vectors.get(node, {}).items():
-                through = g.call("select", sound, bar, g.const(math.nan))
-                self.add(fast[k], through if self.through_guards else bar)
+                self.add(fast[k], g.call("select", sound, bar, g.const(math.nan)))
             return
         if op in ("solve", "guard"):
             self._solve(node)
@@ -116,6 +121,10 @@ class _Sweep:
                     if n in self.active:
                         self.add(n, g.mul(bar, d))
 
+    def _as_found(self, n: int, entries: Sequence[int]) -> bool:
+        """Return whether a guard is differentiated as its solution was found."""
+        return self.through_guards or not (self.by_systems or is_symmetric(n, entries))
+
     def _solve(self, node: int) -> None:
         g = self.graph
         bars = self.vectors.get(node)
@@ -124,7 +133,10 @@ class _Sweep:
         args = g.args[node]
         if g.ops[node] == "guard":
             # By the system that it solves: how the solution was found does not matter.
-            kind, n, entries, column = "ldl", *args[:3]
+            n, entries, column = args[:3]
+            kind = "ldl" if is_symmetric(n, entries) else "lu"
+            if kind == "lu":  # the way that was found need not have all unknowns
+                node = g.make("solve", (g.make("factor", (kind, n, entries)), column))
         else:
             (kind, n, entries), column = g.args[args[0]], args[1]
         turned = entries

@@ -4,22 +4,48 @@ Each node gets a sparse row ``{variable: node}`` of its partial derivatives, so 
 the structure that is there. Linear solves are differentiated by the implicit rule: from ``A x = b``
 follows ``A x' = b' − A' x``, one more right-hand side for the factors that exist already, instead
 of a derivative of the elimination (Griewank & Walther, Evaluating Derivatives, 2nd ed., §15.1).
+
+A guarded solution of a system that is not symmetric is differentiated as it was found. Where the
+guard falls back those derivatives may have no correct digits, and NaN stands for them: they are
+then to be taken by the systems, which costs more operations and holds everywhere.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
+from typing import Literal
 
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, is_symmetric
 
-__all__ = ["Rows", "dense", "dense_jacobian", "dense_rows", "directional", "jacobian"]
+__all__ = [
+    "Guards",
+    "Rows",
+    "dense",
+    "dense_jacobian",
+    "dense_rows",
+    "directional",
+    "has_other_ways",
+    "jacobian",
+]
 
 Row = dict[int, int]
+Guards = Literal["checked", "as found", "by systems"]
+"""How guarded solutions of systems that are not symmetric are differentiated: as they were found,
+with NaN where the guard falls back or without; or by the system, which holds everywhere."""
+
+
+def has_other_ways(graph: Graph, outputs: Sequence[int]) -> bool:
+    """Return whether it matters how guards are differentiated; see `Guards`."""
+    return any(
+        graph.ops[node] == "guard" and not is_symmetric(*graph.args[node][:2])
+        for node in graph.reachable(outputs)
+    )
 
 
 def jacobian(
-    graph: Graph, outputs: Sequence[int], variables: Sequence[int]
+    graph: Graph, outputs: Sequence[int], variables: Sequence[int], *, guards: Guards = "checked"
 ) -> list[dict[int, int]]:
     """Return the partial derivatives of `outputs` with respect to `variables`.
 
@@ -29,6 +55,7 @@ def jacobian(
         Gets the new nodes.
     outputs : sequence of nodes
     variables : sequence of input nodes
+    guards : Guards
 
     Returns
     -------
@@ -41,7 +68,8 @@ def jacobian(
     At a switch (``abs``, ``sign``, ``min``, ``max``, ``floor``, Piecewise) the derivative is that
     of the branch that is taken; steps have derivative zero.
     """
-    return directional(graph, outputs, {node: {k: graph.one} for k, node in enumerate(variables)})
+    given = {node: {k: graph.one} for k, node in enumerate(variables)}
+    return directional(graph, outputs, given, guards=guards)
 
 
 def dense_jacobian(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[int]:
@@ -59,7 +87,9 @@ def dense_rows(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> l
     return [[row.get(k, graph.zero) for k in range(width)] for row in rows]
 
 
-def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) -> list[Row]:
+def directional(
+    graph: Graph, outputs: Sequence[int], given: Mapping[int, Row], *, guards: Guards = "checked"
+) -> list[Row]:
     """Return the derivatives of `outputs` in several directions.
 
     Parameters
@@ -70,6 +100,7 @@ def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) 
     given : mapping of nodes to rows
         For each variable its part of the directions: a dict from the direction's place to the
         node of the component.
+    guards : Guards
 
     Returns
     -------
@@ -81,7 +112,7 @@ def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) 
     vectors: dict[int, list[Row]] = {}
     for node in graph.reachable(outputs):
         if node not in rows:
-            rows[node] = _row(graph, node, rows, vectors)
+            rows[node] = _row(graph, node, rows, vectors, guards)
     zero = graph.zero
     return [{k: d for k, d in sorted(rows[n].items()) if d != zero} for n in outputs]
 
@@ -97,13 +128,20 @@ class Rows:
         A row maps what is differentiated by, any integers, to the derivative's node.
     leaf : callable, optional
         Gives the row of an input that has none; no derivatives by default.
+    guards : Guards
     """
 
     def __init__(
-        self, graph: Graph, given: dict[int, Row], leaf: Callable[[int], Row] | None = None
+        self,
+        graph: Graph,
+        given: dict[int, Row],
+        leaf: Callable[[int], Row] | None = None,
+        *,
+        guards: Guards = "checked",
     ) -> None:
         self.graph = graph
         self.known = given
+        self._guards = guards
         self._leaf = leaf
         self._vectors: dict[int, list[Row]] = {}
 
@@ -117,7 +155,7 @@ class Rows:
         """Return the row of a node from its operands' rows, whatever was given for it."""
         for operand in self.graph.operands(node):
             self(operand)
-        return _row(self.graph, node, self.known, self._vectors)
+        return _row(self.graph, node, self.known, self._vectors, self._guards)
 
     def _fill(self, root: int) -> None:
         graph, known = self.graph, self.known
@@ -135,10 +173,16 @@ class Rows:
             if graph.ops[node] == "input":
                 known[node] = self._leaf(node) if self._leaf else {}
             else:
-                known[node] = _row(graph, node, known, self._vectors)
+                known[node] = _row(graph, node, known, self._vectors, self._guards)
 
 
-def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]]) -> Row:
+def _row(
+    g: Graph,
+    node: int,
+    rows: dict[int, Row],
+    vectors: dict[int, list[Row]],
+    guards: Guards,
+) -> Row:
     op, args = g.ops[node], g.args[node]
     if op == "sum":
         return _combine(g, [(rows[n], None, c) for n, c in args[1]])
@@ -161,12 +205,19 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
         vectors[node] = _solve_rows(g, node, args[0], args[1], rows)
         return {}
     if op == "guard":
-        n, entries, column, _, fast = args
-        if not is_symmetric(n, entries):
-            vectors[node] = [rows[k] for k in fast]
-            return {}
-        # By the system that it solves: how the solution was found does not matter.
-        vectors[node] = _solve_rows(g, node, g.make("factor", ("ldl", n, entries)), column, rows)
+        n, entries, column, sound, fast = args
+        if is_symmetric(n, entries):
+            # By the system that it solves: how the solution was found does not matter.
+            factor = g.make("factor", ("ldl", n, entries))
+            vectors[node] = _solve_rows(g, node, factor, column, rows)
+        elif guards == "by systems":
+            # `fast` need not have all unknowns: what is solved has.
+            factor = g.make("factor", ("lu", n, entries))
+            solved = g.make("solve", (factor, column))
+            vectors[node] = _solve_rows(g, solved, factor, column, rows)
+        else:
+            found = [rows[k] for k in fast]
+            vectors[node] = found if guards == "as found" else _where_sound(g, sound, found)
         return {}
     if op == "item":
         row: Row = vectors[args[0]][args[1]]
@@ -176,6 +227,26 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
         return {}  # constants, other inputs, steps, conditions, factors
     partials = operation.partials(g, node, *args)
     return _combine(g, [(rows[n], d, 1.0) for n, d in zip(args, partials, strict=True)])
+
+
+def _where_sound(g: Graph, sound: int, rows: Sequence[Row]) -> list[Row]:
+    """Return rows whose derivatives are NaN where a guard is not sound.
+
+    They are guarded themselves, which takes no operation while it is sound. The matrix is not
+    symmetric: their own derivatives are then those of what was found, too.
+    """
+    result: list[Row] = [{} for _ in rows]
+    for key in sorted({key for row in rows for key in row}):
+        places = [k for k, row in enumerate(rows) if key in row]
+        known = [rows[k][key] for k in places]
+        known += [g.zero] * (2 - len(known))
+        n = len(known)
+        cells = [[g.one if i == j else g.zero for j in range(n)] for i in range(n)]
+        cells[0][1] = g.one
+        found = g.guard(cells, [g.const(math.nan)] * n, sound, known)[: len(places)]
+        for k, d in zip(places, found, strict=True):
+            result[k][key] = d
+    return result
 
 
 def _combine(g: Graph, parts: Sequence[tuple[Row, int | None, float]]) -> Row:

@@ -18,7 +18,7 @@ from operator import or_
 
 from pydy._forks import cached_property
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import Rows
+from pydy._graph.derivative import Guards, Rows
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, is_symmetric
@@ -273,6 +273,7 @@ def columns_program(
     sizes: tuple[int, int, int],
     passes: Passes,
     parts: Sequence[tuple[int, int]],
+    guards: Guards = "checked",
 ) -> JacobianColumns:
     """Return the Jacobian of some nodes in parts.
 
@@ -288,6 +289,7 @@ def columns_program(
     passes : Passes
     parts : sequence of (first, stop)
         See `parts_of`.
+    guards : Guards
     """
     n, s, c = sizes
     with collector_paused():
@@ -297,7 +299,7 @@ def columns_program(
                 along = given.setdefault(graph.input(*variables[j]), {})
                 # A variable may have several columns.
                 along[k] = graph.add(along.get(k, graph.zero), graph.input("x", n + j))
-        rows = Rows(graph, given)
+        rows = Rows(graph, given, guards=guards)
         cells = [rows(node).get(k, graph.zero) for k in range(len(parts)) for node in outputs]
         cells = factor_sums(graph, cells) if "factor" in passes else cells
         whole = (n + len(variables), s, c)

@@ -224,7 +224,7 @@ class _Task:
             graph, rates = assembly.simplified("rates")
             return derivative_program(
                 graph, rates, by, "vector-jacobian", assembly.sizes, assembly.passes,
-                through_guards=not safe,
+                through_guards=not safe, guards="by systems" if safe else "checked",
             )  # fmt: skip
 
         key = ("adjoint of the rates", safe, self.wanted)
@@ -241,7 +241,9 @@ class _Task:
         def make() -> Program:
             own = assembly.fork()
             nodes = simplify(own.graph, [node_of(own, self.final, "`final`")], own.passes)
-            return derivative_program(own.graph, nodes, by, "gradient", own.sizes, own.passes)
+            return derivative_program(
+                own.graph, nodes, by, "gradient", own.sizes, own.passes, guards="by systems"
+            )
 
         key = ("gradient at the end", self.final, self.wanted)
         return self.call(model.compiled_by(key, make))

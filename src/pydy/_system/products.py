@@ -13,8 +13,10 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, listed, real_array, shown
+from pydy._graph.derivative import Guards
 from pydy._graph.node import Graph
 from pydy._graph.products import derivative_program
+from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
 from pydy._mechanics.symbols import find_symbols
@@ -156,13 +158,13 @@ def prepare_product(
         assembly = made.assembly
         key = ("product", kind, target.block, target.chosen, by, count)
 
-        def program() -> Any:
+        def program(guards: Guards) -> Program:
             graph, nodes = target.nodes(assembly)
             return derivative_program(
-                graph, nodes, by, kind, assembly.sizes, assembly.passes, count
+                graph, nodes, by, kind, assembly.sizes, assembly.passes, count, guards=guards
             )
 
-        return made.compiled_by(key, program)
+        return made.compiled_derivative(key, program)
 
     perturbed = any(group == "r" for group, _ in by)
     return Derivative(build, vectors, names, squeeze, perturbed)

@@ -8,18 +8,19 @@ function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
+from pydy._assembly.model import CompiledModel, with_finite_samples
 from pydy._assembly.stored import stored_program
 from pydy._backends.llvm.columns import lanes_for
 from pydy._checks import describe
 from pydy._graph.columns import Columns
+from pydy._graph.derivative import Guards
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel, KernelCall
@@ -51,6 +52,8 @@ class Sensitive:
         That named the parameters.
     apart : bool, optional
         Whether several columns are taken at a time; by default, whether the back end can.
+    guards : Guards
+        How solutions are differentiated that were found in other ways.
     """
 
     definition: Definition
@@ -60,6 +63,7 @@ class Sensitive:
     p: np.ndarray
     argument: str = "sensitivities"
     apart: bool | None = None
+    guards: Guards = "checked"
     columns: Columns = field(init=False)
 
     def __post_init__(self) -> None:
@@ -80,7 +84,7 @@ class Sensitive:
         n = len(self.definition.states)
         if self._side_by_side:  # whole blocks; what is left over stays zero
             directions += [None] * (-len(directions) % lanes_for(len(directions)))
-        object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
+        object.__setattr__(self, "columns", Columns(n, tuple(directions), weights, self.guards))
 
     @property
     def count(self) -> int:
@@ -112,9 +116,10 @@ class Sensitive:
             ("sensitivities", blocks, self.columns), lambda: self.program(*blocks)
         )
 
-    def program(self, *blocks: str) -> Program:
+    def program(self, *blocks: str, guards: Guards | None = None) -> Program:
         """Return the Program of `kernel`, all columns one after the other."""
-        columns, assembly = self.columns, self.model.assembly
+        assembly = self.model.assembly
+        columns = replace(self.columns, guards=guards or self.guards)
 
         def make() -> Program:
             if not blocks:
@@ -151,7 +156,7 @@ class Sensitive:
             (*self.plan.sampled, *self.weights()),
             None,
             lambda: tuple(map(str, model.layout.states)),
-            lambda: model.compiled_jacobian("rates", "x"),
+            lambda: model.compiled_jacobian("rates", "x", checked=False),
         )
 
     def weights(self) -> list[tuple[np.ndarray, SampledInput]]:
@@ -218,18 +223,24 @@ class Sensitive:
 
     def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
-        out = self._sweep(self.kernel(), times, states, values)
+        out = self._sweep((), times, states, values)
         return self.columns.apart(out)[1][..., : self.count]
 
     def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the sensitivities of the outputs, shape (m, o, k)."""
-        out = self._sweep(self.kernel("outputs"), times, states, values)
+        out = self._sweep(("outputs",), times, states, values)
         return out.reshape(len(times), -1, self.columns.count)[..., : self.count]
 
     def _sweep(
-        self, kernel: Kernel, times: np.ndarray, states: np.ndarray, values: np.ndarray
+        self, blocks: tuple[str, ...], times: np.ndarray, states: np.ndarray, values: np.ndarray
     ) -> np.ndarray:
         whole = self.columns.together(states, values)
+        kernel = self.model.kernel_by(
+            ("sensitivities that hold", blocks, self.columns),
+            lambda: with_finite_samples(
+                self.kernel(*blocks), cache(lambda: self.program(*blocks, guards="by systems"))
+            ),
+        )
         return self.model.evaluate(kernel, times, whole, self.rows(times), self.p)
 
     # -- the start --------------------------------------------------------------------------------
@@ -287,7 +298,7 @@ class Sensitive:
         args = (instant, x0[None], self.plan.rows(x0[None], instant), self.p)
         model = self.model
         rows = [model.evaluate(model.compiled_jacobian(b, "x"), *args) for b in self.tied]
-        moved = [self._sweep(self.kernel(b), instant, x0[None], values[None]) for b in self.tied]
+        moved = [self._sweep((b,), instant, x0[None], values[None]) for b in self.tied]
         gradient, residuals = (np.concatenate(part, axis=1)[0] for part in (rows, moved))
         gradient = gradient.reshape(-1, n)
         if not follow(values, gradient, residuals.reshape(len(gradient), -1), dependent):
@@ -325,6 +336,7 @@ class Wanted:
     def __init__(self, parameters: Any, controlled: bool) -> None:
         self._parameters = parameters
         self._controlled = controlled
+        self._guards: Guards = "checked"
 
     def problem(
         self,
@@ -356,7 +368,9 @@ class Wanted:
         """
         following = [definition.states[k] for k in dependent]
         parameters = read_parameters(definition, plan, self._parameters, dependent=following)
-        self.sensitive = sensitive = Sensitive(definition, integrated, plan, parameters, p)
+        self.sensitive = sensitive = Sensitive(
+            definition, integrated, plan, parameters, p, guards=self._guards
+        )
         values = sensitive.start(*start, dependent)
         columns = sensitive.columns
         if isinstance(solver, Solver):
@@ -378,6 +392,16 @@ class Wanted:
                     every = np.repeat(np.asarray(options[name]), columns.count)
                     options = {**options, name: np.concatenate([options[name], every])}
         return sensitive.function(), columns.together(start[0], values), options
+
+    def take_systems(self) -> bool:
+        """Have guards differentiated by systems from now on; return whether that changes anything.
+
+        Columns that meet a state where a guard falls back are NaN from there on otherwise.
+        """
+        if self._guards == "by systems" or not hasattr(self, "sensitive"):
+            return False
+        self._guards = "by systems"
+        return self.sensitive.model.assembly.has_other_ways("rates")
 
     def results(self, whole: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
         """Return the states of a solver's result, and what a Trajectory takes beside them."""

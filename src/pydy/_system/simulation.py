@@ -70,7 +70,7 @@ def simulate(
     parameters, control, dependent = sensitivities
     if parameters is not None:
         wanted = Wanted(parameters, flag(control, "`control_sensitivities`"))
-    result = _solve(now, solver, options, checked=True, wanted=wanted, dependent=dependent)
+    result = _differentiated(now, solver, options, wanted, dependent)
     states, info = result if isinstance(result, tuple) else (result, None)
     statistics = dict(info) if isinstance(info, dict) else {}
     times = statistics.pop("times", now.times)
@@ -94,6 +94,22 @@ def simulate(
     return now.trajectory(
         times, states, events=events, statistics=statistics or None, dense=dense, **found
     )
+
+
+def _differentiated(
+    now: Snapshot, solver: Any, options: dict[str, Any], wanted: Wanted | None, dependent: Any
+) -> Any:
+    """Call the solver; where sensitivities have become NaN, again by what holds everywhere."""
+    try:
+        result = _solve(now, solver, options, checked=True, wanted=wanted, dependent=dependent)
+    except (IntegrationError, SingularMatrixError):
+        if wanted is None or not wanted.take_systems():
+            raise
+    else:
+        states = result[0] if isinstance(result, tuple) else result
+        if wanted is None or np.isfinite(states).all() or not wanted.take_systems():
+            return result
+    return _solve(now, solver, options, checked=True, wanted=wanted, dependent=dependent)
 
 
 class Start(NamedTuple):

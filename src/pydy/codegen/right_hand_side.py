@@ -231,7 +231,7 @@ def native_call(
         plan.sampled,
         plan if plan.functions else None,
         lambda: tuple(map(str, model.layout.states)),
-        None if model.solver else lambda: model.compiled_jacobian("rates", "x"),
+        None if model.solver else lambda: model.compiled_jacobian("rates", "x", checked=False),
     )
 
 

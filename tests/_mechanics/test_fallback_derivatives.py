@@ -1,0 +1,139 @@
+"""Derivatives where constrained accelerations take a fallback, against differences of 60 digits."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from _mechanics.test_reduction import NUMBERS, M, equations, on_a_turntable, state_of
+from mechanisms import coupler
+from pydy import System
+from pydy.models import n_link_pendulum_on_cart
+from system.test_formed import at_rest_with_the_constraints, nearly_dependent
+
+STEP = sm.Rational(1, 10**25)
+
+
+def differences(function, values, by):
+    """Derivatives of a column of 80 digits by central differences."""
+    columns = []
+    for symbol in by:
+        ends = [function({**values, symbol: values[symbol] + d * STEP}) for d in (1, -1)]
+        columns.append([float(a) for a in (ends[0] - ends[1]) / (2 * STEP)])
+    return np.array(columns).T
+
+
+@cache
+def turntable():
+    return System(on_a_turntable((0, 1))[0], constants=NUMBERS)
+
+
+@cache
+def turntable_slopes(bend, held=False):
+    """A state, at which the constraints may have to hold, and the derivatives of all u' by it."""
+    system, values = turntable(), held_at(bend) if held else state_of(bend, 0)
+    _, speeds, parts = equations()
+    exact = {s: sm.Rational(float(v)) for s, v in (values | NUMBERS).items()}
+
+    def accelerations(point):
+        k, b, mass, force = (m.xreplace(point).evalf(80) for m in parts)
+        whole = sm.Matrix.vstack(sm.Matrix.hstack(mass, k.T), sm.Matrix.hstack(k, sm.zeros(3)))
+        found = whole.LUsolve(sm.Matrix.vstack(force, -b))
+        return sm.Matrix([found[speeds.index(s)] for s in system.states[5:]])
+
+    x = np.array([float(values[s]) for s in system.states])
+    return x, differences(accelerations, exact, system.states)
+
+
+@pytest.mark.parametrize("generator", ["llvm", "lambdify"])
+@pytest.mark.parametrize("bend", [0.5, 3e-2, 1e-3, 1e-4, 1e-6])
+def test_a_jacobian_is_exact_however_nearly_the_arm_is_stretched(bend, generator):
+    system = turntable()
+    system.generate_ode_function(generator=generator)
+    x, expected = turntable_slopes(bend)
+    found = system.evaluate_jacobian(x)
+    size = np.abs(expected).max()
+    np.testing.assert_allclose(found[5:], expected, rtol=0, atol=1e-12 * size)
+    several = system.evaluate_jacobian(np.array([x, turntable_slopes(0.5)[0]]))
+    np.testing.assert_allclose(several[0], found, rtol=0, atol=1e-13 * size)
+    v = np.linspace(0.3, 0.9, 10)
+    for product, whole in (
+        (system.evaluate_jacobian_vector(v, x), found @ v),
+        (system.evaluate_vector_jacobian(v, x), v @ found),
+    ):
+        np.testing.assert_allclose(product, whole, rtol=0, atol=1e-12 * size)
+
+
+@pytest.mark.parametrize("size", [1e-4, 1e-6, 1e-8])
+def test_a_jacobian_is_exact_where_dependent_speeds_hardly_follow(size):
+    kane, e, rows = nearly_dependent(2, 2)
+    x = at_rest_with_the_constraints(kane, rows, {e: sm.Float(size)})
+    rates = {q.diff(me.dynamicsymbols._t): u for q, u in zip(kane.q, kane.u, strict=True)}
+    held = [m.xreplace(rates) for m in (kane.mass_matrix, kane.forcing)]
+
+    def accelerations(point):
+        matrix, forcing = (m.xreplace(point).evalf(80) for m in held)
+        return matrix.LUsolve(forcing)
+
+    states = [*kane.q, *kane.u]
+    exact = dict(zip(states, map(sm.Rational, map(float, x)), strict=True)) | {e: sm.Rational(size)}
+    found = System(kane, {e: size}, equations="graph").evaluate_jacobian(x)[4:]
+    expected = differences(accelerations, exact, states)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-12 * np.abs(expected).max())
+
+
+def held_at(bend):
+    """The turntable with a state that its constraints hold at."""
+    _, speeds, held = equations()
+    values = state_of(bend, 0)
+    k = np.array(held[0].xreplace(values | NUMBERS).evalf(), dtype=float)
+    u = np.array([values[s] for s in speeds])
+    values |= dict(zip(speeds, u - np.linalg.pinv(k) @ (k @ u), strict=True))
+    return values
+
+
+def test_a_linear_model_is_exact_where_the_arm_is_nearly_stretched():
+    system = turntable()
+    x, expected = turntable_slopes(1e-6, held=True)
+    model = system.linearize(x)
+    tangents = np.asarray(model.C)
+    chosen = [system.states.index(me.dynamicsymbols(name)) for name in model.states]
+    whole = np.vstack([np.hstack([np.zeros((5, 5)), np.eye(5)]), expected])
+    whole[:5] = system.evaluate_jacobian(x)[:5]
+    expected = (whole @ tangents)[chosen]
+    scale = np.abs(whole) @ np.abs(tangents)
+    assert (np.abs(model.A - expected) < 1e-11 * scale[chosen].max()).all()
+
+
+def test_sensitivities_and_adjoint_gradients_hold_where_the_arm_is_nearly_stretched():
+    values, tight = held_at(1e-6), {"rtol": 1e-11, "atol": 1e-11}
+
+    def made(mass):
+        return System(
+            on_a_turntable((0, 1))[0], constants=NUMBERS | {M: mass},
+            initial_conditions=values, times=[0.0, 0.05, 0.1], ode_solver="dop853",
+        )  # fmt: skip
+
+    system = made(NUMBERS[M])
+    trajectory = system.simulate(sensitivities=["m"], **tight)
+    ends = [made(NUMBERS[M] + d).simulate(**tight).states for d in (1e-3, -1e-3)]
+    expected = (ends[0] - ends[1]) / 2e-3
+    found = np.asarray(trajectory.sensitivity.values)[..., 0]
+    size = np.abs(expected).max()
+    np.testing.assert_allclose(found, expected, rtol=0, atol=2e-6 * size)
+    for k in (1, 3, 6):
+        gradient = system.adjoint_gradient(["m"], final=system.states[k], **tight)
+        np.testing.assert_allclose(gradient.values, found[-1, k], rtol=0, atol=1e-7 * size)
+
+
+def test_derivatives_of_ordinary_models_take_no_more_operations():
+    def count(system, guards):
+        program = system.model.assembly.jacobian_program("rates", "x", guards)
+        return program.operation_count["run"].total()
+
+    chain = n_link_pendulum_on_cart(4)
+    assert count(chain, "checked") == count(chain, "as found")
+    for kane in (turntable(), System(coupler().kane, equations="graph")):
+        assert count(kane, "checked") <= 1.03 * count(kane, "as found")
