@@ -45,7 +45,7 @@ POINTS = {
     "abs": [-1.5, 2.25],
     "sign": [-1.5, 2.25],
 }
-MPMATH = {"abs": mp.fabs}
+MPMATH = {"abs": mp.fabs, "kept": mp.mpf}
 
 
 def slope(function, at):

@@ -1,6 +1,7 @@
 """The form that is chosen, and what it costs: counts are gated, as for the frozen models."""
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +21,7 @@ from pydy._graph.switches import Passes
 from pydy._mechanics.choice import chosen
 from pydy._mechanics.kane import multibody_of_kane
 from pydy.examples import whipple_bicycle
-from pydy.models import n_link_pendulum_on_cart
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 
 
@@ -130,3 +131,11 @@ def test_counted_forms_take_expressions_for_their_forces():
     system.specifieds[force] = 3 * system.coordinates[1]
     np.testing.assert_allclose(system.evaluate_ode(x), expected, rtol=1e-12, atol=1e-12)
     assert abs(expected).max() > 0.1
+
+
+def test_what_is_integrated_beside_the_rates_is_not_lost_with_counted_forms():
+    system = multi_mass_spring_damper(1)
+    assembly = system.model.assembly
+    more = replace(assembly, rates=[*assembly.rates, assembly.rates[0]])
+    assert assembly.ready is not None
+    assert len(more.simplified("rates")[1]) == 3

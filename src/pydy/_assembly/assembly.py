@@ -73,8 +73,8 @@ class Assembly:
         linear solver of the user's. Empty where there is none.
     given : mapping of input nodes to nodes
         What `substituted` put in place of inputs.
-    ready : (graph, nodes) or None
-        The rates after simplification, in a graph of their own, where they are known already.
+    ready : (rates, graph, nodes) or None
+        These rates after simplification, in a graph of their own, where that is known already.
     """
 
     graph: Graph
@@ -93,7 +93,7 @@ class Assembly:
     mechanism: Mechanism | None = None
     open: Mapping[str, list[int]] = field(default_factory=dict)
     given: Mapping[int, int] = field(default_factory=dict)
-    ready: tuple[Graph, list[int]] | None = None
+    ready: tuple[list[int], Graph, list[int]] | None = None
     _simplified: dict[str, tuple[Graph, list[int]]] = field(
         default_factory=dict, init=False, repr=False, compare=False
     )
@@ -261,8 +261,9 @@ class Assembly:
 
         Functions and derivatives start from the same nodes, which are found once.
         """
-        known = self.ready if name == "rates" else None
-        known = known or self._simplified.get(name)
+        known = self._simplified.get(name)
+        if known is None and name == "rates" and self.ready and self.ready[0] == self.rates:
+            known = self.ready[1:]
         if known is None:
             own = self.fork()
             with collector_paused():
@@ -278,7 +279,7 @@ class Assembly:
             nodes = iter(substitute(self.graph, [n for part in parts for n in part], mapping))
         new: dict[str, Any] = {name: [next(nodes) for _ in part] for name, part in closed.items()}
         opened = {name: [next(nodes) for _ in part] for name, part in self.open.items()}
-        return replace(self, given=dict(mapping), open=opened, ready=None, **new)
+        return replace(self, given=dict(mapping), open=opened, **new)
 
     def lowered(
         self,
@@ -313,7 +314,7 @@ class Assembly:
     def fingerprint(self) -> bytes:
         """Return a digest of all that Programs are made from."""
         blocks = [*(getattr(self, name) for name in ("sizes", *_BLOCKS)), *self.open.values()]
-        ready = self.ready and (self.ready[0].ops, self.ready[0].args, self.ready[1])
+        ready = self.ready and (self.ready[0], self.ready[1].ops, self.ready[1].args, self.ready[2])
         content = (self.graph.ops, self.graph.args, blocks, ready, self.passes.running())
         # Version 2 of the format writes every object in full: equal content gives equal bytes.
         return hashlib.sha256(marshal.dumps(content, 2)).digest()

@@ -52,7 +52,6 @@ def stabilised(assembly: Assembly, gain: float) -> Assembly:
         rates=substitute(graph, assembly.rates, mapping),
         outputs=substitute(graph, assembly.outputs, mapping),
         ordinary=substitute(graph, assembly.ordinary, mapping),
-        ready=None,
     )
 
 

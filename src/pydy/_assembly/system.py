@@ -110,12 +110,15 @@ def assemble_system(
             outputs=[n for part in values for n in part],
         )
 
-    same = formed is not None and not moved and not any(integrated) and passes == Passes()
+    blocks = depending(solved)
+    ready = None
+    if formed is not None and formed.simplified is not None and passes == Passes():
+        ready = None if moved or any(integrated) else (blocks.rates, *formed.simplified)
     return Assembly(
         graph,
         sizes,
-        *depending(solved),
-        ready=formed.simplified if formed is not None and same else None,
+        *blocks,
+        ready=ready,
         holonomic=holonomic,
         velocity=velocity,
         nonholonomic=nonholonomic,
