@@ -134,7 +134,7 @@ def test_counted_forms_take_expressions_for_their_forces():
 
 
 def test_what_is_integrated_beside_the_rates_is_not_lost_with_counted_forms():
-    system = multi_mass_spring_damper(1)
+    system = multi_mass_spring_damper(1, apply_external_forces=True)
     assembly = system.model.assembly
     more = replace(assembly, rates=[*assembly.rates, assembly.rates[0]])
     assert assembly.ready is not None
