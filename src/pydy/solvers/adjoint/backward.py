@@ -131,7 +131,8 @@ class WayBack:
     def _bind(self) -> None:
         """Take the Kernel that holds everywhere, or the one that need not."""
         n, call = self.n, self._turned(self._safe)
-        if call.kernel.addresses is not None:
+        self._python = call.kernel.addresses is None
+        if not self._python:
             self._problem = kernel_problem(call, n)
             return
         s = len(call.r) - n
@@ -214,7 +215,7 @@ class WayBack:
             kept=np.zeros((number * count, self.kept)),
         )
         table = table_of(rows_of(self._problem), rows_of(back))
-        function_of("step_back")(address(table))
+        function_of("step_back", self._python)(address(table))
         after = adjoints[count * length : count * length + self.n].copy()
         if back.words[at.WRONG] >= 0:
             after[:] = np.nan

@@ -6,7 +6,6 @@ can move; at events that change the state; and when it cannot go on.
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from time import perf_counter
@@ -43,7 +42,7 @@ from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.methods import IMPLICIT
 from pydy.solvers.run.pace import SLICE, first_budget, progress_bar
 from pydy.solvers.run.problem import address
-from pydy.solvers.run.shipped import stepper
+from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
 from pydy.solvers.tuning import BLOCK, LOST, NEAR_SINGULAR, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
@@ -51,8 +50,6 @@ from pydy.solvers.tuning import BLOCK, LOST, NEAR_SINGULAR, NEARLY_SINGULAR, ROU
 __all__ = ["Integration"]
 
 _TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
-
-_PROJECT = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_double, ctypes.c_int64)
 
 
 class Integration:
@@ -111,7 +108,8 @@ class Integration:
         self._room = (self._number + -(-BLOCK // max(1, n)), n)
         self._rows = np.zeros((0, n))  # of the latest run
         entry = "advance_implicit" if method == IMPLICIT else "advance"
-        self._advance, self._place = stepper(entry, arrays.place), arrays.place
+        self._place = arrays.place
+        self._advance = stepper(entry, arrays.place, bool(self.callbacks))
 
     def rebind(self, call: KernelCall | None, times: np.ndarray) -> bool:
         """Take other times and another call of the same Kernel, or return False."""
@@ -175,7 +173,6 @@ class Integration:
                 self.interrupts.check()
                 start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
                 code = self._slice(budget)
-                self._raise_callback()
                 elapsed = perf_counter() - start
                 if bar is not None:
                     bar.update(state[at.TIME] - bar.n - bar.start)
@@ -256,8 +253,8 @@ class Integration:
     ) -> None:
         """Move a state that begins a motion onto the constraints, unless it is far from them."""
         before, first, t = x.copy(), wanted.coordinates, float(self.progress.state[at.TIME])
-        code = _PROJECT(int(self.arrays.constraints.words[at.PROJECT]))(self._place, t, address(x))
-        self._raise_callback()
+        entry = "project" if self.options.sensitivities is None else "project_columns"
+        code = function_of(entry, bool(self.callbacks))(self._place, t, address(x))
         size = 1.0 + np.abs(before[: self.states])
         size[:first] += min(1.0, float(np.abs(before[:first]).max(initial=0.0)) or 1.0) - 1.0
         moved = np.abs(x[: self.states] - before[: self.states])
@@ -436,11 +433,6 @@ class Integration:
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()
         return names[k] if k < len(names) else f"x[{k}]"
-
-    def _raise_callback(self) -> None:
-        for callback in self.callbacks:
-            if callback.error is not None:
-                raise callback.error
 
     def _fail(self, code: int) -> None:
         """Raise the error of a code with which compiled code gave up."""

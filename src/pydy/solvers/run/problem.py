@@ -15,6 +15,7 @@ from pydy._checks import vector
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.layout import Problem, Watch
+from pydy.solvers.run.shipped import callback_address
 from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
@@ -31,9 +32,6 @@ __all__ = [
 ]
 
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
-_FUNCTION = ctypes.CFUNCTYPE(
-    ctypes.c_int32, ctypes.POINTER(ctypes.c_double), *[ctypes.c_size_t] * 4
-)
 
 
 def blocks(n: int) -> int:
@@ -109,6 +107,11 @@ def tables_of(
 class Callback:
     """A Python function as a native one.
 
+    Compiled code copies the time and the state into a buffer, calls the object, and copies the
+    values back. Whatever the call raises, also before its first instruction (a signal handler's
+    exception, a full stack), stays set in the thread, and the entry that was called raises it.
+    A callback of ctypes would print it and go on.
+
     Parameters
     ----------
     function : callable
@@ -124,53 +127,38 @@ class Callback:
 
     Attributes
     ----------
-    error : BaseException or None
-        What the function raised; the native caller was told to stop.
+    address : int
+        Of the native function.
+    c : ndarray
+        Its constants.
     """
 
     def __init__(
         self,
-        function: Callable[[np.ndarray, float], Any],
+        function: Callable[..., Any],
         n: int,
         outputs: int,
         what: str,
         interrupts: Interrupts,
     ) -> None:
-        self.error: BaseException | None = None
         self._function = function
-        self._n = n
         self._outputs = outputs
         self._shape = (outputs,)
         self._what = what
         self._interrupts = interrupts
-        self._views: dict[int, np.ndarray] = {}
-        self._native = _FUNCTION(self._call)
-        self.address = ctypes.cast(self._native, ctypes.c_void_p).value or 0
+        self._buffer = np.zeros(1 + n + outputs)  # time, state, values
+        self._x, self._out = self._buffer[1 : 1 + n], self._buffer[1 + n :]
+        self.address = callback_address()
+        self.c = np.array([id(self), address(self._buffer), n, outputs]).view(float)
 
-    def _view(self, address: int, size: int) -> np.ndarray:
-        view = self._views.get(address)
-        if view is None:
-            pointer = ctypes.cast(address, ctypes.POINTER(ctypes.c_double))
-            view = np.ctypeslib.as_array(pointer, (size,))
-            self._views[address] = view
-        return view
-
-    def _call(self, t: Any, x: int, r: int, c: int, out: int) -> int:
-        try:
-            self._interrupts.check()
-            # Not a copy of the view, whose data type is another object than float64 and makes
-            # generated functions convert it.
-            state = np.empty(self._n)
-            state[:] = self._view(x, self._n)
-            found = self._function(state, t[0])
-            # Assigning would broadcast what is too short, read text, and drop imaginary parts.
-            if type(found) is not np.ndarray or found.dtype != float or found.shape != self._shape:
-                found = vector(found, self._outputs, self._what)
-            self._view(out, self._outputs)[:] = found
-        except BaseException as error:  # noqa: BLE001 - it is raised again outside native code
-            self.error = error
-            return -1
-        return 0
+    def __call__(self) -> None:
+        """Compute the values in the buffer from the time and the state there."""
+        self._interrupts.check()
+        found = self._function(self._x.copy(), float(self._buffer[0]))
+        # Assigning would broadcast what is too short, read text, and drop imaginary parts.
+        if type(found) is not np.ndarray or found.dtype != float or found.shape != self._shape:
+            found = vector(found, self._outputs, self._what)
+        self._out[:] = found
 
 
 def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Problem:
@@ -179,7 +167,7 @@ def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Pro
     if call is not None and call.inputs is None:
         r, tables = _inputs(call), tables_of(call.sampled)
     words = np.array([callback.address, n, blocks(n), n, blocks(n)])
-    return Problem(words, np.zeros(1), r, np.zeros(1), *tables)
+    return Problem(words, np.zeros(1), r, callback.c, *tables)
 
 
 def watch_arrays(

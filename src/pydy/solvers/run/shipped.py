@@ -21,12 +21,10 @@ from pydy._backends.llvm import jit
 from pydy._backends.llvm.compiling import target_lines
 from pydy._backends.llvm.gate import Gate
 
-__all__ = ["address_of", "function_of", "stepper"]
+__all__ = ["address_of", "callback_address", "function_of", "stepper"]
 
 _FOLDER = Path(__file__).parents[1] / "ir"
 _LOCK = _forks.Lock()
-_OF_TABLE = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64)
-_OF_RUN = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_int64, ctypes.c_int64, ctypes.c_int64)
 
 
 @cache
@@ -53,21 +51,79 @@ def address_of(name: str) -> int:
 
 
 @cache
-def function_of(name: str) -> Callable[[int], int]:
-    """Return an entry that takes the address of a table; it releases the interpreter's lock."""
-    return _OF_TABLE(address_of(name))
+def function_of(name: str, python: bool = False) -> Callable[..., int]:
+    """Return an entry that takes the address of a table, then a time and an address if it projects.
+
+    It releases the interpreter's lock, unless it may call Python functions: then it raises what
+    they raise.
+    """
+    kind = ctypes.PYFUNCTYPE if python else ctypes.CFUNCTYPE
+    numbers = (ctypes.c_double, ctypes.c_int64) if name.startswith("project") else ()
+    return kind(ctypes.c_int64, ctypes.c_int64, *numbers)(address_of(name))
 
 
-def stepper(name: str, place: int) -> Callable[[np.ndarray, bool], int]:
+def stepper(name: str, place: int, python: bool) -> Callable[[np.ndarray, bool], int]:
     """Return an entry that steps, bound to the table at an address.
 
-    Its arguments are the matrix of states, and whether an integration begins there. It releases the
-    interpreter's lock.
+    Its arguments are the matrix of states, and whether an integration begins there. As for
+    `function_of`, `python` tells whether it may call Python functions.
     """
-    if FITS:
+    if FITS and not python:
         return _gate().function(np.array([address_of(name), place], dtype=np.int64))
-    step = _OF_RUN(address_of(name))
+    kind = ctypes.PYFUNCTYPE if python else ctypes.CFUNCTYPE
+    step = kind(*[ctypes.c_int64] * 4)(address_of(name))
     return lambda states, fresh: step(place, address(states), fresh)
+
+
+@cache
+def _callbacks() -> jit.Code:
+    source = jit.Source(f"solver callback {_CALLBACK}", lambda brief: _CALLBACK, ("call_python",))
+    return jit.load(source)
+
+
+def callback_address() -> int:
+    """Return the address of the kernel that calls a Python object, whose constants name it."""
+    return _callbacks().addresses["call_python"]
+
+
+# Constants: the object, a buffer, and how many numbers of it are states and results. Called with
+# the interpreter's lock held. With an exception set, Python must not be entered again.
+_CALLBACK = """
+declare ptr @PyErr_Occurred()
+declare ptr @PyObject_CallNoArgs(ptr)
+declare void @Py_DecRef(ptr)
+declare void @llvm.memcpy.p0.p0.i64(ptr, ptr, i64, i1)
+
+define i32 @call_python(ptr %t, ptr %x, ptr %r, ptr %c, ptr %out) nounwind {
+  %before = call ptr @PyErr_Occurred()
+  %well = icmp eq ptr %before, null
+  br i1 %well, label %ask, label %failed
+ask:
+  %object = load ptr, ptr %c
+  %buffer.at = getelementptr i64, ptr %c, i64 1
+  %buffer = load ptr, ptr %buffer.at
+  %states.at = getelementptr i64, ptr %c, i64 2
+  %states = load i64, ptr %states.at
+  %results.at = getelementptr i64, ptr %c, i64 3
+  %results = load i64, ptr %results.at
+  %time = load double, ptr %t
+  store double %time, ptr %buffer
+  %state = getelementptr double, ptr %buffer, i64 1
+  %values = getelementptr double, ptr %state, i64 %states
+  %states.size = shl i64 %states, 3
+  %results.size = shl i64 %results, 3
+  call void @llvm.memcpy.p0.p0.i64(ptr %state, ptr %x, i64 %states.size, i1 false)
+  %answer = call ptr @PyObject_CallNoArgs(ptr %object)
+  %raised = icmp eq ptr %answer, null
+  br i1 %raised, label %failed, label %done
+done:
+  call void @Py_DecRef(ptr %answer)
+  call void @llvm.memcpy.p0.p0.i64(ptr %out, ptr %values, i64 %results.size, i1 false)
+  ret i32 0
+failed:
+  ret i32 -1
+}
+"""
 
 
 @cache
