@@ -118,7 +118,7 @@ def test_an_iframe_as_in_a_notebook_shows_the_same(zoo, browser, tmp_path):
     page.close()
 
 
-@pytest.mark.parametrize("unit", [1e-9, 1e9])
+@pytest.mark.parametrize("unit", [1e-25, 1e-9, 1e9, 1e11, 1e25])
 def test_a_scene_looks_the_same_in_every_unit(unit, tmp_path, open_page, screenshot):
     def picture(unit):
         N, O = ReferenceFrame("N"), Point("O")

@@ -98,7 +98,7 @@ def test_the_theme_can_be_fixed():
 def test_tracks_hold_the_poses():
     data = data_of(scene(Visual(Sphere(1), B, P)))
     (track,) = data["tracks"]
-    places = floats(track["p"]["rows"]).reshape(-1, 3)
+    places = data["view"]["unit"] * floats(track["p"]["rows"]).reshape(-1, 3)
     assert places[:, 0] == pytest.approx(2 * np.cos(np.sin(TIMES)), abs=1e-6)
     turns = floats(track["q"]["rows"]).reshape(-1, 4)
     assert turns[:, 2] == pytest.approx(np.sin(np.sin(TIMES) / 2), abs=1e-6)
@@ -121,8 +121,9 @@ def test_parts_of_one_body_share_a_track():
         )
     )
     assert len(data["tracks"]) == 1
-    assert data["visuals"][3]["offset"] == pytest.approx([3, 0, 0])
-    assert data["visuals"][4]["points"]["fixed"] == pytest.approx(
+    unit = data["view"]["unit"]
+    assert unit * np.array(data["visuals"][3]["offset"]) == pytest.approx([3, 0, 0])
+    assert unit * np.array(data["visuals"][4]["points"]["fixed"]) == pytest.approx(
         [0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0]
     )
 
@@ -140,13 +141,14 @@ def test_what_never_moves_is_stored_once():
     assert data["tracks"] == [
         {"p": {"width": 3, "fixed": [0, 0, 0]}, "q": {"width": 4, "fixed": [0, 0, 0, 1]}}
     ]
-    assert data["visuals"][1]["vectors"]["fixed"] == [1, 0, 0]
+    assert data["visuals"][1]["vectors"]["fixed"] == [1 / data["view"]["unit"], 0, 0]
 
 
 def test_meshes_are_scaled_and_stored_as_arrays():
     mesh = Mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), scale=2 * sm.Integer(1))
-    (visual,) = data_of(scene(Visual(mesh, P)))["visuals"]
-    assert floats(visual["vertices"]).max() == 2
+    data = data_of(scene(Visual(mesh, P)))
+    (visual,) = data["visuals"]
+    assert data["view"]["unit"] * floats(visual["vertices"]).max() == 2
     assert floats(visual["faces"], "<u4").tolist() == [0, 1, 2]
 
 

@@ -226,7 +226,23 @@ def test_the_camera_follows_what_travels_far_unless_told_otherwise():
         assert (seen.path is not None) == expected
     assert seen.path[:, 0] == pytest.approx(states[:, 0])
     assert not seen.path[:, 1].any()  # it keeps its height
-    assert not Scene(N, O, cart).animate(times, states / 100, symbols=[q])._animation.travels
+    assert framed(Scene(N, O, cart).animate(times, states / 100, symbols=[q])).path is None
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+@pytest.mark.parametrize("forward", [0.0, 0.5, 50.0])
+def test_a_ball_that_bounces_stays_in_view_and_so_does_the_ground(forward, unit):
+    times = np.linspace(0, 5, 301)
+    x, y = dynamicsymbols("x, y")
+    ball = Visual(Sphere(0.2 * unit), O.locatenew("C", x * N.x + y * N.y))
+    states = unit * np.stack([forward * times, 10 * np.abs(np.cos(times))], 1)
+    seen = framed(Scene(N, O, ball, up="y").animate(times, states, symbols=[x, y]))
+    assert seen.ground == pytest.approx(states[:, 1].min() - 0.2 * unit)
+    path = np.zeros((301, 3)) if seen.path is None else seen.path
+    assert (seen.path is not None) == (forward == 50)
+    away = np.pad(states, ((0, 0), (0, 1))) - path - seen.target
+    assert (np.abs(away) <= seen.extent / 2 + 1e-9 * unit).all()
+    assert seen.ground >= (seen.target - seen.extent / 2)[1] - 1e-9 * unit
 
 
 @pytest.mark.parametrize("up", ["x", "-x", "y", "-y", "z", "-z", (1, 2, 3)])

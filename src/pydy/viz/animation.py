@@ -120,12 +120,19 @@ class Animation:
         """The lowest and the highest coordinates ever."""
         return self.bounds[:, 0].min(0), self.bounds[:, 1].max(0)
 
-    @property
-    def travels(self) -> bool:
-        """Whether the scene leaves where it was: the camera had better come along."""
-        own = np.linalg.norm(self.bounds[:, 1] - self.bounds[:, 0], axis=1).max()
-        low, high = self.box
-        return bool(np.linalg.norm(high - low) > 3 * own)
+    def scaled(self, factor: float) -> Animation:
+        """Return the animation with all lengths multiplied by a number."""
+        items = tuple(
+            replace(
+                item,
+                shape=item.shape.scaled(factor),
+                positions=factor * item.positions,
+                vectors=None if item.vectors is None else factor * item.vectors,
+                points=None if item.points is None else factor * item.points,
+            )
+            for item in self.items
+        )
+        return replace(self, items=items, bounds=factor * self.bounds)
 
     def at(self, t: Any) -> Animation:
         """Return the animation at a time or at several, between the ones shown if need be."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -76,17 +76,33 @@ class Framing:
         """Half the diagonal of the box."""
         return float(np.linalg.norm(self.extent)) / 2
 
+    def scaled(self, factor: float) -> Framing:
+        """Return the same view of a scene whose lengths are multiplied by a number."""
+        return replace(
+            self,
+            target=factor * self.target,
+            extent=factor * self.extent,
+            ground=None if self.ground is None else factor * self.ground,
+            cell=factor * self.cell,
+            path=None if self.path is None else factor * self.path,
+        )
+
 
 def frame(animation: Animation, look: Look) -> Framing:
     """Return how an animation is best seen."""
     up = look.up
-    follow = animation.travels if look.follow is None else look.follow
     low, high = animation.box
+    path = _path(animation, up)
+    # What is seen by a camera that goes along, but keeps its height: the ground stays in view.
+    rows = np.linspace(0, len(path) - 1, len(animation.bounds)).astype(int)
+    seen = animation.bounds - path[rows, None]
+    near, far = seen[:, 0].min(0), seen[:, 1].max(0)
+    follow = look.follow
+    if follow is None:
+        follow = np.linalg.norm(high - low) > 3 * np.linalg.norm(far - near)
     if follow:
-        low, high = animation.bounds[0]
-        extent = (animation.bounds[:, 1] - animation.bounds[:, 0]).max(0)
-    else:
-        extent = high - low
+        low, high = near, far
+    extent = high - low
     if not extent.any():
         extent = np.ones(3)
     right, depth = _level_axes(up, extent)
@@ -110,7 +126,7 @@ def frame(animation: Animation, look: Look) -> Framing:
         extent=extent,
         ground=height,
         cell=_nice(float(np.linalg.norm(extent)) / 8),
-        path=_path(animation, up) if follow else None,
+        path=path if follow else None,
     )
 
 

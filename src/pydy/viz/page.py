@@ -109,8 +109,14 @@ def embedded(html: str) -> str:
 def page_data(
     animation: Animation, look: Look, speed: float, live: LivePage | None = None
 ) -> dict[str, Any]:
-    """Return what the page's scripts read, as JSON types."""
+    """Return what the page's scripts read, as JSON types.
+
+    Lengths are in units of about half the scene's diagonal, a power of two: browsers draw with
+    32-bit floats, whose range a scene of planets or of atoms leaves in squares and products.
+    """
     seen = frame(animation, look)
+    unit = 2.0 ** float(np.clip(np.round(np.log2(seen.radius)), -1022, 1022))
+    seen, animation = seen.scaled(1 / unit), animation.scaled(1 / unit)
     tracks = _Tracks(animation, None if live is None else live.witness)
     visuals = [_visual(item, tracks) for item in animation.items]
     more: dict[str, Any] = {}
@@ -137,6 +143,7 @@ def page_data(
         ],
         "events": [{"time": t, "name": name} for t, name in animation.events],
         "view": {
+            "unit": unit,
             "up": seen.up.tolist(),
             "right": seen.right.tolist(),
             "direction": seen.direction.tolist(),
@@ -145,7 +152,7 @@ def page_data(
             "extent": seen.extent.tolist(),
             "ground": seen.ground,
             "cell": seen.cell,
-            "axes": look.axes,
+            "axes": None if look.axes is None else look.axes / unit,
             "path": None if seen.path is None else _column(seen.path, live is not None),
         },
     }

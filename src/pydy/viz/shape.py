@@ -117,6 +117,11 @@ class Shape(metaclass=_Spelling):
             numbers[attribute] = value
         return replace(self, **numbers) if numbers else self
 
+    def scaled(self, factor: float) -> Self:
+        """Return this shape, which has been measured, with lengths multiplied by a number."""
+        lengths = {name: getattr(self, name) for name in self.lengths}
+        return replace(self, **{k: factor * v for k, v in lengths.items() if v is not None})
+
     def dimensions(self) -> Iterator[tuple[str, Any]]:
         """Yield the shape's own fields: what says how it looks, but for colour and name."""
         common = {f.name for f in fields(Shape)}

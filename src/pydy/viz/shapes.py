@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from sympy.physics.vector import Point, Vector
@@ -250,6 +250,10 @@ class Trace(Shape):
 
     duration: Any = None
     lengths = ("duration",)
+
+    def scaled(self, factor: float) -> Self:
+        """Return the trace itself: its duration is a time."""
+        return self
 
 
 @dataclass(frozen=True, eq=False)

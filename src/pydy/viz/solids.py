@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Self
 
 import numpy as np
 
@@ -103,6 +103,10 @@ class Tube(Shape):
                 f"{shown(self.points)}."
             )
         self._set("points", tuple(map(tuple, points.tolist())))
+
+    def scaled(self, factor: float) -> Self:
+        """Return this tube with its points moved as well."""
+        return replace(super().scaled(factor), points=factor * np.array(self.points))
 
 
 def polyhedron(shape: Shape) -> np.ndarray:

@@ -246,12 +246,12 @@ window.pydy = {
   /** Where each visual's point is in the scene: [x, y, z]. */
   positions() {
     scene.updateMatrixWorld();
-    return visuals.map((visual) => visual.anchor.getWorldPosition(new THREE.Vector3()).toArray());
+    return visuals.map((visual) => visual.anchor.getWorldPosition(new THREE.Vector3()).multiplyScalar(unit).toArray());
   },
   /** The pose of each visual: 16 numbers, column by column. */
   matrices() {
     scene.updateMatrixWorld();
-    return visuals.map((visual) => visual.anchor.matrixWorld.toArray());
+    return visuals.map((visual) => visual.anchor.matrixWorld.toArray().map((v, i) => (i >= 12 && i < 15 ? unit * v : v)));
   },
   /** The corners of the box around each visual in the scene: [lowest, highest], or null. */
   boxes() {
@@ -270,11 +270,11 @@ window.pydy = {
           }
         }
       });
-      return low.x <= high.x ? [low.toArray(), high.toArray()] : null;
+      return low.x <= high.x ? [low, high].map((end) => end.multiplyScalar(unit).toArray()) : null;
     });
   },
   /** Where the camera is and what it looks at. */
-  camera() { return [camera.position.toArray(), controls.target.toArray()]; },
+  camera() { return [camera.position, controls.target].map((place) => place.clone().multiplyScalar(unit).toArray()); },
   /** What the last frames cost, medians in milliseconds of script; `drawing` commands are part of `all`. */
   costs() {
     const median = (list) => [...list].sort((a, b) => a - b)[list.length >> 1];

@@ -22,7 +22,7 @@ function writeRow(k, t, x) {
   liveModel.poses(t, x, inputs, poses);
   live.tracks.forEach(([frame, point], i) => {
     const { places, turns } = tracks[i];
-    for (let j = 0; j < 3; j++) places.values[3 * k + j] = poses[AT_POINTS + 3 * point + j];
+    for (let j = 0; j < 3; j++) places.values[3 * k + j] = poses[AT_POINTS + 3 * point + j] / unit;
     if (frame < 0) turn.identity();
     else {
       const m = poses.subarray(9 * frame, 9 * frame + 9);
@@ -38,11 +38,11 @@ function writeRow(k, t, x) {
     if (line && !visual.trackOf) {
       const { values } = visual.object.column;
       line.forEach((point, n) => {
-        for (let j = 0; j < 3; j++) values[3 * line.length * k + 3 * n + j] = poses[AT_POINTS + 3 * point + j];
+        for (let j = 0; j < 3; j++) values[3 * line.length * k + 3 * n + j] = poses[AT_POINTS + 3 * point + j] / unit;
       });
     }
     if (arrow) for (let j = 0; j < 3; j++)
-      visual.object.column.values[3 * k + j] = arrow[1] * poses[AT_ARROWS + 3 * arrow[0] + j];
+      visual.object.column.values[3 * k + j] = (arrow[1] / unit) * poses[AT_ARROWS + 3 * arrow[0] + j];
   });
   if (live.series.some(([group]) => group === "y")) liveModel.evaluateOutputs(t, x, inputs, outputs);
   live.series.forEach(([group, place], i) => {
@@ -87,7 +87,7 @@ function resize3() {
   if (!live.sizes.length) return;
   liveModel.sizes(start, new Float64Array(width), motion.inputs, motion.lengths);
   live.sizes.forEach(([place, name], i) => {
-    const visual = visuals[place], length = motion.lengths[i];
+    const visual = visuals[place], length = motion.lengths[i] / (name === "duration" ? 1 : unit);
     if (!(length > 0)) return;
     if (visual.size) {
       visual.size = { ...visual.size, [name]: length };
@@ -201,7 +201,7 @@ function fillPanel() {
     change(one, one.value);
   }));
   for (const one of sliders) {
-    const row = document.createElement("li"), label = document.createElement("label"), unit = document.createElement("span");
+    const row = document.createElement("li"), label = document.createElement("label"), its = document.createElement("span");
     one.range = document.createElement("input");
     one.box = document.createElement("input");
     one.range.type = "range";
@@ -211,13 +211,13 @@ function fillPanel() {
     one.range.max = one.high;
     label.textContent = one.label;
     label.title = one.label;
-    unit.textContent = one.unit;
-    unit.className = "unit";
+    its.textContent = one.unit;
+    its.className = "unit";
     one.range.setAttribute("aria-label", one.label);
     one.box.setAttribute("aria-label", `${one.label}, number`);
     one.range.addEventListener("input", () => change(one, Number(one.range.value)));
     one.box.addEventListener("input", () => { if (one.box.value !== "") change(one, Number(one.box.value)); });
-    row.append(label, one.box, unit);
+    row.append(label, one.box, its);
     button(row, `Reset ${one.label}`, "M4 9V4h5M4.5 9a8 8 0 1 1-.5 5", () => {
       one.box.blur();
       change(one, one.value);

@@ -94,7 +94,8 @@ function frameDrawn() {
 const short = (numbers) => numbers.map((v) => Number(v.toPrecision(5))).join(",");
 
 function moment() {
-  const link = { t: short([now.time]), from: short(camera.position.toArray()), to: short(controls.target.toArray()) };
+  const [from, to] = window.pydy.camera();
+  const link = { t: short([now.time]), from: short(from), to: short(to) };
   return Object.entries(link).map(([key, value]) => `${key}=${value}`).join("&");
 }
 
@@ -112,8 +113,8 @@ function goToMoment(text) {
     arrange();
   }
   if (from && to) {
-    camera.position.fromArray(from);
-    controls.target.fromArray(to);
+    camera.position.fromArray(from).divideScalar(unit);
+    controls.target.fromArray(to).divideScalar(unit);
     controls.update();
   }
   invalidate();

@@ -1,6 +1,7 @@
 // The three.js scene: visuals on their tracks, light, ground, axes, camera.
 const canvas = document.getElementById("stage");
-const view = data.view;
+// All lengths here are in units of `unit` metres; see `page_data`.
+const view = data.view, unit = view.unit;
 const up = new THREE.Vector3().fromArray(view.up), right = new THREE.Vector3().fromArray(view.right);
 const depth = new THREE.Vector3().crossVectors(right, up);
 
