@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import sympy as sm
 from sympy.physics.mechanics import (
     KanesMethod,
     Particle,
@@ -45,6 +46,19 @@ def test_bodies_origin_and_gravity_come_from_the_method():
 def test_gravity_may_pull_along_any_axis():
     sys = multi_mass_spring_damper(2, apply_gravity=True)
     assert sys.scene()._look.up.tolist() == [-1, 0, 0]
+
+
+@pytest.mark.parametrize("mass", [sm.Symbol("m"), 0.5])
+def test_gravity_may_be_a_number(mass):
+    y, v = dynamicsymbols("y, v")
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", y * N.y)
+    P.set_vel(N, v * N.y)
+    thrust = sm.Symbol("F")
+    kane = KanesMethod(N, [y], [v], kd_eqs=[y.diff() - v], bodies=[Particle("ball", P, mass)],
+                       forcelist=[(P, -mass * 9.81 * N.y), (P, thrust * N.x)])  # fmt: skip
+    assert System(kane).scene()._look.up.tolist() == [0, 1, 0]
 
 
 def test_a_rigid_body_gets_the_box_with_its_inertia():

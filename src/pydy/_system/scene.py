@@ -76,7 +76,7 @@ def make_scene(
                 f"`O.set_vel({reference_frame}, 0)` when you derive the equations."
             )
     if "up" not in options and mechanism is not None:
-        up = guess_up(reference_frame, mechanism.loads, constants)
+        up = guess_up(reference_frame, bodies, mechanism.loads, constants)
         # Without gravity z is up and there is no ground to fall on.
         options = {"up": "z", "ground": False, **options} if up is None else {**options, "up": up}
     rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)

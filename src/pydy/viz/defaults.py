@@ -167,23 +167,32 @@ def _functions(vector: Any) -> set[Any]:
 
 
 def guess_up(
-    frame: Any, loads: Sequence[tuple[Any, Any]], values: Mapping[Any, float]
+    frame: Any,
+    bodies: Iterable[Any],
+    loads: Sequence[tuple[Any, Any]],
+    values: Mapping[Any, float],
 ) -> str | None:
-    """Return the axis of `frame` against which the forces with a symbol `g` pull, or None."""
+    """Return the axis of `frame` against which the weights pull, or None.
+
+    A weight is what a force has of a symbol `g`, or a force at a mass centre that consists of
+    numbers and the mass.
+    """
+    masses = {body.masscenter: sm.sympify(body.mass) for body in bodies}
     pull = np.zeros(3)
-    for _, vector in loads:
+    for where, vector in loads:
         try:
             components = vector.to_matrix(frame)
         except ValueError:
             continue
         for k in range(3):
-            expression = sm.sympify(components[k])
-            gravities = [s for s in expression.free_symbols if str(s) in ("g", "G", "gravity")]
+            weight = sm.sympify(components[k])
+            gravities = [s for s in weight.free_symbols if str(s) in ("g", "G", "gravity")]
             if len(gravities) == 1:
-                slope = expression.diff(gravities[0])
-                number = slope.xreplace({s: sm.Float(values.get(s, 1.0)) for s in slope.atoms()
-                                         if s.is_Symbol})  # fmt: skip
-                pull[k] += float(number) if number.is_number else 0.0
+                weight = weight.diff(gravities[0])
+            elif where not in masses or weight.free_symbols - masses[where].free_symbols:
+                continue
+            number = weight.xreplace({s: sm.Float(values.get(s, 1.0)) for s in weight.free_symbols})
+            pull[k] += float(number) if number.is_number else 0.0
     k = int(np.abs(pull).argmax())
     if not np.abs(pull[k]) > 10 * np.abs(np.delete(pull, k)).max():
         return None
