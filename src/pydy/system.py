@@ -403,8 +403,8 @@ class System:
             All bodies on one side of the cut; for the reaction of a joint on the bodies beyond it,
             those bodies. A joint of a `sympy.physics.mechanics.System`, or its name, stands for its
             child and all bodies beyond. A load is included if the point or frame it acts on moves
-            with one of the bodies and with no body outside. The list may also contain hinges, and
-            massless points and frames whose loads are to be included.
+            with one of the bodies and with no body outside, nor with the ground. The list may also
+            contain hinges, and massless points and frames whose loads are to be included.
         point : Point
             Where the force acts, and about which the torque is taken; by default the joint's own
             point.

@@ -13,6 +13,8 @@ from cases import close, wide
 from mechanisms import MECHANISMS, derived, state
 from newton import motion, needed
 from oracle import Oracle
+from pydy._mechanics.reader import check_bodies
+from pydy.mechanics import Definition
 from pydy.system import System
 from zoo import T
 
@@ -229,3 +231,115 @@ def test_noncontributing_forces_in_the_loads_are_what_is_computed():
     assert system.outputs_symbols[0] not in system.specifieds_symbols
     assert system.specifieds_symbols == System(model.kane).specifieds_symbols
     assert np.isfinite(system.evaluate_outputs(wide(system, model.x0))).all()
+
+
+DECIMALS = [
+    ((1.09, -1.24), (0.07, -0.47)),
+    ((1.09e-9, -1.24e-9), (0.07e-9, -0.47e-9)),
+    ((1.3e9, -0.7e9), (0.1e9, 0.6e9)),
+]
+
+
+@pytest.mark.parametrize(("place", "offset"), DECIMALS)
+def test_a_load_at_decimal_offsets_is_counted(place, offset):
+    q, u = me.dynamicsymbols("q u")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    turned = frame.orientnew("B", "Axis", (q, frame.z))
+    centre = origin.locatenew("C", place[0] * turned.x + place[1] * turned.y)
+    point = centre.locatenew("a", offset[0] * turned.x + offset[1] * turned.y)
+    body = me.RigidBody("plate", centre, turned, 1, (me.inertia(turned, 1, 1, 1), centre))
+    load = (point, 5 * frame.z)
+    system = System(
+        Definition(
+            frame, [q], [u], bodies=[body], loads=[load], kinematic_equations=[q.diff(T) - u]
+        )
+    )
+    system.outputs = system.reaction(body, origin).outputs("pin")
+    angle = 0.3
+    arm = np.add(place, offset) @ [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
+    expected = [0.0, 0.0, -5.0, -5.0 * arm[1], 5.0 * arm[0], 0.0]
+    found = system.evaluate_outputs([angle, 0.0], 0.0)
+    assert np.allclose(found, expected, rtol=1e-12, atol=1e-15 * max(map(abs, place)))
+
+
+def two_carriages():
+    """Two carriages on one rail, the first with a motor to the ground and a spring to a wall."""
+    x, y, a, v, w, s = me.dynamicsymbols("x y a v w s")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    bodies = []
+    for name, place in (("first", x), ("second", y)):
+        centre = origin.locatenew(f"{name} centre", place * frame.x)
+        own = frame.orientnew(f"{name} frame", "Axis", (0, frame.z))
+        bodies.append(me.RigidBody(name, centre, own, 2, (me.inertia(own, 1, 1, 1), centre)))
+    wheel = frame.orientnew("A", "Axis", (a, frame.z))
+    hub = origin.locatenew("hub", 3 * frame.y)
+    tip = hub.locatenew("tip", -0.3 * wheel.x)
+    bodies.append(me.RigidBody("wheel", hub, wheel, 1, (me.inertia(wheel, 1, 1, 1), hub)))
+    mount = bodies[0].frame.orientnew("mount", "Axis", (0.3, frame.z))
+    wall = origin.locatenew("wall", 0.4 * frame.x + 3.1 * frame.y)
+    loads = [
+        *me.TorqueActuator(5, frame.z, wheel, frame).to_loads(),
+        (mount, 7 * frame.x),
+        (wall, 11 * frame.x),
+        (tip, -11 * frame.z),
+        (bodies[0].masscenter, 13 * frame.y),
+    ]
+    speeds = [v, w, s]
+    kinematics = [q.diff(T) - u for q, u in zip((x, y, a), speeds, strict=True)]
+    model = Definition(
+        frame, [x, y, a], speeds, bodies=bodies, loads=loads, kinematic_equations=kinematics
+    )
+    return System(model), bodies, frame
+
+
+CARRIED = {  # minus the loads on each, about its mass centre, at rest and in the place of angle 0
+    "first": [0.0, -13.0, 0.0, -7.0, 0.0, 0.0],
+    "second": [0.0] * 6,
+    "wheel": [0.0, 0.0, 11.0, 0.0, 11.0 * 0.3, 0.0],
+}
+
+
+@pytest.mark.parametrize("name", CARRIED)
+def test_loads_on_the_ground_and_on_other_carriages_are_not_counted(name):
+    system, bodies, _ = two_carriages()
+    body = next(b for b in bodies if b.name == name)
+    system.outputs = system.reaction(body, body.masscenter).outputs("held")
+    close(system.evaluate_outputs(np.zeros(6), 0.0), CARRIED[name], 1e-14)
+
+
+def test_a_load_on_the_ground_is_counted_where_the_ground_is_listed():
+    system, bodies, frame = two_carriages()
+    system.outputs = system.reaction([bodies[1], frame], bodies[1].masscenter).outputs("held")
+    close(system.evaluate_outputs(np.zeros(6), 0.0)[5], 5.0, 1e-14)
+
+
+def test_loads_on_a_body_that_stands_still_are_its_own():
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    q, u = me.dynamicsymbols("q u")
+    origin.set_vel(frame, 0)
+    beam = frame.orientnew("B", "Axis", (0, frame.z))
+    middle, tip = (origin.locatenew(n, s * beam.x) for n, s in (("middle", 0.35), ("tip", 0.7)))
+    for point in (middle, tip):
+        point.set_vel(frame, 0)
+    bob = me.Particle("bob", origin.locatenew("P", q * frame.y), 1)
+    bodies = [me.RigidBody("beam", middle, beam, 1, (me.inertia(beam, 1, 1, 1), middle)), bob]
+    loads = [(tip, -10 * frame.y)]
+    system = System(
+        Definition(frame, [q], [u], bodies=bodies, loads=loads, kinematic_equations=[q.diff(T) - u])
+    )
+    system.outputs = system.reaction("beam", origin).outputs("clamp")
+    close(system.evaluate_outputs(np.zeros(2), 0.0), [0.0, 10.0, 0.0, 0.0, 0.0, 7.0], 1e-14)
+
+
+def test_an_inertia_written_in_decimals_is_symmetric_up_to_rounding():
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    m = sm.Symbol("m")
+    for size in (1e-20, 1, 1e20, m):
+        skew = size * (0.1 * 3 - 0.3) * (frame.x | frame.y)
+        inertia = me.inertia(frame, size, size, size, 0.3 * size) + skew
+        check_bodies([me.RigidBody("b", origin, frame, 1, (inertia, origin))])
+    lost = me.inertia(frame, 1, 1, 1) + 1e-9 * (frame.x | frame.y)
+    with pytest.raises(ValueError, match="The inertia of the body b is not symmetric"):
+        check_bodies([me.RigidBody("b", origin, frame, 1, (lost, origin))])

@@ -14,8 +14,10 @@ them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import Any
 
+import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
@@ -25,13 +27,15 @@ from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.identities import signatures
 from pydy._graph.rewrite import substitute
+from pydy._mechanics.components import numbers_of
 from pydy._mechanics.dynamics import Load, inertia_seen, loads_and_inertias
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import moving
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.lagrangian import lagranges_equations
 from pydy._mechanics.multipliers import multipliers_of
-from pydy._mechanics.reader import Multibody, is_rigid
+from pydy._mechanics.reader import Multibody, distances, given_velocity, is_rigid, oriented, places
+from pydy._mechanics.tuning import ROUNDED
 
 __all__ = ["ConstraintForces"]
 
@@ -177,39 +181,112 @@ class ConstraintForces:
 
     def _loads_on(self, members: Sequence[Any]) -> list[tuple[Any, Any]]:
         """Return the loads on bodies: at points and frames that move with them and no other."""
-        found = []
-        for where, vector in self.body.loads:
-            owners = [where] if where in members else self._owners(where)
-            if owners and all(owner in members for owner in owners):
-                found.append((where, vector))
+        return [
+            (where, vector)
+            for where, vector in self.body.loads
+            if where in members
+            or (self._owners[where] and all(owner in members for owner in self._owners[where]))
+        ]
+
+    @cached_property
+    def _owners(self) -> dict[Any, list[Any]]:
+        """What each load's point or frame moves with: bodies, or the inertial frame for ground."""
+        k, bodies = self._kinematics, self.body.bodies
+        found = {w: [b for b in bodies if b.masscenter is w] for w, _ in self.body.loads}
+        still, rest = {}, []
+        for where in (w for w, own in found.items() if isinstance(w, Point) and not own):
+            line = self._located_by(where)
+            at_rest = all(n == k.graph.zero for n in k.at(where)[1])
+            if at_rest and not any(b.masscenter in line for b in bodies):
+                steps = [places(p)[before] for p, before in pairwise(line)]
+                still[where] = {f for step in steps for _, f in step.args}
+            else:
+                rest.append(where)
+        turning = [w for w in found if not isinstance(w, Point)]
+        fixed = self._fixed_to([*turning, *(f for frames in still.values() for f in frames)])
+        found |= {frame: fixed[frame] for frame in turning}
+        for where, frames in still.items():
+            if all(fixed[f] == [k.inertial] for f in frames):
+                found[where] = [k.inertial]
+            else:
+                rest.append(where)
+        pairs = [(where, body) for where in rest for body in bodies]
+        carried = self._vanishing([self._slip(body, where) for where, body in pairs])
+        for (where, body), moves_along in zip(pairs, carried, strict=True):
+            if moves_along:
+                found[where].append(body)
         return found
 
-    def _owners(self, where: Any) -> list[Any]:
-        bodies = self.body.bodies
-        if not isinstance(where, Point):
-            own = [b for b in bodies if is_rigid(b) and b.frame is where]
-            return own or [b for b in bodies if is_rigid(b) and self._turn_alike(b.frame, where)]
-        own = [b for b in bodies if b.masscenter is where]
-        return own or [b for b in bodies if self._carries(b, where)]
+    def _located_by(self, point: Any) -> list[Any]:
+        """Return a point, the one it was located from, and so on, as far as their order tells."""
+        line = [point]
+        while (before := next(iter(places(point)), None)) not in (None, *line):
+            first = next(iter(places(before))) is point
+            if first and given_velocity(point, self.body.frame) is not None:
+                break
+            line.append(before)
+            point = before
+        return line
 
-    def _turn_alike(self, frame: Any, other: Any) -> bool:
-        k = self._kinematics
-        return k.equal(k.spin(frame)[0], k.expressed(k.spin(other)[0], other, frame))
+    def _fixed_to(self, frames: Sequence[Any]) -> dict[Any, list[Any]]:
+        """Return what each frame is fixed to: of all that turns as it does, what is nearest to it.
 
-    def _carries(self, body: Any, point: Any) -> bool:
-        """Return whether a point moves as a point of the body would."""
+        A carriage turns as the ground does.
+        """
         k = self._kinematics
-        try:
-            way = point.pos_from(body.masscenter)
-        except ValueError:
-            return False
+        rigid = [
+            (b.frame, b) for b in self.body.bodies if is_rigid(b) and b.frame is not k.inertial
+        ]
+        rigid.append((k.inertial, k.inertial))
+        pairs = [(frame, *both) for frame in frames for both in rigid]
+        slips = [[self._spin(own), self._spin(f, -1.0)] for f, own, _ in pairs]
+        alike: dict[Any, list[Any]] = {frame: [] for frame in frames}
+        for (frame, own, body), same in zip(pairs, self._vanishing(slips), strict=True):
+            if same or own is frame:
+                alike[frame].append((own, body))
+        found = {}
+        for frame, both in alike.items():
+            away = distances(frame, oriented)
+            nearest = min((away[own] for own, _ in both), default=0)
+            found[frame] = [body for own, body in both if away[own] == nearest]
+        return found
+
+    def _spin(self, frame: Any, sign: float = 1.0) -> Vec:
+        """Return an angular velocity in the inertial frame."""
+        k = self._kinematics
+        w = k.expressed(k.spin(frame)[0], k.frames.axes(frame), k.inertial)
+        return [k.graph.sum([(n, sign)]) for n in w]
+
+    def _slip(self, body: Any, point: Any) -> list[Vec]:
+        """Return vectors whose sum is zero if a point moves as a point of the body would."""
+        k, g = self._kinematics, self._kinematics.graph
+        steps = _steps_between(body.masscenter, point)
+        if steps is None:
+            return [[g.one] * 3]
+        ways = [k.vector(step, k.inertial) for step in steps]
         if not is_rigid(body):
-            return bool(k.vanishes(k.vector(way, k.inertial)))
-        home, v = k.at(body.masscenter)
-        turning = k.cross(k.spin(body.frame)[0], k.vector(way, body.frame))
-        own = k.plus(k.expressed(v, home, k.inertial), k.expressed(turning, body.frame, k.inertial))
-        home, v = k.at(point)
-        return k.equal(own, k.expressed(v, home, k.inertial))
+            return ways
+        ours, theirs = (
+            k.expressed(v, frame, k.inertial) for frame, v in map(k.at, (body.masscenter, point))
+        )
+        spin = self._spin(body.frame)
+        return [ours, [g.neg(n) for n in theirs], *(k.cross(spin, way) for way in ways)]
+
+    def _vanishing(self, sums: Sequence[Sequence[Vec]]) -> list[bool]:
+        """Return whether sums of vectors are zero in all states, up to rounding.
+
+        Numbers that users write in decimals are rounded, and so are their sums.
+        """
+        flat = [n for vectors in sums for v in vectors for n in v]
+        if not flat:
+            return [True] * len(sums)
+        values = numbers_of(self._kinematics.graph, flat)
+        values, found = values.reshape(len(values), -1, 3), []
+        for vectors in sums:
+            own, values = values[:, : len(vectors)], values[:, len(vectors) :]
+            sizes = np.linalg.norm(own, axis=2).sum(axis=1)
+            found.append(bool((np.linalg.norm(own.sum(axis=1), axis=1) <= ROUNDED * sizes).all()))
+        return found
 
     def _without_idle(self, nodes: Vec) -> Vec:
         g, atoms = self._kinematics.graph, self._kinematics.read.atoms
@@ -222,6 +299,18 @@ class ConstraintForces:
         if node == g.zero:
             return sm.S.Zero
         return NodeExpression.of(g, node, self._kinematics.symbols(), name)
+
+
+def _steps_between(start: Any, end: Any) -> list[Any] | None:
+    """Return the vectors on the way from one point to another, None if there is no way."""
+    away, steps = distances(start, places), []
+    if end not in away:
+        return None
+    while end is not start:
+        before = next(p for p in places(end) if away[p] < away[end])
+        steps.append(places(end)[before])
+        end = before
+    return steps
 
 
 class _Rates:

@@ -17,15 +17,19 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, 
 from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
+from pydy._mechanics.components import numbers_of
 from pydy._mechanics.symbols import rate_of
+from pydy._mechanics.tuning import ROUNDED
 
 __all__ = [
     "InputReader",
     "Multibody",
     "Tree",
     "check_bodies",
+    "distances",
     "given_velocity",
     "is_rigid",
+    "oriented",
     "places",
     "read_loads",
 ]
@@ -178,9 +182,19 @@ def _check_symmetric(body: Any) -> None:
     if any(id(v) not in axes for _, *both in terms for v in both):
         return
     cells = {(id(a), id(b)): size for size, a, b in terms}
-    for size, a, b in terms:
-        other = cells.get((id(b), id(a)), sm.S.Zero)
-        if a is not b and size != other and sm.sympify(size - other).equals(0) is False:
+    unlike = [
+        (size, other, a, b)
+        for size, a, b in terms
+        if size != (other := cells.get((id(b), id(a)), sm.S.Zero))
+    ]
+    if not unlike:
+        return
+    graph = Graph()
+    read = InputReader(graph, {}, ()).all
+    values = numbers_of(graph, read([*(e for row in unlike for e in row[:2]), *cells.values()]))
+    allowed = ROUNDED * abs(values).max(axis=1)
+    for k, (size, other, a, b) in enumerate(unlike):
+        if (abs(values[:, 2 * k] - values[:, 2 * k + 1]) > allowed).any():
             raise ValueError(
                 f"The inertia of the body {body.name} is not symmetric: it has {size} at "
                 f"({a}|{b}), and {other} at ({b}|{a}). Give both, as `inertia(frame, ixx, iyy, "
@@ -240,13 +254,19 @@ def given_velocity(point: Any, frame: Any) -> Any:
     return point._vel_dict.get(frame)
 
 
+def oriented(frame: Any) -> dict[Any, Any]:
+    """Return the frames that a frame is oriented in, or that are in it, each with the matrix."""
+    found: dict[Any, Any] = frame._dcm_dict
+    return found
+
+
 class Tree:
     """How frames and points hang together, from an inertial frame outwards."""
 
     def __init__(self, inertial: Any) -> None:
         self.inertial = inertial
-        self.oriented = _distances(inertial, lambda f: f._dcm_dict)
-        self.turning = _distances(inertial, lambda f: f._ang_vel_dict)
+        self.oriented = distances(inertial, oriented)
+        self.turning = distances(inertial, lambda f: f._ang_vel_dict)
 
     # -- frames -----------------------------------------------------------------------------------
 
@@ -319,7 +339,7 @@ class Tree:
             A point has neither a velocity nor a place from a point that has one.
         """
         wanted = list(dict.fromkeys(points))
-        seen = _component(wanted)
+        seen = list(_breadth_first_from(wanted))
         given = [p for p in seen if self.velocity(p) is not None]
         simple = sorted(given, key=lambda p: len(self.velocity(p).args) > 0)
         if simple and self.velocity(simple[0]).args:
@@ -429,7 +449,8 @@ class Tree:
             base = above[base]
 
 
-def _distances(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[Any, int]:
+def distances(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[Any, int]:
+    """Return all that can be reached from a root, and in how many steps."""
     found, todo = {root: 0}, deque([root])
     while todo:
         item = todo.popleft()
@@ -440,13 +461,9 @@ def _distances(root: Any, neighbours: Callable[[Any], Iterable[Any]]) -> dict[An
     return found
 
 
-def _nearer(item: Any, neighbours: Iterable[Any], distances: dict[Any, int]) -> Any:
-    """Return the first neighbour on a shortest way to the root, None for that itself.
-
-    Where several ways are equally short this is SymPy's: they differ if angular velocities
-    contradict each other.
-    """
-    return next((n for n in neighbours if distances[n] < distances[item]), None)
+def _nearer(item: Any, neighbours: Iterable[Any], away: dict[Any, int]) -> Any:
+    """Return the first neighbour nearer to the root, as SymPy does, None for the root itself."""
+    return next((n for n in neighbours if away[n] < away[item]), None)
 
 
 def _breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
@@ -458,10 +475,6 @@ def _breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
                 parent[other] = item
                 todo.append(other)
     return parent
-
-
-def _component(points: Sequence[Any]) -> list[Any]:
-    return list(_breadth_first_from(points))
 
 
 def _beginning(point: Any) -> Any:

@@ -25,6 +25,7 @@ __all__ = [
     "NOTHING",
     "OFTEN",
     "OPEN",
+    "ROUNDED",
     "SAME_AXES",
     "SAME_DIRECTION",
     "SHIFT",
@@ -68,6 +69,10 @@ CLOSED, OPEN = 1e-13, 1e-7
 FULL_STEPS = (0.05, 1e-14)
 """Shares below which singular values are left out of Newton's steps: first with few directions,
 since redundant constraints draw full steps to singular positions; then with all."""
+
+ROUNDED = 100 * 2.0**-52
+"""What rounding leaves of a sum of vectors that cancel, in units of their lengths: a few units in
+the last place for each rotation and product on the way to them."""
 
 SAME_AXES = 1e-14
 """What is left of 0 and 1 by products of rotations by numbers: some 1e-16 for each."""
