@@ -21,6 +21,8 @@ import pytest
 from pydy import _cache_folder as cache
 from pydy.errors import PyDyUserWarning
 
+KEY, OTHER, OLD, USED = (letter * 64 for letter in "0123")
+
 SCRIPT = """
 import sys
 import numpy as np
@@ -41,7 +43,7 @@ print("right")
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "cache"))
-    return tmp_path / "cache"
+    return tmp_path / "cache" / "pydy-cache"
 
 
 def start():
@@ -56,65 +58,86 @@ def finishes_right(process):
 
 
 def test_an_entry_comes_back_as_it_was(folder):
-    cache.write("key", b"content")
-    assert cache.read("key") == b"content"
+    cache.write(KEY, b"content")
+    assert cache.read(KEY) == b"content"
 
 
 def test_what_was_never_written_is_a_miss(folder):
-    assert cache.read("key") is None
+    assert cache.read(KEY) is None
 
 
 @pytest.mark.parametrize("length", [0, 5, 12, 30, 44, 50])
 def test_a_truncated_entry_is_a_miss(folder, length):
-    cache.write("key", b"content")
-    path = folder / "key.code"
+    cache.write(KEY, b"content")
+    path = folder / f"{KEY}.code"
     path.write_bytes(path.read_bytes()[:length])
-    assert cache.read("key") is None
+    assert cache.read(KEY) is None
 
 
 def test_an_entry_with_one_wrong_bit_is_a_miss(folder):
-    cache.write("key", b"content")
-    path = folder / "key.code"
+    cache.write(KEY, b"content")
+    path = folder / f"{KEY}.code"
     data = bytearray(path.read_bytes())
     data[-1] ^= 1
     path.write_bytes(data)
-    assert cache.read("key") is None
+    assert cache.read(KEY) is None
 
 
 def test_the_least_recently_used_entry_goes_first(folder, monkeypatch):
     monkeypatch.setattr(cache, "LIMIT_BYTES", 300)  # three entries
-    for age, key in enumerate(["old", "used", "new"]):
+    for age, key in enumerate([OLD, USED, KEY]):
         cache.write(key, b"x" * 50)
         os.utime(folder / f"{key}.code", (age, age))
-    cache.read("old")  # used again: now the most recent
-    cache.write("newest", b"x" * 50)
-    assert cache.read("used") is None
-    assert cache.read("old") is not None
-    assert cache.read("newest") is not None
+    cache.read(OLD)  # used again: now the most recent
+    cache.write(OTHER, b"x" * 50)
+    assert cache.read(USED) is None
+    assert cache.read(OLD) is not None
+    assert cache.read(OTHER) is not None
 
 
 def test_what_a_killed_process_left_behind_is_swept_up(folder):
-    folder.mkdir()
-    left = folder / "tmp-left"
+    folder.mkdir(parents=True)
+    left = folder / f"{OTHER}.a_7bcdef.tmp"
     left.write_bytes(b"half")
     os.utime(left, (0, 0))
-    cache.write("key", b"content")
+    cache.write(KEY, b"content")
     assert not left.exists()
+
+
+def test_files_of_other_names_stay_where_they_are(folder, monkeypatch):
+    cache.write(KEY, b"content")
+    users = [folder.parent / "tmp-thesis", folder / "tmp-thesis", folder / "thesis.code"]
+    users += [folder / "12.code", folder / f"{KEY}.tmp", folder / f"{KEY}x.code"]
+    users += [folder.parent / f"{OTHER}.code"]
+    for path in users:
+        path.write_bytes(b"mine")
+        os.utime(path, (0, 0))
+    monkeypatch.setattr(cache, "LIMIT_BYTES", 0)
+    cache.write(KEY, b"content")
+    assert cache.read(KEY) is None  # beyond the limit
+    assert all(path.read_bytes() == b"mine" for path in users)
+
+
+def test_a_tilde_in_the_name_of_the_folder_is_the_home_directory(tmp_path, monkeypatch):
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("USERPROFILE", str(tmp_path))
+    monkeypatch.setenv("PYDY_CACHE_DIR", "~/mine")
+    assert cache.folder() == (tmp_path / "mine" / "pydy-cache").resolve()
 
 
 def test_a_folder_that_is_a_file_costs_only_the_cache(tmp_path, monkeypatch):
     (tmp_path / "cache").write_text("not a folder")
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "cache"))
-    cache.write("key", b"content")
-    assert cache.read("key") is None
+    cache.write(KEY, b"content")
+    assert cache.read(KEY) is None
 
 
 def test_the_cache_can_be_turned_off(tmp_path, monkeypatch):
     monkeypatch.setenv("PYDY_CACHE_DIR", "off")
     monkeypatch.chdir(tmp_path)
-    cache.write("key", b"content")
+    cache.write(KEY, b"content")
     assert cache.folder() is None
-    assert cache.read("key") is None
+    assert cache.read(KEY) is None
     assert list(tmp_path.iterdir()) == []
 
 
@@ -164,54 +187,56 @@ def test_folders_and_entries_are_made_for_the_user_alone(tmp_path, monkeypatch, 
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "new" / "cache"))
     before = os.umask(umask)
     try:
-        cache.write("key", b"content")
+        cache.write(KEY, b"content")
     finally:
         os.umask(before)
-    made = [tmp_path / "new", tmp_path / "new/cache"]
-    assert [stat.S_IMODE(path.stat().st_mode) for path in made] == [0o700] * 2
-    assert stat.S_IMODE((made[-1] / "key.code").stat().st_mode) == 0o600
-    assert cache.read("key") == b"content"
+    made = [tmp_path / "new", tmp_path / "new/cache", tmp_path / "new/cache/pydy-cache"]
+    assert [stat.S_IMODE(path.stat().st_mode) for path in made] == [0o700] * 3
+    assert stat.S_IMODE((made[-1] / f"{KEY}.code").stat().st_mode) == 0o600
+    assert cache.read(KEY) == b"content"
 
 
 @owned
 @pytest.mark.parametrize("mode", [0o720, 0o770, 0o702, 0o777, 0o1777])
 def test_a_folder_that_others_can_write_to_is_not_used(folder, mode):
-    cache.write("key", b"content")
+    cache.write(KEY, b"content")
     folder.chmod(mode)
-    with pytest.warns(PyDyUserWarning, match=f"cache' can be written by others .mode {mode:04o}"):
-        assert cache.read("key") is None
-    cache.write("other", b"content")  # it is said once
-    assert not (folder / "other.code").exists()
+    with pytest.warns(
+        PyDyUserWarning, match=f"pydy-cache' can be written by others .mode {mode:04o}"
+    ):
+        assert cache.read(KEY) is None
+    cache.write(OTHER, b"content")  # it is said once
+    assert not (folder / f"{OTHER}.code").exists()
     folder.chmod(0o700)
-    assert cache.read("key") == b"content"
+    assert cache.read(KEY) == b"content"
 
 
 @owned
 def test_the_warning_names_the_remedy(folder):
-    folder.mkdir()
+    folder.mkdir(parents=True)
     folder.chmod(0o777)
     with pytest.warns(PyDyUserWarning, match="chmod go-w.*PYDY_CACHE_DIR"):
-        cache.read("key")
+        cache.read(KEY)
 
 
 @owned
 @pytest.mark.parametrize("mode", [0o620, 0o602, 0o666])
 def test_an_entry_that_others_can_write_to_is_not_used(folder, mode):
-    cache.write("key", b"content")
-    (folder / "key.code").chmod(mode)
-    with pytest.warns(PyDyUserWarning, match="key.code' can be written by others"):
-        assert cache.read("key") is None
-    cache.write("key", b"content")
-    assert cache.read("key") == b"content"
+    cache.write(KEY, b"content")
+    (folder / f"{KEY}.code").chmod(mode)
+    with pytest.warns(PyDyUserWarning, match="code' can be written by others"):
+        assert cache.read(KEY) is None
+    cache.write(KEY, b"content")
+    assert cache.read(KEY) == b"content"
 
 
 @owned
 def test_what_belongs_to_another_user_is_not_used(folder, monkeypatch):
-    cache.write("key", b"content")
+    cache.write(KEY, b"content")
     owner = os.getuid()
     monkeypatch.setattr(os, "geteuid", lambda: owner + 1)
     with pytest.warns(PyDyUserWarning, match=f"belongs to another user .uid {owner}"):
-        assert cache.read("key") is None
+        assert cache.read(KEY) is None
 
 
 @owned
@@ -219,23 +244,23 @@ def test_what_belongs_to_another_user_is_not_used(folder, monkeypatch):
 def test_a_folder_that_others_could_exchange_is_not_used(tmp_path, monkeypatch, mode):
     shared = tmp_path / "shared"
     monkeypatch.setenv("PYDY_CACHE_DIR", str(shared / "cache"))
-    cache.write("key", b"content")
+    cache.write(KEY, b"content")
     shared.chmod(mode)
     monkeypatch.setattr(cache, "_is_private", lambda *_: False)
     with pytest.warns(PyDyUserWarning, match="shared' can be written by others"):
-        assert cache.read("key") is None
+        assert cache.read(KEY) is None
 
 
 @owned
 def test_a_parent_that_the_users_own_group_may_write_to_is_safe(tmp_path, monkeypatch):
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "home" / "cache"))
-    cache.write("key", b"content")
+    cache.write(KEY, b"content")
     (tmp_path / "home").chmod(0o775)
     monkeypatch.setattr(cache, "_is_private", lambda *_: True)
-    assert cache.read("key") == b"content"
-    (tmp_path / "home" / "cache").chmod(0o770)
-    with pytest.warns(PyDyUserWarning, match="cache' can be written by others"):
-        assert cache.read("key") is None
+    assert cache.read(KEY) == b"content"
+    (tmp_path / "home" / "cache" / "pydy-cache").chmod(0o770)
+    with pytest.warns(PyDyUserWarning, match="pydy-cache' can be written by others"):
+        assert cache.read(KEY) is None
 
 
 @owned
@@ -267,8 +292,8 @@ def test_a_folder_of_ones_own_where_everybody_may_have_one_is_used(tmp_path, mon
     (tmp_path / "tmp").mkdir()
     (tmp_path / "tmp").chmod(0o1777)
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "tmp" / "cache"))
-    cache.write("key", b"content")
-    assert cache.read("key") == b"content"
+    cache.write(KEY, b"content")
+    assert cache.read(KEY) == b"content"
 
 
 @owned
@@ -284,9 +309,9 @@ def test_a_link_is_judged_by_where_it_leads(tmp_path, monkeypatch):
 @owned
 @pytest.mark.parametrize("kind", ["link", "pipe", "folder"])
 def test_an_entry_is_a_file(folder, kind, tmp_path):
-    cache.write("other", b"content")
-    cache.write("key", b"content")
-    path = folder / "key.code"
+    cache.write(OTHER, b"content")
+    cache.write(KEY, b"content")
+    path = folder / f"{KEY}.code"
     path.rename(tmp_path / "elsewhere")
     if kind == "link":
         path.symlink_to(tmp_path / "elsewhere")
@@ -294,24 +319,24 @@ def test_an_entry_is_a_file(folder, kind, tmp_path):
         os.mkfifo(path)
     else:
         path.mkdir()
-    assert cache.read("key") is None
+    assert cache.read(KEY) is None
 
 
 @owned
 def test_an_entry_is_checked_when_it_is_open(folder, monkeypatch):
     # Another one may lie there by the time it is looked at by name.
-    cache.write("key", b"content")
+    cache.write(KEY, b"content")
     seen = []
     fstat = os.fstat
     monkeypatch.setattr(os, "fstat", lambda number: seen.append(number) or fstat(number))
-    assert cache.read("key") == b"content"
+    assert cache.read(KEY) == b"content"
     assert seen
 
 
 def test_where_files_have_no_owners_the_cache_works(folder, monkeypatch):
     monkeypatch.delattr(os, "geteuid", raising=False)
-    cache.write("key", b"content")
-    assert cache.read("key") == b"content"
+    cache.write(KEY, b"content")
+    assert cache.read(KEY) == b"content"
 
 
 @pytest.fixture

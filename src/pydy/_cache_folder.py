@@ -1,7 +1,7 @@
 """The cache on disk: machine code and simplified Programs, so that nothing is compiled twice.
 
-An entry is a file named by its key with a checksum before its content: whatever is truncated,
-foreign or unreadable is a miss. Files are written aside and renamed, so several processes can share
+An entry is a file named by its key, a SHA-256, with a checksum before its content: whatever is
+truncated, foreign or unreadable is a miss. No file of another name is ever touched. Files are written aside and renamed, so several processes can share
 a folder and a killed one leaves nothing that counts. No failure of the disk is ever an error.
 
 Entries are run as code. A checksum is no proof of who wrote one, since anybody can compute it: what
@@ -11,7 +11,8 @@ can put another folder in its place; a group of the user's alone may write to pa
 opened first and then checked, so that it cannot be exchanged in between. Windows has no such
 owners; its folders of users are private.
 
-The environment variable PYDY_CACHE_DIR names another folder; ``off`` turns the cache off.
+The environment variable PYDY_CACHE_DIR names the folder in which ``pydy-cache`` is made instead, or
+turns the cache off (``off``).
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import re
 import stat
 import tempfile
 import time
@@ -33,6 +35,8 @@ __all__ = ["LIMIT_BYTES", "folder", "read", "unsafe", "write"]
 LIMIT_BYTES = 256 * 2**20
 _MAGIC = b"pydy code 1\n"
 _STALE_SECONDS = 3600.0
+# Entries, and what is to become one: nothing else in the folder is ours.
+_OURS = re.compile(r"[0-9a-f]{64}\.(code|[a-z0-9_]{8}\.tmp)")
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
 _warned: set[str] = set()
 
@@ -118,7 +122,9 @@ def folder() -> Path | None:
     chosen = os.environ.get("PYDY_CACHE_DIR")
     if chosen and chosen.lower() == "off":
         return None
-    if not chosen:
+    if chosen:
+        chosen = os.path.join(os.path.expanduser(chosen), "pydy-cache")
+    else:
         import platformdirs
 
         chosen = platformdirs.user_cache_dir("pydy", appauthor=False)
@@ -176,7 +182,7 @@ def read(key: str) -> bytes | None:
     Parameters
     ----------
     key : str
-        Part of a file's name.
+        A SHA-256 in hexadecimal digits.
     """
     place = folder()
     if place is None:
@@ -203,7 +209,8 @@ def write(key: str, content: bytes) -> None:
         _make(place)
         if folder() != place:  # what was not there before has been made by somebody else
             return
-        handle, aside = tempfile.mkstemp(dir=place, prefix="tmp-")  # for the user alone
+        # For the user alone.
+        handle, aside = tempfile.mkstemp(dir=place, prefix=f"{key}.", suffix=".tmp")
     except OSError:
         return
     try:
@@ -223,14 +230,13 @@ def _evict(place: Path) -> None:
     now = time.time()
     try:
         with os.scandir(place) as items:
-            for item in items:
+            for item in filter(lambda item: _OURS.fullmatch(item.name), items):
                 with contextlib.suppress(OSError):
                     status = item.stat()
-                    if item.name.startswith("tmp-"):
-                        if now - status.st_mtime > _STALE_SECONDS:
-                            os.unlink(item.path)
-                    elif item.name.endswith(".code"):
+                    if item.name.endswith(".code"):
                         entries.append((status.st_mtime, status.st_size, item.path))
+                    elif now - status.st_mtime > _STALE_SECONDS:
+                        os.unlink(item.path)
     except OSError:
         return
     total = sum(size for _, size, _ in entries)
