@@ -20,7 +20,16 @@ SRC = Path(__file__).parents[1] / "src"
 LAYERS = {
     "foundation": {
         "_curves",
-        *("_array_layout", "_cache_folder", "_checks", "_dataset", "_errors", "_forks", "_html"),
+        *(
+            "_array_layout",
+            "_cache_folder",
+            "_checks",
+            "_dataset",
+            "_errors",
+            "_files",
+            "_forks",
+            "_html",
+        ),
         *("_names", "_optional", "_sensitivity", "_version", "errors", "inputs", "plot"),
         *("trajectory", "_trajectory"),
     },

@@ -1,8 +1,9 @@
 """The cache on disk: machine code and simplified Programs, so that nothing is compiled twice.
 
 An entry is a file named by its key, a SHA-256, with a checksum before its content: whatever is
-truncated, foreign or unreadable is a miss. No file of another name is ever touched. Files are written aside and renamed, so several processes can share
-a folder and a killed one leaves nothing that counts. No failure of the disk is ever an error.
+truncated, foreign or unreadable is a miss. No file of another name is ever touched. Files are
+written aside and renamed, so several processes can share a folder and a killed one leaves nothing
+that counts. No failure of the disk is ever an error.
 
 Entries are run as code. A checksum is no proof of who wrote one, since anybody can compute it: what
 proves it is the file system. As ssh does with keys, a folder or an entry is used only if it belongs

@@ -14,6 +14,9 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import file_of
+from pydy._files import replacing
+
 __all__ = [
     "ENERGIES",
     "KINDS",
@@ -118,7 +121,7 @@ def write_netcdf(
     events: Sequence[dict[str, Any]],
 ) -> None:
     """Write a Dataset to a NetCDF 3 file, which SciPy alone can read and write."""
-    path = _checked(path)
+    path = file_of(_checked(path), "`path`")
     dataset = dataset.copy()
     plain: dict[str, str] = {}
     for name, variable in dataset.variables.items():
@@ -131,7 +134,8 @@ def write_netcdf(
     dataset = dataset.rename({n: p for n, p in plain.items() if n != p})
     dataset.attrs["pydy_statistics"] = json.dumps(statistics, default=_plain)
     dataset.attrs["pydy_events"] = json.dumps(list(events), default=_plain)
-    dataset.to_netcdf(path, engine="scipy", format="NETCDF3_64BIT")
+    with replacing(path) as (place,):
+        dataset.to_netcdf(place, engine="scipy", format="NETCDF3_64BIT")
 
 
 def _plain(value: Any) -> Any:

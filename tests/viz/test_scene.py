@@ -1,5 +1,6 @@
 """Scene: its arguments, its motion, and what it refuses."""
 
+import os
 import sys
 from types import SimpleNamespace
 
@@ -300,6 +301,27 @@ def test_show_opens_a_file_in_the_browser(trajectory, monkeypatch):
     path = swing().animate(trajectory).show()
     assert opened == [path.as_uri()]
     assert path.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+
+
+def test_show_deletes_pages_that_have_long_been_read_and_nothing_else(
+    trajectory, monkeypatch, tmp_path
+):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr("webbrowser.open", lambda address: None)
+    scene = swing().animate(trajectory)
+    read, recent = scene.show(), scene.show()
+    os.utime(read, (0, 0))
+    own, linked = tmp_path / "pydy-scene-thesis", tmp_path / "mine"
+    for folder in (own, linked):
+        folder.mkdir()
+        (folder / "scene.html").write_text("mine")
+        os.utime(folder / "scene.html", (0, 0))
+    (tmp_path / "pydy-scene-abcdefgh").symlink_to(linked)
+    shown = scene.show()
+    pages = {path for path in tmp_path.rglob("scene.html") if path.parent.name != "mine"}
+    assert pages == {recent, shown, own / "scene.html"}
+    assert (linked / "scene.html").read_text() == "mine"
+    assert not read.parent.exists()
 
 
 def test_show_displays_inline_in_a_notebook(trajectory, monkeypatch):

@@ -25,6 +25,7 @@ from time import perf_counter
 import numpy as np
 import sympy as sm
 
+from pydy._files import replacing
 from pydy.examples import bicycle_scene, whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
 from pydy.solvers import Event
@@ -342,4 +343,5 @@ def draw(ride: Ride, path: Path) -> None:
         axes.axvspan(PUSH_START, PUSH_END, color="0.88", zorder=0, label=f"push, up to {PUSH:g} N")
         axes.grid(alpha=0.3)
         axes.legend(loc=corner, fontsize=9)
-    figure.savefig(path, dpi=150)
+    with replacing(path) as (place,):
+        figure.savefig(place, dpi=150)

@@ -22,6 +22,7 @@ from typing import Any
 from xml.sax.saxutils import quoteattr
 
 from pydy._errors import GeneratorError
+from pydy._files import replacing
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
 from pydy.export.model import Model, Variable
@@ -56,7 +57,10 @@ def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
     if binary:
         folder, suffix = _platform(fmi)
         entries[f"binaries/{folder}/{model.name}{suffix}"] = _library(sources, fmi, suffix)
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+    with (
+        replacing(path) as (place,),
+        zipfile.ZipFile(place, "w", zipfile.ZIP_DEFLATED) as archive,
+    ):
         for name, data in entries.items():
             # The same model gives the same file.
             archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), data)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from pydy._checks import choice, flag
+from pydy._files import write_files
 from pydy._names import nearest
 from pydy._version import __version__
 from pydy.export.c import c_header, c_model_source
@@ -86,18 +87,18 @@ def _head(model: Model) -> list[str]:
 
 def _write_c(model: Model, path: Path) -> tuple[Path, ...]:
     header = path.with_suffix(".h")
-    header.write_text(c_header(model, _head(model)), encoding="utf-8")
-    path.write_text(c_model_source(model, header.name), encoding="utf-8")
+    source = c_model_source(model, header.name)
+    write_files({path: source, header: c_header(model, _head(model))})
     return path, header
 
 
 def _write_js(model: Model, path: Path) -> tuple[Path, ...]:
-    path.write_text(javascript_module(model, _head(model)), encoding="utf-8")
+    write_files({path: javascript_module(model, _head(model))})
     return (path,)
 
 
 def _write_py(model: Model, path: Path, target: str = "numpy") -> tuple[Path, ...]:
-    path.write_text(python_source(model, target, _head(model)), encoding="utf-8")
+    write_files({path: python_source(model, target, _head(model))})
     return (path,)
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._files import replacing
 from pydy._optional import require
 from pydy.viz.animation import Animation, Item
 from pydy.viz.framing import Framing, Look, frame
@@ -65,7 +66,8 @@ def save(
     start, end = float(animation.times[0]), float(animation.times[-1])
     if suffix in _PICTURES:
         _Drawing(animation, animation.at(start), seen, axes, look.title).draw(0)
-        figure.savefig(path, dpi=dpi)
+        with replacing(path) as (place,):
+            figure.savefig(place, dpi=dpi)
         return
     from pydy.viz.films import save_gif, save_mp4
 
@@ -75,7 +77,8 @@ def save(
     rows: Iterable[int] = range(count)
     if progress:
         rows = require("tqdm.auto", "ensemble", "`progress=True`").tqdm(rows)
-    (save_gif if suffix == ".gif" else save_mp4)(drawing, rows, path, fps)
+    with replacing(path) as (place,):
+        (save_gif if suffix == ".gif" else save_mp4)(drawing, rows, place, fps)
 
 
 def _whole(figure: Any) -> Any:

@@ -40,7 +40,9 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
             yield frame
 
     rest = frames()
-    next(rest).save(path, save_all=True, append_images=rest, duration=int(1000.0 / fps), loop=0)
+    options = {"save_all": True, "append_images": rest, "duration": int(1000.0 / fps), "loop": 0}
+    with open(path, "wb") as file:  # Pillow leaves its own open after a Ctrl-C
+        next(rest).save(file, "GIF", **options)
 
 
 def _palette(image: Any, pixels: np.ndarray, colours: list[np.ndarray]) -> tuple[bytes, np.ndarray]:

@@ -8,18 +8,26 @@ stored once.
 from __future__ import annotations
 
 import json
+import os
 import re
+import stat
+import tempfile
+import time
+import webbrowser
 from base64 import b64encode
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cache
 from hashlib import sha256
 from html import escape
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from pydy._files import write_files
 from pydy._version import __version__
 from pydy.viz.animation import Animation, Item
 from pydy.viz.colours import CYCLE
@@ -31,7 +39,7 @@ from pydy.viz.solids import Circle, Cube, Icosahedron, Octahedron, Tetrahedron, 
 from pydy.viz.surfaces import surface
 from pydy.viz.tuning import AT_REST, TRACK
 
-__all__ = ["Look", "embedded", "page", "page_data"]
+__all__ = ["Look", "embedded", "opened", "page", "page_data"]
 
 # The scripts of the page, in the order in which they build on each other.
 SCRIPTS = (
@@ -95,6 +103,25 @@ def _hash(text: str) -> str:
 @cache
 def _resource(name: str) -> str:
     return (files("pydy.viz") / "assets" / name).read_text(encoding="utf-8")
+
+
+_READ_SECONDS = 3600.0  # when every browser has long read a page
+
+
+def opened(html: str) -> Path:
+    """Show a page in the browser, from a temporary file; delete those that have been read."""
+    for old in Path(tempfile.gettempdir()).glob("pydy-scene-????????/scene.html"):
+        with suppress(OSError):
+            folder = os.lstat(old.parent)  # neither a link nor somebody else's
+            ours = getattr(os, "geteuid", int)() == folder.st_uid  # 0 on Windows
+            age = time.time() - os.lstat(old).st_mtime
+            if ours and stat.S_ISDIR(folder.st_mode) and age > _READ_SECONDS:
+                old.unlink()
+                old.parent.rmdir()
+    path = Path(tempfile.mkdtemp(prefix="pydy-scene-")) / "scene.html"
+    write_files({path: html})
+    webbrowser.open(path.as_uri())
+    return path
 
 
 def embedded(html: str) -> str:

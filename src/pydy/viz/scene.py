@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
-import webbrowser
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +11,7 @@ import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
 from pydy._checks import choice, file_of, flag, listed, number, shown, text, vector
+from pydy._files import write_files
 from pydy._names import nearest
 from pydy.viz.animation import Animation, animate
 from pydy.viz.arguments import (
@@ -32,7 +31,7 @@ from pydy.viz.defaults import unit_vector
 from pydy.viz.ghosts import compared
 from pydy.viz.live import live_page
 from pydy.viz.motion import Model, checked_samples, motion_of_arrays, motion_of_trajectory, sampled
-from pydy.viz.page import Look, embedded, page
+from pydy.viz.page import Look, embedded, opened, page
 from pydy.viz.retired import no_attribute
 from pydy.viz.views import PerspectiveCamera, animate_states, animate_system, direction_of
 from pydy.viz.visuals import Visual
@@ -365,21 +364,21 @@ class Scene:
             given by a Python function or by samples.
         """
         target = file_of(path, "`path`")
-        target.write_text(self.html(theme, live), encoding="utf-8")
+        write_files({target: self.html(theme, live)})
         return target
 
     def show(self) -> Any:
-        """Show the scene: inline in Jupyter, otherwise in the browser, from a temporary file."""
+        """Show the scene: inline in Jupyter, otherwise in the browser, from a temporary file.
+
+        Pages that were shown more than an hour ago are deleted from the disk.
+        """
         if in_notebook():
             from IPython.display import display  # where there is a notebook, there is IPython
 
             self._moving()
             display(self)  # as an object: IPython's HTML warns of pages in frames
             return None
-        path = Path(tempfile.mkdtemp(prefix="pydy-scene-")) / "scene.html"
-        self.to_html(path)
-        webbrowser.open(path.as_uri())
-        return path
+        return opened(self.html())
 
     display = show
 

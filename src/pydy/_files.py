@@ -1,0 +1,60 @@
+"""Files of the user's are replaced as a whole, or not at all."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import stat
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+__all__ = ["replacing", "write_files"]
+
+
+@contextlib.contextmanager
+def replacing(*paths: Path) -> Iterator[list[Path]]:
+    """Yield where to write each file: in a folder beside it, from which all move at the end.
+
+    A full disk, an error or Ctrl-C leaves what was there before. A folder of its own keeps the
+    file's name and suffix, which writers read, and its usual permissions. Devices and pipes are
+    written to as they are.
+    """
+    with contextlib.ExitStack() as folders:
+        moves: list[tuple[Path, Path]] = []
+        places = []
+        for path in paths:
+            if _is_special(path):
+                places.append(path)
+                continue
+            target = Path(os.path.realpath(path))  # a link stays one
+            folder = tempfile.TemporaryDirectory(prefix=".pydy-", dir=target.parent)
+            places.append(Path(folders.enter_context(folder), target.name))
+            moves.append((places[-1], target))
+        yield places
+        for aside, target in moves:
+            with contextlib.suppress(FileNotFoundError):
+                shutil.copymode(target, aside)
+            with open(aside, "rb+") as file:
+                os.fsync(file.fileno())  # some file systems say only now that they are full
+        for aside, target in moves:
+            os.replace(aside, target)
+
+
+def write_files(contents: dict[Path, Any]) -> None:
+    """Write texts or bytes to files: all of them, or none where one cannot be written."""
+    with replacing(*contents) as places:
+        for place, content in zip(places, contents.values(), strict=True):
+            data = (
+                content.encode(errors="backslashreplace") if isinstance(content, str) else content
+            )
+            place.write_bytes(data)
+
+
+def _is_special(path: Path) -> bool:
+    try:
+        return not stat.S_ISREG(path.stat().st_mode)
+    except OSError:
+        return False
