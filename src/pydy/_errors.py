@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 import warnings
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -24,6 +25,7 @@ __all__ = [
     "PyDyUserWarning",
     "SingularMatrixError",
     "UnsupportedFunctionError",
+    "few",
     "warn_user",
 ]
 
@@ -38,6 +40,12 @@ def warn_user(message: str) -> None:
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("pydy."):
         level, frame = level + 1, frame.f_back
     warnings.warn(message, PyDyUserWarning, stacklevel=level)
+
+
+def few(texts: Sequence[str]) -> str:
+    """Return the first two texts, and how many more there are."""
+    more = f"; and {len(texts) - 2} more" if len(texts) > 2 else ""
+    return "; ".join(texts[:2]) + more
 
 
 class SingularMatrixError(np.linalg.LinAlgError):

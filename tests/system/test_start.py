@@ -8,6 +8,8 @@ import sympy.physics.mechanics as me
 import zoo
 from cases import system_of
 from pydy.errors import IntegrationError, PyDyUserWarning
+from pydy.examples import whipple_bicycle
+from pydy.mechanics import Definition
 from pydy.system import System
 
 TIMES = np.linspace(0.0, 0.1, 3)
@@ -148,3 +150,55 @@ def test_a_start_far_off_is_told_in_any_units(length, constraints):
     else:
         with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"):
             system.simulate(**options)
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e9, 1e-9])
+def test_a_bicycle_that_stands_upright_to_rounding_is_not_told_of(unit):
+    model = whipple_bicycle.derive()
+    constants = whipple_bicycle.benchmark_parameters(model)
+    for s in constants:
+        if s.name in ("w", "c", "g") or s.name[:2] in ("r_", "x_", "z_"):
+            constants[s] *= unit
+    system = System(model.definition, constants, times=[0.0, 1e-3])
+    system.initial_conditions = {"theta": 5e-17}
+    assert system.evaluate_holonomic_constraints()[0] != 0.0
+    system.integrate()
+    system.initial_conditions = {"theta": 1e-4}
+    with pytest.warns(PyDyUserWarning, match="in the holonomic constraint 0"):
+        system.integrate()
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+@pytest.mark.parametrize("far", [0.0, 1e9])
+def test_a_coordinate_of_another_row_does_not_hide_that_one_is_off(far, unit):
+    x, y, z = me.dynamicsymbols("x y z")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    place = O.locatenew("P", x * N.x + y * N.y + z * N.z)
+    definition = Definition(
+        N, [x, y, z], bodies=[me.Particle("P", place, 1)], holonomic_constraints=[x - 2 * y]
+    )
+    start = {x: 0.2 * unit, y: 0.1 * unit * (1 + 2e-16), z: far * unit}
+    system = System(definition, initial_conditions=start, times=[0.0, 1.0])
+    system.integrate()
+    system.initial_conditions[y] = 0.11 * unit
+    with pytest.warns(PyDyUserWarning, match="in the holonomic constraint 0"):
+        system.integrate()
+
+
+def test_of_many_rows_that_do_not_hold_two_are_shown():
+    n = 40
+    q, p = me.dynamicsymbols(f"q:{n}"), me.dynamicsymbols(f"p:{n}")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    bodies = [
+        me.Particle(f"P{k}", O.locatenew(f"P{k}", a * N.x + b * N.y), 1)
+        for k, (a, b) in enumerate(zip(q, p, strict=True))
+    ]
+    rows = [a - b for a, b in zip(q, p, strict=True)]
+    definition = Definition(N, [*q, *p], bodies=bodies, holonomic_constraints=rows)
+    system = System(definition, initial_conditions=dict.fromkeys(q, 1.0), times=[0.0, 1.0])
+    with pytest.warns(PyDyUserWarning, match="and 38 more") as told:
+        system.integrate()
+    assert len(told) == 1
+    assert str(told[0].message).count("in the holonomic constraint") == 2

@@ -16,7 +16,7 @@ from pydy._graph.operations import OPERATIONS
 __all__ = ["rounding_bounds"]
 
 
-def rounding_bounds(graph: Graph, nodes: Sequence[int]) -> list[int]:
+def rounding_bounds(graph: Graph, nodes: Sequence[int], inherited: bool = True) -> list[int]:
     """Return bounds on the rounding errors of `nodes`, in units of 2⁻⁵².
 
     The states are taken as rounded too; time, specifieds and what depends on constants alone are
@@ -27,7 +27,12 @@ def rounding_bounds(graph: Graph, nodes: Sequence[int]) -> list[int]:
     graph : Graph
         Gets the new nodes.
     nodes : sequence of nodes
+    inherited : bool
+        Whether the roundings of operands count; else only those of the last operations, which is a
+        part of the bounds that costs little.
     """
+    if not inherited:
+        return [_own(graph, n) for n in nodes]
     bounds: dict[int, int] = {}
     for node in graph.reachable(nodes):
         bounds[node] = _bound(graph, node, bounds)
@@ -43,11 +48,7 @@ def _bound(g: Graph, node: int, bounds: dict[int, int]) -> int:
     operation = OPERATIONS.get(op)
     if g.constant[node] or (operation is not None and operation.partials is None):
         return g.zero  # steps and conditions too
-    if op == "sum":
-        c0, terms = args
-        own = g.sum([(g.call("abs", n), abs(c)) for n, c in terms], abs(c0))
-    else:
-        own = g.call("abs", node)
+    own = _own(g, node)
     if op in ("factor", "solve", "item"):
         return own  # linear solves are not looked into
     partials = Rows(g, {n: {n: g.one} for n in g.operands(node)}).through(node)
@@ -57,3 +58,10 @@ def _bound(g: Graph, node: int, bounds: dict[int, int]) -> int:
         if bounds[n] != g.zero
     ]
     return g.sum([*inherited, (own, 1.0)])
+
+
+def _own(g: Graph, node: int) -> int:
+    if g.ops[node] != "sum":
+        return g.call("abs", node)
+    c0, terms = g.args[node]
+    return g.sum([(g.call("abs", n), abs(c)) for n, c in terms], abs(c0))

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import describe
+from pydy._errors import few
 from pydy._graph.identities import signatures
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
@@ -190,10 +191,13 @@ def _choose(
         best = min(every, key=lambda s: float(np.abs(s["residuals"]).max()))["residuals"]
         names = [("holonomic", k, e) for k, e in enumerate(equations.holonomic)]
         names += [("velocity", k, e) for k, e in enumerate(equations.velocity)]
-        open_ones = "; ".join(
-            f"the {kind} constraint {k}, `{expression}`, is left at {left:.3g}"
-            for (kind, k, expression), left in zip(names, best, strict=True)
-            if abs(left) > _SHARE * np.abs(best).max()
+        worst = [k for k in np.argsort(-np.abs(best)) if abs(best[k]) > _SHARE * np.abs(best).max()]
+        open_ones = few(
+            [
+                f"the {names[k][0]} constraint {names[k][1]}, `{names[k][2]}`, is left at "
+                f"{best[k]:.3g}"
+                for k in worst
+            ]
         )
         raise ValueError(
             "The constraints contradict each other: no state was found that satisfies all of them; "

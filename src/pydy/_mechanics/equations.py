@@ -120,6 +120,14 @@ class Equations:
         return replace_symbols(expression, {**dict(rates), **dict.fromkeys(self.zeros, sm.S.Zero)})
 
     @cached_property
+    def left_out(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
+        """The holonomic and the velocity constraints that are redundant, in terms of the states."""
+        body = self.multibody
+        if body is None:
+            return (), ()
+        return body.closed, tuple(map(self.in_states, body.redundant))
+
+    @cached_property
     def kinetic_energy(self) -> Any:
         """The kinetic energy in terms of q, u, t, constants and specifieds; None without bodies."""
         if self.mechanism is None or not self.mechanism.bodies:

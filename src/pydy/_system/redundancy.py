@@ -7,7 +7,7 @@ constraint may contradict others in a length that was random there.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -15,9 +15,11 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._graph.derivative import dense_jacobian
+from pydy._graph.rounding import rounding_bounds
 from pydy._system.tuning import DIGITS, INDEPENDENT
+from pydy.solvers.tuning import ROUNDING
 
-__all__ = ["check_redundant"]
+__all__ = ["check_redundant", "evaluated_rows"]
 
 
 def check_redundant(
@@ -42,24 +44,23 @@ def check_redundant(
     ValueError
         More constraints are independent, or one that was left out does not hold.
     """
-    equations = definition.equations
-    body = equations.multibody
-    if body is None or not (body.redundant or body.closed):
+    equations, at = definition.equations, (np.array([t]), x[None], r[None], p)
+    left_out = equations.left_out
+    if not any(left_out):
         return
     n = len(equations.coordinates)
-    parts = _LeftOut(body.closed, tuple(map(equations.in_states, body.redundant)))
-    found = model.interpreted(parts, (np.array([t]), x[None], r[None], p))
-    values = {name: part.reshape(-1, len(x)) for name, part in found.items() if name != "closed"}
-    closed = found["closed"][0]
-    size = np.maximum(np.abs(x[:n]), np.abs(x[:n]).max(initial=0.0) or 1.0)
-    allowed = DIGITS * (np.abs(values["slopes"][:, :n]) @ size)
-    if not (np.abs(closed) <= allowed).all():
-        k = int(np.argmax(np.abs(closed) - allowed))
+    places = slice(len(equations.holonomic), len(equations.holonomic) + len(left_out[0]))
+    found = evaluated_rows(definition, model, "bounds", at)
+    closed, bounds = (part[0, places] for part in found)
+    if (far := ~(np.abs(closed) <= DIGITS * bounds)).any():
+        k = int(np.argmax(far))
         raise ValueError(
-            f"The holonomic constraint `{body.closed[k]}` was left out as redundant, but with "
+            f"The holonomic constraint `{left_out[0][k]}` was left out as redundant, but with "
             f"these numbers it contradicts the others: at t = {t!r} it is {closed[k]:.3g} where "
             "the others hold. Correct it, or the constants and initial conditions."
         )
+    slopes = model.interpreted(_Rows(*equations.left_out, "slopes"), at)
+    values = {name: part.reshape(-1, len(x)) for name, part in slopes.items()}
     kept, more = (values[name][:, n:] for name in ("kept", "more"))
     needed = _rank(np.concatenate([kept, more]))
     if needed > len(kept):
@@ -71,24 +72,59 @@ def check_redundant(
         )
 
 
+def evaluated_rows(
+    definition: Definition,
+    model: CompiledModel,
+    what: Literal["sizes", "bounds"],
+    at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the residuals of all constraints at m states, and what rounding is in proportion to.
+
+    What a search leaves of states that are zero is a rounding of one unit: smaller ones count as
+    that.
+
+    Parameters
+    ----------
+    definition : Definition
+    model : CompiledModel
+        With all expressions compiled in.
+    what : {'sizes', 'bounds'}
+        The terms of the last sum, which are quickly found, or the bounds on rounding errors.
+    at : (t, x, r, p)
+
+    Returns
+    -------
+    residuals, sizes : ndarray, shape (m, rows)
+        Holonomic constraints, those left out behind the others, then velocity constraints.
+    """
+    rows, (t, x, r, p) = _Rows(*definition.equations.left_out, what), at
+    residuals = model.interpreted(rows, at)["rows"]
+    least = ROUNDING / DIGITS
+    x = np.where(np.abs(x) < least, np.copysign(least, x), x)
+    return residuals, model.interpreted(rows, (t, x, r, p))["sizes"]
+
+
 @dataclass(frozen=True)
-class _LeftOut:
-    """What is looked at, as nodes."""
+class _Rows:
+    """All constraints, those that were left out too, and what is asked of them."""
 
     closed: tuple[Any, ...]
     redundant: tuple[Any, ...]
+    what: str
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph = assembly.graph
-        states = [graph.input("x", k) for k in range(assembly.sizes[0])]
         closed = assembly.read(self.closed, "the holonomic constraints")
         more = assembly.read(self.redundant, "the velocity constraints")
-        return {
-            "closed": closed,
-            "slopes": dense_jacobian(graph, closed, states),
-            "kept": dense_jacobian(graph, assembly.velocity, states),
-            "more": dense_jacobian(graph, more, states),
-        }
+        if self.what == "slopes":
+            states = [graph.input("x", k) for k in range(assembly.sizes[0])]
+            return {
+                "kept": dense_jacobian(graph, assembly.velocity, states),
+                "more": dense_jacobian(graph, more, states),
+            }
+        rows = [*assembly.holonomic, *closed, *assembly.velocity, *more]
+        own = self.what == "sizes"
+        return {"rows": rows, "sizes": rounding_bounds(graph, rows, inherited=not own)}
 
 
 def _rank(rows: np.ndarray) -> int:

@@ -223,13 +223,17 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     )
 
 
-def constraint_names(equations: Equations) -> tuple[str, ...]:
-    """Return what to call the holonomic, then the velocity constraints."""
-    return tuple(
-        f"{kind} constraint {k}: {text if len(text) <= 60 else text[:57] + '...'}"
-        for kind, rows in (("holonomic", equations.holonomic), ("velocity", equations.velocity))
-        for k, text in enumerate(map(str, rows))
-    )
+def constraint_names(equations: Equations, redundant: bool = False) -> tuple[str, ...]:
+    """Return what to call the holonomic, then the velocity constraints, `redundant` ones too."""
+    left_out = equations.left_out if redundant else ((), ())
+    kept = ("holonomic", equations.holonomic), ("velocity", equations.velocity)
+    names = []
+    for (kind, rows), more in zip(kept, left_out, strict=True):
+        for k, row in enumerate((*rows, *more)):
+            text = str(row)
+            name = f"{kind} constraint {k}" if k < len(rows) else f"redundant {kind} constraint"
+            names.append(f"{name}: {text if len(text) <= 60 else text[:57] + '...'}")
+    return tuple(names)
 
 
 class _Names(Sequence[str]):

@@ -9,11 +9,10 @@ import numpy as np
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._errors import warn_user
-from pydy._graph.derivative import dense_jacobian
-from pydy._system.redundancy import check_redundant
+from pydy._errors import few, warn_user
+from pydy._system.redundancy import check_redundant, evaluated_rows
 from pydy._system.solving import constraint_names
-from pydy._system.tuning import DIGITS, HELD, TRIED
+from pydy._system.tuning import DIGITS, TRIED
 from pydy.trajectory import EventRecord
 
 __all__ = ["check_resets", "check_samples", "check_start", "surely_held", "violations"]
@@ -40,10 +39,11 @@ def check_start(
     mended : bool
         Whether the motion is brought onto the constraints, so that there is nothing to warn of.
     """
-    told = violations(definition, model, t, x, r, p)
+    told = violations(definition, model, t, x, r, p, redundant=False)
     if not told:
         check_redundant(definition, model, t, x, r, p)
-    elif not mended:
+        told = violations(definition, model, t, x, r, p)
+    if told and not mended:
         warn_user(
             f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
             f"the motion back onto them. {told} Call "
@@ -93,22 +93,10 @@ def surely_held(
     r: np.ndarray,
     p: np.ndarray,
 ) -> np.ndarray:
-    """Return which of m states have no `violations`, as far as their residuals alone tell."""
-    return _residuals_at(len(definition.equations.coordinates), model, (t, x, r, p))[1]
-
-
-def _residuals_at(
-    n: int,
-    model: CompiledModel,
-    at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return residuals (m, rows), and which states they are nothing in."""
-    residuals = np.concatenate(list(model.interpreted(_residuals, at).values()), axis=1)
-    # Residuals may be squares of lengths: of micrometres these are 1e-12 m².
-    lengths = np.abs(at[1][:, :n]).max(axis=1, initial=0.0)
-    lengths = np.where(lengths > 0.0, np.minimum(lengths, 1.0), 1.0)
-    within = np.abs(residuals).max(axis=1, initial=0.0) < HELD * lengths**2  # NaN is not
-    return residuals, within
+    """Return which of m states have no `violations`, as far as the last operations tell."""
+    residuals, sizes = evaluated_rows(definition, model, "sizes", (t, x, r, p))
+    held: np.ndarray = (np.abs(residuals) <= DIGITS * sizes).all(axis=1)  # NaN is not
+    return held
 
 
 def violations(
@@ -118,12 +106,11 @@ def violations(
     x: np.ndarray,
     r: np.ndarray,
     p: np.ndarray,
+    redundant: bool = True,
 ) -> str:
     """Name the residuals of a state that is farther from the constraints than six digits are.
 
-    A residual is compared with the sum of the products of its derivatives by the states and the
-    rounding of these, a part of 1e-5 of each state, or of the largest coordinate or speed where
-    that is larger.
+    A residual is compared with the bound on its rounding errors, if six digits were computed with.
 
     Parameters
     ----------
@@ -131,45 +118,32 @@ def violations(
     model : CompiledModel
         With all expressions compiled in.
     t, x, r, p
+    redundant : bool
+        Whether constraints that were left out as redundant are judged too.
 
     Returns
     -------
     str
         A sentence, or nothing.
     """
-    n = len(definition.equations.coordinates)
     at = (np.array([t]), x[None], r[None], p)
-    residuals, within = _residuals_at(n, model, at)
-    if within[0]:
+    if surely_held(definition, model, *at)[0]:
         return ""
-    residuals = residuals[0]
-    size = np.abs(x)
-    for part in (slice(n), slice(n, None)):
-        size[part] = np.maximum(size[part], size[part].max(initial=0.0) or 1.0)
-    found = model.interpreted(_slopes, at).values()
-    slopes = np.concatenate([part.reshape(-1, len(x)) for part in found])
-    with np.errstate(over="ignore"):
-        allowed = DIGITS * (np.abs(slopes) @ size)
-    far = np.flatnonzero(~(np.abs(residuals) <= allowed))
+    residuals, bounds = (part[0] for part in evaluated_rows(definition, model, "bounds", at))
+    allowed = DIGITS * bounds
+    off = ~(np.abs(residuals) <= allowed)
+    equations = definition.equations
+    parts = zip((equations.holonomic, equations.velocity), equations.left_out, strict=True)
+    lengths = [len(rows) for pair in parts for rows in pair]
+    off &= np.repeat([True, redundant] * 2, lengths)
+    far = np.flatnonzero(off)
     if not far.size:
         return ""
-    names = constraint_names(definition.equations)
-    worst = far[np.argsort(-np.abs(residuals[far]))][:3]
-    told = "; ".join(f"{residuals[k]:.3g} in the {names[k]}" for k in worst)
-    more = f"; and {far.size - 3} more" if far.size > 3 else ""
-    return f"The residuals at t = {t!r} are {told}{more}."
-
-
-def _residuals(assembly: Assembly) -> dict[str, list[int]]:
-    return {"holonomic": assembly.holonomic, "velocity": assembly.velocity}
-
-
-def _slopes(assembly: Assembly) -> dict[str, list[int]]:
-    graph = assembly.graph
-    states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-    return {
-        name: dense_jacobian(graph, nodes, states) for name, nodes in _residuals(assembly).items()
-    }
+    shares = np.abs(residuals[far]) / np.where(allowed[far] > 0.0, allowed[far], 1.0)
+    worst = far[np.argsort(-shares, kind="stable")]
+    names = constraint_names(equations, redundant=True)
+    told = few([f"{residuals[k]:.3g} in the {names[k]}" for k in worst])
+    return f"The residuals at t = {t!r} are {told}."
 
 
 def check_samples(

@@ -11,7 +11,6 @@ __all__ = [
     "CANCELLED",
     "DIGITS",
     "FIT",
-    "HELD",
     "INDEPENDENT",
     "INSTANT",
     "LARGEST_BLOCK",
@@ -34,7 +33,7 @@ One is enough to warn; 64 take milliseconds, and are spread over all.
 """
 
 DIGITS = 1e-5
-"""The part of each state by which it may miss the constraints: numbers are typed to six digits."""
+"""A rounding of numbers that were typed to six digits."""
 
 BESIDE = 1e-3
 """How far beside a state, relative to it, the size of a constraint's gradient is taken.
@@ -44,9 +43,6 @@ In a singular configuration itself the gradient is rounding errors; they are far
 
 NO_INERTIA = 1e-12
 """The inertia of a combination of speeds, in units of what each has alone, that is none."""
-
-HELD = 1e-12
-"""Residuals of constraints that hold, in units of the largest coordinate's square up to 1."""
 
 INDEPENDENT = 1e-3
 """A singular value of constraints' rows of unit size that is not zero, at a state of six digits."""

@@ -15,7 +15,7 @@ from weakref import WeakSet
 
 import numpy as np
 
-from pydy._errors import IntegrationError, IntegrationInterrupted, warn_user
+from pydy._errors import IntegrationError, IntegrationInterrupted, few, warn_user
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.events import CompiledEvents, EventRecord, crowd, forcing_time
 from pydy.solvers.options import Options
@@ -232,7 +232,7 @@ class Integration:
         names = wanted.dependent(call.evaluate(wanted.kernel, self.memory.x[: self.n].copy(), t))
         if names:
             warn_user(
-                f"Redundant constraints at t = {t!r}: {'; '.join(names)}. They are enforced but do "
+                f"Redundant constraints at t = {t!r}: {few(names)}. They are enforced but do "
                 "not raise the rank. Leave them out if that is so in every state."
             )
 
@@ -246,7 +246,7 @@ class Integration:
             return 1.0, "", 1.0
         values, longest = call.evaluate(wanted.kernel, x, t), seen[at.WHERE + self.n :]
         nearness, names = wanted.combination(values, longest, int(seen[at.RANK]))
-        return nearness, "; ".join(names), wanted.determinacy(values)
+        return nearness, few(names), wanted.determinacy(values)
 
     def _project(
         self, x: np.ndarray, wanted: CompiledConstraints, off: int, **details: Any
