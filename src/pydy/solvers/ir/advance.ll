@@ -1,4 +1,4 @@
-; sources 99da827407f6bc1faf385fa18f7a7a9ee1f98e870cc58300e5750f1b0c9f7201
+; sources 048d52c4a2f07408ae71a5f6dcfef66f975e0e81f36a6e64af3f9089cff195be
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, i64 %5, ptr %6, i64 %7, ptr %8, i64 %9, i64 %10, double %11) unnamed_addr #0 {
@@ -963,7 +963,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   br label %211
 
 226:                                              ; preds = %188
-  br label %1394
+  br label %1398
 
 227:                                              ; preds = %188
   %228 = load i64, ptr %26, align 8, !noalias !15
@@ -1025,19 +1025,19 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 261:                                              ; preds = %255, %257
   %262 = phi i32 [ %260, %257 ], [ 0, %255 ]
   %263 = phi i32 [ 0, %257 ], [ %256, %255 ]
-  switch i32 %263, label %1214 [
-    i32 -2, label %1212
-    i32 0, label %1212
+  switch i32 %263, label %1218 [
+    i32 -2, label %1216
+    i32 0, label %1216
   ], !prof !35
 
-264:                                              ; preds = %1212
+264:                                              ; preds = %1216
   %265 = getelementptr i8, ptr %144, i64 72
   store i64 3, ptr %265, align 8, !noalias !15
   %266 = icmp slt i32 %262, 0
   %267 = select i1 %266, i64 -4, i64 2
-  br label %1394
+  br label %1398
 
-268:                                              ; preds = %1212
+268:                                              ; preds = %1216
   store i64 1, ptr %144, align 8, !noalias !15
   %269 = getelementptr i8, ptr %49, i64 40
   %270 = load double, ptr %269, align 8, !noalias !15
@@ -1047,15 +1047,15 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   store double %270, ptr %272, align 8, !noalias !15
   store i8 0, ptr %19, align 1, !noalias !15
   %273 = call fastcc i32 @write_reached(ptr nonnull %19, ptr %52, ptr %87, i64 %86, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %273, label %1218 [
-    i32 -2, label %1215
-    i32 0, label %1215
+  switch i32 %273, label %1222 [
+    i32 -2, label %1219
+    i32 0, label %1219
   ], !prof !35
 
-274:                                              ; preds = %1215
-  br label %1394
+274:                                              ; preds = %1219
+  br label %1398
 
-275:                                              ; preds = %1215
+275:                                              ; preds = %1219
   %276 = fcmp oeq double %244, 0.000000e+00
   br i1 %276, label %277, label %417
 
@@ -1070,7 +1070,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   store double 0.000000e+00, ptr %17, align 8, !noalias !37
   %283 = call fastcc i32 @norm(ptr nonnull %17, ptr %87, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
   %284 = load double, ptr %17, align 8, !noalias !37
-  switch i32 %283, label %1219 [
+  switch i32 %283, label %1223 [
     i32 -2, label %285
     i32 0, label %285
   ], !prof !35
@@ -1079,7 +1079,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   store double 0.000000e+00, ptr %18, align 8, !noalias !37
   %286 = call fastcc i32 @norm(ptr nonnull %18, ptr %119, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
   %287 = load double, ptr %18, align 8, !noalias !37
-  switch i32 %286, label %1219 [
+  switch i32 %286, label %1223 [
     i32 -2, label %288
     i32 0, label %288
   ], !prof !35
@@ -1096,11 +1096,11 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %297 = call i64 @llvm.smax.i64(i64 %278, i64 0)
   br label %298
 
-298:                                              ; preds = %288, %1220
-  %299 = phi i64 [ 0, %288 ], [ %1222, %1220 ]
-  %300 = phi i64 [ %297, %288 ], [ %1221, %1220 ]
+298:                                              ; preds = %288, %1224
+  %299 = phi i64 [ 0, %288 ], [ %1226, %1224 ]
+  %300 = phi i64 [ %297, %288 ], [ %1225, %1224 ]
   %301 = icmp sgt i64 %300, 0
-  br i1 %301, label %1220, label %302
+  br i1 %301, label %1224, label %302
 
 302:                                              ; preds = %298
   %303 = load i64, ptr %248, align 8, !noalias !15
@@ -1143,16 +1143,16 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 319:                                              ; preds = %311, %313
   %320 = phi i1 [ %318, %313 ], [ true, %311 ]
   %321 = phi i32 [ 0, %313 ], [ %312, %311 ]
-  switch i32 %321, label %1238 [
-    i32 -2, label %1237
-    i32 0, label %1237
+  switch i32 %321, label %1242 [
+    i32 -2, label %1241
+    i32 0, label %1241
   ], !prof !35
 
-322:                                              ; preds = %1237
+322:                                              ; preds = %1241
   %323 = fmul double %296, 1.000000e-03
   br label %412
 
-324:                                              ; preds = %1237
+324:                                              ; preds = %1241
   store double 0.000000e+00, ptr %16, align 8, !noalias !49
   %325 = icmp slt i64 %86, 0
   %326 = select i1 %325, i64 %118, i64 0
@@ -1169,7 +1169,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 333:                                              ; preds = %329
   store double 0.000000e+00, ptr %16, align 8, !noalias !49
   %334 = call fastcc i32 @norm(ptr nonnull %16, ptr %342, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
-  switch i32 %334, label %1239 [
+  switch i32 %334, label %1243 [
     i32 -2, label %352
     i32 0, label %352
   ], !prof !35
@@ -1278,21 +1278,21 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %418 = phi double [ %413, %412 ], [ %413, %415 ], [ %244, %275 ], [ %244, %227 ]
   br label %419
 
-419:                                              ; preds = %1206, %417
-  %420 = phi double [ %418, %417 ], [ %1208, %1206 ]
-  %421 = phi double [ %242, %417 ], [ %424, %1206 ]
+419:                                              ; preds = %1210, %417
+  %420 = phi double [ %418, %417 ], [ %1212, %1210 ]
+  %421 = phi double [ %242, %417 ], [ %424, %1210 ]
   br label %422
 
-422:                                              ; preds = %1137, %419
-  %423 = phi double [ %420, %419 ], [ %1131, %1137 ]
-  %424 = phi double [ %421, %419 ], [ %467, %1137 ]
+422:                                              ; preds = %1141, %419
+  %423 = phi double [ %420, %419 ], [ %1135, %1141 ]
+  %424 = phi double [ %421, %419 ], [ %467, %1141 ]
   %425 = load i64, ptr %195, align 8, !noalias !15
   %426 = icmp eq i64 %425, 0
   br i1 %426, label %427, label %428
 
 427:                                              ; preds = %422
   store double %423, ptr %243, align 8, !noalias !15
-  br label %1394
+  br label %1398
 
 428:                                              ; preds = %422
   %429 = add nsw i64 %425, -1
@@ -1309,7 +1309,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 
 438:                                              ; preds = %428
   store double %423, ptr %243, align 8, !noalias !15
-  br label %1394
+  br label %1398
 
 439:                                              ; preds = %428
   br i1 %233, label %445, label %440
@@ -1351,17 +1351,17 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %470 = fcmp ogt double %469, %424
   %471 = fcmp oeq double %467, %459
   %472 = or i1 %470, %471
-  br i1 %472, label %473, label %1210
+  br i1 %472, label %473, label %1214
 
 473:                                              ; preds = %458
   %474 = call i64 @llvm.smax.i64(i64 %101, i64 0)
   br label %475
 
-475:                                              ; preds = %473, %1240
-  %476 = phi i64 [ 0, %473 ], [ %1242, %1240 ]
-  %477 = phi i64 [ %474, %473 ], [ %1241, %1240 ]
+475:                                              ; preds = %473, %1244
+  %476 = phi i64 [ 0, %473 ], [ %1246, %1244 ]
+  %477 = phi i64 [ %474, %473 ], [ %1245, %1244 ]
   %478 = icmp sgt i64 %477, 0
-  br i1 %478, label %1240, label %479
+  br i1 %478, label %1244, label %479
 
 479:                                              ; preds = %475
   %480 = load i64, ptr %26, align 8, !noalias !15
@@ -1369,20 +1369,20 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %482 = call i64 @llvm.smax.i64(i64 %481, i64 0)
   br label %483
 
-483:                                              ; preds = %1280, %479
-  %484 = phi i64 [ 1, %479 ], [ %1249, %1280 ]
-  %485 = phi i64 [ %482, %479 ], [ %1248, %1280 ]
+483:                                              ; preds = %1284, %479
+  %484 = phi i64 [ 1, %479 ], [ %1253, %1284 ]
+  %485 = phi i64 [ %482, %479 ], [ %1252, %1284 ]
   %486 = icmp slt i64 %485, 1
-  br i1 %486, label %489, label %1247
+  br i1 %486, label %489, label %1251
 
-487:                                              ; preds = %1280
-  %488 = sext i32 %1277 to i64
+487:                                              ; preds = %1284
+  %488 = sext i32 %1281 to i64
   br label %491
 
 489:                                              ; preds = %483
   store ptr null, ptr %21, align 8, !noalias !15
   %490 = call fastcc i32 @_combine_latest(ptr nonnull %21, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %480, i64 %89, double %466) #2
-  switch i32 %490, label %1283 [
+  switch i32 %490, label %1287 [
     i32 -2, label %491
     i32 0, label %491
   ], !prof !35
@@ -1437,7 +1437,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 513:                                              ; preds = %505, %507
   %514 = phi i64 [ %512, %507 ], [ 0, %505 ]
   %515 = phi i32 [ 0, %507 ], [ %506, %505 ]
-  switch i32 %515, label %1284 [
+  switch i32 %515, label %1288 [
     i32 -2, label %516
     i32 0, label %516
   ], !prof !35
@@ -1448,7 +1448,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   br i1 %518, label %519, label %520
 
 519:                                              ; preds = %516
-  br label %1394
+  br label %1398
 
 520:                                              ; preds = %516
   %521 = icmp eq i64 %517, 0
@@ -1659,12 +1659,12 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %683 = call i64 @llvm.smax.i64(i64 %86, i64 0)
   br label %684
 
-684:                                              ; preds = %682, %1285
-  %685 = phi i64 [ 0, %682 ], [ %1287, %1285 ]
-  %686 = phi i64 [ %683, %682 ], [ %1286, %1285 ]
-  %687 = phi double [ 0.000000e+00, %682 ], [ %1294, %1285 ]
+684:                                              ; preds = %682, %1289
+  %685 = phi i64 [ 0, %682 ], [ %1291, %1289 ]
+  %686 = phi i64 [ %683, %682 ], [ %1290, %1289 ]
+  %687 = phi double [ 0.000000e+00, %682 ], [ %1298, %1289 ]
   %688 = icmp sgt i64 %686, 0
-  br i1 %688, label %1285, label %689
+  br i1 %688, label %1289, label %689
 
 689:                                              ; preds = %684, %609, %600
   %690 = phi double [ %687, %684 ], [ %612, %609 ], [ %608, %600 ]
@@ -1727,23 +1727,23 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 718:                                              ; preds = %711, %713
   %719 = phi i32 [ %717, %713 ], [ 0, %711 ]
   %720 = phi i32 [ 0, %713 ], [ %712, %711 ]
-  switch i32 %720, label %1298 [
-    i32 -2, label %1295
-    i32 0, label %1295
+  switch i32 %720, label %1302 [
+    i32 -2, label %1299
+    i32 0, label %1299
   ], !prof !35
 
-721:                                              ; preds = %1295
-  br label %1394
+721:                                              ; preds = %1299
+  br label %1398
 
-722:                                              ; preds = %1295, %697, %693, %689, %520
-  %723 = phi i1 [ true, %520 ], [ false, %689 ], [ true, %693 ], [ true, %697 ], [ true, %1295 ]
-  %724 = phi i64 [ %517, %520 ], [ 0, %689 ], [ 0, %693 ], [ 0, %697 ], [ %1296, %1295 ]
-  %725 = phi double [ 0.000000e+00, %520 ], [ %690, %689 ], [ %690, %693 ], [ %690, %697 ], [ %690, %1295 ]
-  %726 = phi i1 [ true, %520 ], [ true, %689 ], [ true, %693 ], [ false, %697 ], [ true, %1295 ]
+722:                                              ; preds = %1299, %697, %693, %689, %520
+  %723 = phi i1 [ true, %520 ], [ false, %689 ], [ true, %693 ], [ true, %697 ], [ true, %1299 ]
+  %724 = phi i64 [ %517, %520 ], [ 0, %689 ], [ 0, %693 ], [ 0, %697 ], [ %1300, %1299 ]
+  %725 = phi double [ 0.000000e+00, %520 ], [ %690, %689 ], [ %690, %693 ], [ %690, %697 ], [ %690, %1299 ]
+  %726 = phi i1 [ true, %520 ], [ true, %689 ], [ true, %693 ], [ false, %697 ], [ true, %1299 ]
   %727 = icmp eq i64 %724, 0
   %728 = and i1 %727, %723
   %729 = and i1 %728, %726
-  br i1 %729, label %730, label %1141
+  br i1 %729, label %730, label %1145
 
 730:                                              ; preds = %722
   %731 = load i64, ptr %430, align 8, !noalias !15
@@ -1771,9 +1771,9 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 746:                                              ; preds = %737
   store i8 0, ptr %22, align 1, !noalias !15
   %747 = call fastcc i32 @write_reached(ptr nonnull %22, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %747, label %1299 [
-    i32 -2, label %1022
-    i32 0, label %1022
+  switch i32 %747, label %1303 [
+    i32 -2, label %1026
+    i32 0, label %1026
   ], !prof !35
 
 748:                                              ; preds = %737, %730
@@ -1783,19 +1783,20 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %752 = call i64 @llvm.smax.i64(i64 %751, i64 0)
   br label %753
 
-753:                                              ; preds = %1347, %748
-  %754 = phi i64 [ %749, %748 ], [ %756, %1347 ]
-  %755 = phi i64 [ %752, %748 ], [ %1348, %1347 ]
+753:                                              ; preds = %1351, %748
+  %754 = phi i64 [ %749, %748 ], [ %756, %1351 ]
+  %755 = phi i64 [ %752, %748 ], [ %1352, %1351 ]
   %756 = add i64 %754, 1
   %757 = icmp sgt i64 %755, 0
-  br i1 %757, label %1300, label %762
+  br i1 %757, label %1304, label %762
 
-758:                                              ; preds = %1347
+758:                                              ; preds = %1351
   %759 = getelementptr i8, ptr %144, i64 72
   store i64 3, ptr %759, align 8, !noalias !15
-  %760 = icmp slt i32 %1345, 0
+  store double %424, ptr %139, align 8, !noalias !15
+  %760 = icmp slt i32 %1349, 0
   %761 = select i1 %760, i64 -4, i64 2
-  br label %1394
+  br label %1398
 
 762:                                              ; preds = %753
   %763 = load i64, ptr %150, align 8, !noalias !83
@@ -1829,7 +1830,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %785 = phi i64 [ 3, %774 ], [ %842, %840 ]
   %786 = phi i64 [ %783, %774 ], [ %841, %840 ]
   %787 = icmp sgt i64 %786, 0
-  br i1 %787, label %840, label %1351
+  br i1 %787, label %840, label %1355
 
 788:                                              ; preds = %762
   br label %789
@@ -1940,7 +1941,7 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   call fastcc void @pydy_combine(i64 %845, i64 %109, i64 %99, i64 %116, i64 %856, i64 %857, i64 %864, i64 1, i64 %848) #2, !noalias !91
   br label %784
 
-865:                                              ; preds = %1351
+865:                                              ; preds = %1355
   %866 = getelementptr i8, ptr %194, i64 16
   %867 = load i64, ptr %866, align 8, !noalias !15
   %868 = inttoptr i64 %867 to ptr
@@ -1949,9 +1950,9 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   %871 = load double, ptr %870, align 8, !noalias !15
   br label %872
 
-872:                                              ; preds = %865, %1351
-  %873 = phi double [ %871, %865 ], [ 1.000000e+00, %1351 ]
-  %874 = phi i64 [ %869, %865 ], [ 0, %1351 ]
+872:                                              ; preds = %865, %1355
+  %873 = phi double [ %871, %865 ], [ 1.000000e+00, %1355 ]
+  %874 = phi i64 [ %869, %865 ], [ 0, %1355 ]
   %875 = fcmp oeq double %873, 1.000000e+00
   br i1 %875, label %876, label %878
 
@@ -1966,755 +1967,761 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
 
 881:                                              ; preds = %878, %876
   %882 = phi double [ %877, %876 ], [ %880, %878 ]
-  %883 = fcmp olt double %873, 1.000000e+00
-  %884 = load i64, ptr %150, align 8, !noalias !15
-  %885 = load i64, ptr %191, align 8, !noalias !15
-  %886 = icmp eq i64 %885, 1
-  %887 = getelementptr i8, ptr %144, i64 48
-  %888 = load i64, ptr %887, align 8, !noalias !15
-  %889 = icmp slt i64 %888, %148
-  br i1 %889, label %890, label %933
+  %883 = icmp eq i64 %874, -4
+  %884 = select i1 %883, i64 -4, i64 0
+  br i1 %883, label %938, label %885
 
-890:                                              ; preds = %881
-  %891 = icmp slt i64 %888, 0
-  %892 = select i1 %891, i64 %148, i64 0
-  %893 = getelementptr double, ptr %149, i64 %888
-  %894 = getelementptr double, ptr %893, i64 %892
-  %895 = load double, ptr %894, align 8, !noalias !15
-  %896 = fcmp olt double %895, %882
-  %897 = fcmp oeq double %895, %882
-  %898 = and i1 %897, %883
-  %899 = or i1 %896, %898
-  br i1 %899, label %900, label %933
+885:                                              ; preds = %881
+  %886 = fcmp uge double %873, 1.000000e+00
+  %887 = load i64, ptr %150, align 8, !noalias !15
+  %888 = load i64, ptr %191, align 8, !noalias !15
+  %889 = icmp eq i64 %888, 1
+  %890 = getelementptr i8, ptr %144, i64 48
+  %891 = load i64, ptr %890, align 8, !noalias !15
+  %892 = icmp slt i64 %891, %148
+  br i1 %892, label %893, label %936
 
-900:                                              ; preds = %923, %890
-  %901 = phi i64 [ %888, %890 ], [ %921, %923 ]
-  %902 = icmp slt i64 %901, 0
-  %903 = select i1 %902, i64 %148, i64 0
-  %904 = getelementptr double, ptr %149, i64 %901
-  %905 = getelementptr double, ptr %904, i64 %903
-  %906 = load double, ptr %905, align 8, !noalias !15
-  %907 = fsub double %906, %424
-  %908 = fdiv double %907, %466
-  %909 = mul nsw i64 %901, %884
-  %910 = shl i64 %909, 3
-  %911 = add i64 %910, %1
-  %912 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %1354
+893:                                              ; preds = %885
+  %894 = icmp slt i64 %891, 0
+  %895 = select i1 %894, i64 %148, i64 0
+  %896 = getelementptr double, ptr %149, i64 %891
+  %897 = getelementptr double, ptr %896, i64 %895
+  %898 = load double, ptr %897, align 8, !noalias !15
+  %899 = fcmp uge double %898, %882
+  %900 = fcmp une double %898, %882
+  %901 = or i1 %900, %886
+  %902 = and i1 %899, %901
+  br i1 %902, label %936, label %903
 
-913:                                              ; preds = %1358
-  %914 = getelementptr i8, ptr %191, i64 56
-  %915 = load i64, ptr %914, align 8, !noalias !15
-  %916 = load double, ptr %905, align 8, !noalias !15
-  %917 = inttoptr i64 %915 to ptr
-  %918 = call i64 %917(i64 %0, double %916, i64 %911) #2, !noalias !15
-  %919 = icmp eq i64 %918, 0
-  br i1 %919, label %920, label %935
+903:                                              ; preds = %926, %893
+  %904 = phi i64 [ %891, %893 ], [ %924, %926 ]
+  %905 = icmp slt i64 %904, 0
+  %906 = select i1 %905, i64 %148, i64 0
+  %907 = getelementptr double, ptr %149, i64 %904
+  %908 = getelementptr double, ptr %907, i64 %906
+  %909 = load double, ptr %908, align 8, !noalias !15
+  %910 = fsub double %909, %424
+  %911 = fdiv double %910, %466
+  %912 = mul nsw i64 %904, %887
+  %913 = shl i64 %912, 3
+  %914 = add i64 %913, %1
+  %915 = call i64 @llvm.smax.i64(i64 %106, i64 0)
+  br label %1358
 
-920:                                              ; preds = %1358, %913
-  %921 = add nsw i64 %901, 1
-  %922 = icmp slt i64 %921, %148
-  br i1 %922, label %923, label %933
+916:                                              ; preds = %1362
+  %917 = getelementptr i8, ptr %191, i64 56
+  %918 = load i64, ptr %917, align 8, !noalias !15
+  %919 = load double, ptr %908, align 8, !noalias !15
+  %920 = inttoptr i64 %918 to ptr
+  %921 = call i64 %920(i64 %0, double %919, i64 %914) #2, !noalias !15
+  %922 = icmp eq i64 %921, 0
+  br i1 %922, label %923, label %938
 
-923:                                              ; preds = %920
-  %924 = icmp slt i64 %901, -1
-  %925 = select i1 %924, i64 %148, i64 0
-  %926 = getelementptr double, ptr %149, i64 %921
-  %927 = getelementptr double, ptr %926, i64 %925
-  %928 = load double, ptr %927, align 8, !noalias !15
-  %929 = fcmp olt double %928, %882
-  %930 = fcmp oeq double %928, %882
-  %931 = and i1 %930, %883
-  %932 = or i1 %929, %931
-  br i1 %932, label %900, label %933
+923:                                              ; preds = %1362, %916
+  %924 = add nsw i64 %904, 1
+  %925 = icmp slt i64 %924, %148
+  br i1 %925, label %926, label %936
 
-933:                                              ; preds = %923, %890, %920, %881
-  %934 = phi i64 [ %888, %890 ], [ %921, %923 ], [ %921, %920 ], [ %888, %881 ]
-  store i64 %934, ptr %887, align 8, !noalias !15
-  br label %935
+926:                                              ; preds = %923
+  %927 = icmp slt i64 %904, -1
+  %928 = select i1 %927, i64 %148, i64 0
+  %929 = getelementptr double, ptr %149, i64 %924
+  %930 = getelementptr double, ptr %929, i64 %928
+  %931 = load double, ptr %930, align 8, !noalias !15
+  %932 = fcmp uge double %931, %882
+  %933 = fcmp une double %931, %882
+  %934 = or i1 %933, %886
+  %935 = and i1 %932, %934
+  br i1 %935, label %936, label %903
 
-935:                                              ; preds = %913, %933
-  %936 = phi i1 [ true, %933 ], [ false, %913 ]
-  %937 = phi i64 [ 0, %933 ], [ %918, %913 ]
-  %938 = icmp ne i64 %874, 0
-  %939 = select i1 %936, i1 %938, i1 false
-  %940 = and i1 %939, %883
-  br i1 %940, label %941, label %979
+936:                                              ; preds = %926, %893, %923, %885
+  %937 = phi i64 [ %891, %893 ], [ %924, %926 ], [ %924, %923 ], [ %891, %885 ]
+  store i64 %937, ptr %890, align 8, !noalias !15
+  br label %938
 
-941:                                              ; preds = %935
-  %942 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %943
+938:                                              ; preds = %916, %936, %881
+  %939 = phi i64 [ %884, %881 ], [ 0, %936 ], [ %921, %916 ]
+  %940 = icmp eq i64 %939, 0
+  %941 = icmp ne i64 %874, 0
+  %942 = select i1 %940, i1 %941, i1 false
+  %943 = fcmp olt double %873, 1.000000e+00
+  %944 = and i1 %942, %943
+  br i1 %944, label %945, label %983
 
-943:                                              ; preds = %941, %967
-  %944 = phi i64 [ 0, %941 ], [ %969, %967 ]
-  %945 = phi i64 [ %942, %941 ], [ %968, %967 ]
-  %946 = icmp sgt i64 %945, 0
-  br i1 %946, label %967, label %947
+945:                                              ; preds = %938
+  %946 = call i64 @llvm.smax.i64(i64 %106, i64 0)
+  br label %947
 
-947:                                              ; preds = %943
-  %948 = load i64, ptr %780, align 8, !noalias !94
-  %949 = getelementptr i8, ptr %52, i64 16
-  %950 = load i64, ptr %949, align 8, !noalias !94
-  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %948, i64 %104, i64 %950) #2, !noalias !94
-  %951 = call i64 @llvm.smax.i64(i64 %91, i64 0)
-  br label %952
+947:                                              ; preds = %945, %971
+  %948 = phi i64 [ 0, %945 ], [ %973, %971 ]
+  %949 = phi i64 [ %946, %945 ], [ %972, %971 ]
+  %950 = icmp sgt i64 %949, 0
+  br i1 %950, label %971, label %951
 
-952:                                              ; preds = %956, %947
-  %953 = phi i64 [ 0, %947 ], [ %958, %956 ]
-  %954 = phi i64 [ %951, %947 ], [ %957, %956 ]
-  %955 = icmp sgt i64 %954, 0
-  br i1 %955, label %956, label %1369
+951:                                              ; preds = %947
+  %952 = load i64, ptr %780, align 8, !noalias !94
+  %953 = getelementptr i8, ptr %52, i64 16
+  %954 = load i64, ptr %953, align 8, !noalias !94
+  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %952, i64 %104, i64 %954) #2, !noalias !94
+  %955 = call i64 @llvm.smax.i64(i64 %91, i64 0)
+  br label %956
 
-956:                                              ; preds = %952
-  %957 = add nsw i64 %954, -1
-  %958 = add i64 %953, 1
-  %959 = icmp slt i64 %953, 0
-  %960 = select i1 %959, i64 %96, i64 0
-  %961 = getelementptr double, ptr %97, i64 %953
-  %962 = getelementptr double, ptr %961, i64 %960
-  %963 = load double, ptr %962, align 8, !noalias !98
-  %964 = select i1 %959, i64 %91, i64 0
-  %965 = getelementptr double, ptr %92, i64 %953
+956:                                              ; preds = %960, %951
+  %957 = phi i64 [ 0, %951 ], [ %962, %960 ]
+  %958 = phi i64 [ %955, %951 ], [ %961, %960 ]
+  %959 = icmp sgt i64 %958, 0
+  br i1 %959, label %960, label %1373
+
+960:                                              ; preds = %956
+  %961 = add nsw i64 %958, -1
+  %962 = add i64 %957, 1
+  %963 = icmp slt i64 %957, 0
+  %964 = select i1 %963, i64 %96, i64 0
+  %965 = getelementptr double, ptr %97, i64 %957
   %966 = getelementptr double, ptr %965, i64 %964
-  store double %963, ptr %966, align 8, !noalias !98
-  br label %952
+  %967 = load double, ptr %966, align 8, !noalias !98
+  %968 = select i1 %963, i64 %91, i64 0
+  %969 = getelementptr double, ptr %92, i64 %957
+  %970 = getelementptr double, ptr %969, i64 %968
+  store double %967, ptr %970, align 8, !noalias !98
+  br label %956
 
-967:                                              ; preds = %943
-  %968 = add nsw i64 %945, -1
-  %969 = add i64 %944, 1
-  %970 = icmp slt i64 %944, 0
-  %971 = select i1 %970, i64 %106, i64 0
-  %972 = getelementptr double, ptr %107, i64 %944
-  %973 = getelementptr double, ptr %972, i64 %971
-  store double %873, ptr %973, align 8, !noalias !94
-  br label %943
+971:                                              ; preds = %947
+  %972 = add nsw i64 %949, -1
+  %973 = add i64 %948, 1
+  %974 = icmp slt i64 %948, 0
+  %975 = select i1 %974, i64 %106, i64 0
+  %976 = getelementptr double, ptr %107, i64 %948
+  %977 = getelementptr double, ptr %976, i64 %975
+  store double %873, ptr %977, align 8, !noalias !94
+  br label %947
 
-974:                                              ; preds = %1369
-  %975 = getelementptr i8, ptr %191, i64 56
-  %976 = load i64, ptr %975, align 8, !noalias !15
-  %977 = inttoptr i64 %976 to ptr
-  %978 = call i64 %977(i64 %0, double %882, i64 %89) #2, !noalias !15
-  br label %979
+978:                                              ; preds = %1373
+  %979 = getelementptr i8, ptr %191, i64 56
+  %980 = load i64, ptr %979, align 8, !noalias !15
+  %981 = inttoptr i64 %980 to ptr
+  %982 = call i64 %981(i64 %0, double %882, i64 %89) #2, !noalias !15
+  br label %983
 
-979:                                              ; preds = %1369, %974, %935
-  %980 = phi i64 [ %978, %974 ], [ 0, %1369 ], [ %937, %935 ]
-  %981 = icmp eq i64 %980, 0
-  br i1 %981, label %983, label %982
+983:                                              ; preds = %1373, %978, %938
+  %984 = phi i64 [ %982, %978 ], [ 0, %1373 ], [ %939, %938 ]
+  %985 = icmp eq i64 %984, 0
+  br i1 %985, label %987, label %986
 
-982:                                              ; preds = %979
+986:                                              ; preds = %983
   store double %424, ptr %139, align 8, !noalias !15
   store double %466, ptr %243, align 8, !noalias !15
-  br label %1005
+  br label %1009
 
-983:                                              ; preds = %979
-  br i1 %875, label %984, label %986
+987:                                              ; preds = %983
+  br i1 %875, label %988, label %990
 
-984:                                              ; preds = %983
+988:                                              ; preds = %987
   store i8 0, ptr %23, align 1, !noalias !15
-  %985 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %985, label %1372 [
-    i32 -2, label %986
-    i32 0, label %986
+  %989 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
+  switch i32 %989, label %1376 [
+    i32 -2, label %990
+    i32 0, label %990
   ], !prof !35
 
-986:                                              ; preds = %984, %984, %983
-  %987 = icmp eq i64 %874, 0
-  br i1 %987, label %1005, label %988
+990:                                              ; preds = %988, %988, %987
+  %991 = icmp eq i64 %874, 0
+  br i1 %991, label %1009, label %992
 
-988:                                              ; preds = %986
-  %989 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %990
+992:                                              ; preds = %990
+  %993 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %994
 
-990:                                              ; preds = %994, %988
-  %991 = phi i64 [ 0, %988 ], [ %996, %994 ]
-  %992 = phi i64 [ %989, %988 ], [ %995, %994 ]
-  %993 = icmp sgt i64 %992, 0
-  br i1 %993, label %994, label %1373
+994:                                              ; preds = %998, %992
+  %995 = phi i64 [ 0, %992 ], [ %1000, %998 ]
+  %996 = phi i64 [ %993, %992 ], [ %999, %998 ]
+  %997 = icmp sgt i64 %996, 0
+  br i1 %997, label %998, label %1377
 
-994:                                              ; preds = %990
-  %995 = add nsw i64 %992, -1
-  %996 = add i64 %991, 1
-  %997 = icmp slt i64 %991, 0
-  %998 = select i1 %997, i64 %91, i64 0
-  %999 = getelementptr double, ptr %92, i64 %991
-  %1000 = getelementptr double, ptr %999, i64 %998
-  %1001 = load double, ptr %1000, align 8, !noalias !101
-  %1002 = select i1 %997, i64 %86, i64 0
-  %1003 = getelementptr double, ptr %87, i64 %991
+998:                                              ; preds = %994
+  %999 = add nsw i64 %996, -1
+  %1000 = add i64 %995, 1
+  %1001 = icmp slt i64 %995, 0
+  %1002 = select i1 %1001, i64 %91, i64 0
+  %1003 = getelementptr double, ptr %92, i64 %995
   %1004 = getelementptr double, ptr %1003, i64 %1002
-  store double %1001, ptr %1004, align 8, !noalias !101
-  br label %990
+  %1005 = load double, ptr %1004, align 8, !noalias !101
+  %1006 = select i1 %1001, i64 %86, i64 0
+  %1007 = getelementptr double, ptr %87, i64 %995
+  %1008 = getelementptr double, ptr %1007, i64 %1006
+  store double %1005, ptr %1008, align 8, !noalias !101
+  br label %994
 
-1005:                                             ; preds = %986, %1373, %982
-  %1006 = phi i1 [ false, %982 ], [ false, %1373 ], [ true, %986 ]
-  %1007 = phi i64 [ %980, %982 ], [ %874, %1373 ], [ 0, %986 ]
-  %1008 = icmp ne i64 %1007, 6
-  %1009 = select i1 %1008, i1 true, i1 %233
-  br i1 %1009, label %1020, label %1010
+1009:                                             ; preds = %990, %1377, %986
+  %1010 = phi i1 [ false, %986 ], [ false, %1377 ], [ true, %990 ]
+  %1011 = phi i64 [ %984, %986 ], [ %874, %1377 ], [ 0, %990 ]
+  %1012 = icmp ne i64 %1011, 6
+  %1013 = select i1 %1012, i1 true, i1 %233
+  br i1 %1013, label %1024, label %1014
 
-1010:                                             ; preds = %1005
-  %1011 = load i64, ptr %734, align 8, !noalias !15
-  %1012 = icmp eq i64 %1011, 0
-  br i1 %1012, label %1013, label %1020
+1014:                                             ; preds = %1009
+  %1015 = load i64, ptr %734, align 8, !noalias !15
+  %1016 = icmp eq i64 %1015, 0
+  br i1 %1016, label %1017, label %1024
 
-1013:                                             ; preds = %1010
-  %1014 = load i64, ptr %430, align 8, !noalias !15
-  %1015 = add nsw i64 %1014, -1
-  store i64 %1015, ptr %430, align 8, !noalias !15
-  %1016 = load i64, ptr %432, align 8, !noalias !15
-  %1017 = add nsw i64 %1016, 1
-  store i64 %1017, ptr %432, align 8, !noalias !15
-  %1018 = getelementptr i8, ptr %144, i64 72
-  store i64 6, ptr %1018, align 8, !noalias !15
-  %1019 = getelementptr i8, ptr %139, i64 40
-  store double 1.000000e+00, ptr %1019, align 8, !noalias !15
-  br label %1206
+1017:                                             ; preds = %1014
+  %1018 = load i64, ptr %430, align 8, !noalias !15
+  %1019 = add nsw i64 %1018, -1
+  store i64 %1019, ptr %430, align 8, !noalias !15
+  %1020 = load i64, ptr %432, align 8, !noalias !15
+  %1021 = add nsw i64 %1020, 1
+  store i64 %1021, ptr %432, align 8, !noalias !15
+  %1022 = getelementptr i8, ptr %144, i64 72
+  store i64 6, ptr %1022, align 8, !noalias !15
+  %1023 = getelementptr i8, ptr %139, i64 40
+  store double 1.000000e+00, ptr %1023, align 8, !noalias !15
+  br label %1210
 
-1020:                                             ; preds = %1005, %1010
-  br i1 %1006, label %1022, label %1021
+1024:                                             ; preds = %1009, %1014
+  br i1 %1010, label %1026, label %1025
 
-1021:                                             ; preds = %1020
-  br label %1394
+1025:                                             ; preds = %1024
+  br label %1398
 
-1022:                                             ; preds = %746, %746, %1020
-  br i1 %233, label %1130, label %1023
+1026:                                             ; preds = %746, %746, %1024
+  br i1 %233, label %1134, label %1027
 
-1023:                                             ; preds = %1022
-  %1024 = getelementptr i8, ptr %139, i64 40
-  %1025 = load double, ptr %1024, align 8, !noalias !15
-  %1026 = getelementptr i8, ptr %49, i64 24
-  %1027 = load double, ptr %1026, align 8, !noalias !104
-  %1028 = fcmp ogt double %725, 1.000000e-10
-  %1029 = select i1 %1028, double %725, double 1.000000e-10
-  %1030 = getelementptr i8, ptr %49, i64 8
+1027:                                             ; preds = %1026
+  %1028 = getelementptr i8, ptr %139, i64 40
+  %1029 = load double, ptr %1028, align 8, !noalias !15
+  %1030 = getelementptr i8, ptr %49, i64 24
   %1031 = load double, ptr %1030, align 8, !noalias !104
-  %1032 = fneg double %1031
-  %1033 = bitcast double %1029 to i64
-  %1034 = add nsw i64 %1033, -4604544271217802189
-  %1035 = ashr i64 %1034, 52
-  %1036 = and i64 %1034, -4503599627370496
-  %1037 = sub i64 %1033, %1036
-  %1038 = bitcast i64 %1037 to double
-  %1039 = fadd double %1038, -1.000000e+00
-  %1040 = fadd double %1038, 1.000000e+00
-  %1041 = fdiv double %1039, %1040
-  %1042 = fmul double %1041, %1041
-  %1043 = call double @llvm.fma.f64(double %1042, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1044 = call double @llvm.fma.f64(double %1043, double %1042, double 0x3FE2776C50EF9BFE)
-  %1045 = call double @llvm.fma.f64(double %1044, double %1042, double 0x3FEEC709DC3A03FD)
-  %1046 = call double @llvm.fma.f64(double %1045, double %1042, double 0x40071547652B82FE)
-  %1047 = fmul double %1046, %1041
-  %1048 = trunc nsw i64 %1035 to i32
-  %1049 = sitofp i32 %1048 to double
-  %1050 = fadd double %1047, %1049
-  %1051 = fmul double %1050, %1032
-  %1052 = fcmp ogt double %1051, -1.000000e+03
-  %1053 = select i1 %1052, double %1051, double -1.000000e+03
-  %1054 = fcmp olt double %1053, 1.000000e+03
-  %1055 = select i1 %1054, double %1053, double 1.000000e+03
-  %1056 = call double @llvm.rint.f64(double %1055)
-  %1057 = fsub double %1055, %1056
-  %1058 = call double @llvm.fma.f64(double %1057, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1059 = call double @llvm.fma.f64(double %1058, double %1057, double 0x3F55D87FE78A6730)
-  %1060 = call double @llvm.fma.f64(double %1059, double %1057, double 0x3F83B2AB6FBA4E77)
-  %1061 = call double @llvm.fma.f64(double %1060, double %1057, double 0x3FAC6B08D704A0BF)
-  %1062 = call double @llvm.fma.f64(double %1061, double %1057, double 0x3FCEBFBDFF82C58E)
-  %1063 = call double @llvm.fma.f64(double %1062, double %1057, double 0x3FE62E42FEFA39EF)
-  %1064 = call double @llvm.fma.f64(double %1063, double %1057, double 1.000000e+00)
-  %1065 = fptosi double %1056 to i32
-  %1066 = zext i32 %1065 to i64
-  %1067 = shl i64 %1066, 52
-  %1068 = bitcast double %1064 to i64
-  %1069 = add i64 %1067, %1068
-  %1070 = bitcast i64 %1069 to double
-  %1071 = fmul double %1027, %1070
-  %1072 = getelementptr i8, ptr %49, i64 16
-  %1073 = load double, ptr %1072, align 8, !noalias !104
-  %1074 = fcmp une double %1073, 0.000000e+00
-  br i1 %1074, label %1075, label %1116
+  %1032 = fcmp ogt double %725, 1.000000e-10
+  %1033 = select i1 %1032, double %725, double 1.000000e-10
+  %1034 = getelementptr i8, ptr %49, i64 8
+  %1035 = load double, ptr %1034, align 8, !noalias !104
+  %1036 = fneg double %1035
+  %1037 = bitcast double %1033 to i64
+  %1038 = add nsw i64 %1037, -4604544271217802189
+  %1039 = ashr i64 %1038, 52
+  %1040 = and i64 %1038, -4503599627370496
+  %1041 = sub i64 %1037, %1040
+  %1042 = bitcast i64 %1041 to double
+  %1043 = fadd double %1042, -1.000000e+00
+  %1044 = fadd double %1042, 1.000000e+00
+  %1045 = fdiv double %1043, %1044
+  %1046 = fmul double %1045, %1045
+  %1047 = call double @llvm.fma.f64(double %1046, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1048 = call double @llvm.fma.f64(double %1047, double %1046, double 0x3FE2776C50EF9BFE)
+  %1049 = call double @llvm.fma.f64(double %1048, double %1046, double 0x3FEEC709DC3A03FD)
+  %1050 = call double @llvm.fma.f64(double %1049, double %1046, double 0x40071547652B82FE)
+  %1051 = fmul double %1050, %1045
+  %1052 = trunc nsw i64 %1039 to i32
+  %1053 = sitofp i32 %1052 to double
+  %1054 = fadd double %1051, %1053
+  %1055 = fmul double %1054, %1036
+  %1056 = fcmp ogt double %1055, -1.000000e+03
+  %1057 = select i1 %1056, double %1055, double -1.000000e+03
+  %1058 = fcmp olt double %1057, 1.000000e+03
+  %1059 = select i1 %1058, double %1057, double 1.000000e+03
+  %1060 = call double @llvm.rint.f64(double %1059)
+  %1061 = fsub double %1059, %1060
+  %1062 = call double @llvm.fma.f64(double %1061, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1063 = call double @llvm.fma.f64(double %1062, double %1061, double 0x3F55D87FE78A6730)
+  %1064 = call double @llvm.fma.f64(double %1063, double %1061, double 0x3F83B2AB6FBA4E77)
+  %1065 = call double @llvm.fma.f64(double %1064, double %1061, double 0x3FAC6B08D704A0BF)
+  %1066 = call double @llvm.fma.f64(double %1065, double %1061, double 0x3FCEBFBDFF82C58E)
+  %1067 = call double @llvm.fma.f64(double %1066, double %1061, double 0x3FE62E42FEFA39EF)
+  %1068 = call double @llvm.fma.f64(double %1067, double %1061, double 1.000000e+00)
+  %1069 = fptosi double %1060 to i32
+  %1070 = zext i32 %1069 to i64
+  %1071 = shl i64 %1070, 52
+  %1072 = bitcast double %1068 to i64
+  %1073 = add i64 %1071, %1072
+  %1074 = bitcast i64 %1073 to double
+  %1075 = fmul double %1031, %1074
+  %1076 = getelementptr i8, ptr %49, i64 16
+  %1077 = load double, ptr %1076, align 8, !noalias !104
+  %1078 = fcmp une double %1077, 0.000000e+00
+  br i1 %1078, label %1079, label %1120
 
-1075:                                             ; preds = %1023
-  %1076 = getelementptr i8, ptr %139, i64 24
-  %1077 = load i64, ptr %1076, align 8, !noalias !15
-  %1078 = add i64 %1077, -4604544271217802189
-  %1079 = ashr i64 %1078, 52
-  %1080 = and i64 %1078, -4503599627370496
-  %1081 = sub i64 %1077, %1080
-  %1082 = bitcast i64 %1081 to double
-  %1083 = fadd double %1082, -1.000000e+00
-  %1084 = fadd double %1082, 1.000000e+00
-  %1085 = fdiv double %1083, %1084
-  %1086 = fmul double %1085, %1085
-  %1087 = call double @llvm.fma.f64(double %1086, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1088 = call double @llvm.fma.f64(double %1087, double %1086, double 0x3FE2776C50EF9BFE)
-  %1089 = call double @llvm.fma.f64(double %1088, double %1086, double 0x3FEEC709DC3A03FD)
-  %1090 = call double @llvm.fma.f64(double %1089, double %1086, double 0x40071547652B82FE)
-  %1091 = fmul double %1090, %1085
-  %1092 = trunc nsw i64 %1079 to i32
-  %1093 = sitofp i32 %1092 to double
-  %1094 = fadd double %1091, %1093
-  %1095 = fmul double %1094, %1073
-  %1096 = fcmp ogt double %1095, -1.000000e+03
-  %1097 = select i1 %1096, double %1095, double -1.000000e+03
-  %1098 = fcmp olt double %1097, 1.000000e+03
-  %1099 = select i1 %1098, double %1097, double 1.000000e+03
-  %1100 = call double @llvm.rint.f64(double %1099)
-  %1101 = fsub double %1099, %1100
-  %1102 = call double @llvm.fma.f64(double %1101, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1103 = call double @llvm.fma.f64(double %1102, double %1101, double 0x3F55D87FE78A6730)
-  %1104 = call double @llvm.fma.f64(double %1103, double %1101, double 0x3F83B2AB6FBA4E77)
-  %1105 = call double @llvm.fma.f64(double %1104, double %1101, double 0x3FAC6B08D704A0BF)
-  %1106 = call double @llvm.fma.f64(double %1105, double %1101, double 0x3FCEBFBDFF82C58E)
-  %1107 = call double @llvm.fma.f64(double %1106, double %1101, double 0x3FE62E42FEFA39EF)
-  %1108 = call double @llvm.fma.f64(double %1107, double %1101, double 1.000000e+00)
-  %1109 = fptosi double %1100 to i32
-  %1110 = zext i32 %1109 to i64
-  %1111 = shl i64 %1110, 52
-  %1112 = bitcast double %1108 to i64
-  %1113 = add i64 %1111, %1112
-  %1114 = bitcast i64 %1113 to double
-  %1115 = fmul double %1071, %1114
-  br label %1116
+1079:                                             ; preds = %1027
+  %1080 = getelementptr i8, ptr %139, i64 24
+  %1081 = load i64, ptr %1080, align 8, !noalias !15
+  %1082 = add i64 %1081, -4604544271217802189
+  %1083 = ashr i64 %1082, 52
+  %1084 = and i64 %1082, -4503599627370496
+  %1085 = sub i64 %1081, %1084
+  %1086 = bitcast i64 %1085 to double
+  %1087 = fadd double %1086, -1.000000e+00
+  %1088 = fadd double %1086, 1.000000e+00
+  %1089 = fdiv double %1087, %1088
+  %1090 = fmul double %1089, %1089
+  %1091 = call double @llvm.fma.f64(double %1090, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1092 = call double @llvm.fma.f64(double %1091, double %1090, double 0x3FE2776C50EF9BFE)
+  %1093 = call double @llvm.fma.f64(double %1092, double %1090, double 0x3FEEC709DC3A03FD)
+  %1094 = call double @llvm.fma.f64(double %1093, double %1090, double 0x40071547652B82FE)
+  %1095 = fmul double %1094, %1089
+  %1096 = trunc nsw i64 %1083 to i32
+  %1097 = sitofp i32 %1096 to double
+  %1098 = fadd double %1095, %1097
+  %1099 = fmul double %1098, %1077
+  %1100 = fcmp ogt double %1099, -1.000000e+03
+  %1101 = select i1 %1100, double %1099, double -1.000000e+03
+  %1102 = fcmp olt double %1101, 1.000000e+03
+  %1103 = select i1 %1102, double %1101, double 1.000000e+03
+  %1104 = call double @llvm.rint.f64(double %1103)
+  %1105 = fsub double %1103, %1104
+  %1106 = call double @llvm.fma.f64(double %1105, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1107 = call double @llvm.fma.f64(double %1106, double %1105, double 0x3F55D87FE78A6730)
+  %1108 = call double @llvm.fma.f64(double %1107, double %1105, double 0x3F83B2AB6FBA4E77)
+  %1109 = call double @llvm.fma.f64(double %1108, double %1105, double 0x3FAC6B08D704A0BF)
+  %1110 = call double @llvm.fma.f64(double %1109, double %1105, double 0x3FCEBFBDFF82C58E)
+  %1111 = call double @llvm.fma.f64(double %1110, double %1105, double 0x3FE62E42FEFA39EF)
+  %1112 = call double @llvm.fma.f64(double %1111, double %1105, double 1.000000e+00)
+  %1113 = fptosi double %1104 to i32
+  %1114 = zext i32 %1113 to i64
+  %1115 = shl i64 %1114, 52
+  %1116 = bitcast double %1112 to i64
+  %1117 = add i64 %1115, %1116
+  %1118 = bitcast i64 %1117 to double
+  %1119 = fmul double %1075, %1118
+  br label %1120
 
-1116:                                             ; preds = %1075, %1023
-  %1117 = phi double [ %1115, %1075 ], [ %1071, %1023 ]
-  %1118 = getelementptr i8, ptr %49, i64 32
-  %1119 = load double, ptr %1118, align 8, !noalias !104
-  %1120 = fcmp ogt double %1117, %1119
-  %1121 = select i1 %1120, double %1117, double %1119
-  %1122 = fcmp olt double %1025, %1121
-  %1123 = select i1 %1122, double %1025, double %1121
-  %1124 = fmul double %466, %1123
-  %1125 = fcmp ogt double %725, 1.000000e-04
-  %1126 = select i1 %1125, double %725, double 1.000000e-04
-  %1127 = getelementptr i8, ptr %139, i64 24
-  store double %1126, ptr %1127, align 8, !noalias !15
-  %1128 = getelementptr i8, ptr %49, i64 40
-  %1129 = load double, ptr %1128, align 8, !noalias !15
-  store double %1129, ptr %1024, align 8, !noalias !15
-  br label %1130
+1120:                                             ; preds = %1079, %1027
+  %1121 = phi double [ %1119, %1079 ], [ %1075, %1027 ]
+  %1122 = getelementptr i8, ptr %49, i64 32
+  %1123 = load double, ptr %1122, align 8, !noalias !104
+  %1124 = fcmp ogt double %1121, %1123
+  %1125 = select i1 %1124, double %1121, double %1123
+  %1126 = fcmp olt double %1029, %1125
+  %1127 = select i1 %1126, double %1029, double %1125
+  %1128 = fmul double %466, %1127
+  %1129 = fcmp ogt double %725, 1.000000e-04
+  %1130 = select i1 %1129, double %725, double 1.000000e-04
+  %1131 = getelementptr i8, ptr %139, i64 24
+  store double %1130, ptr %1131, align 8, !noalias !15
+  %1132 = getelementptr i8, ptr %49, i64 40
+  %1133 = load double, ptr %1132, align 8, !noalias !15
+  store double %1133, ptr %1028, align 8, !noalias !15
+  br label %1134
 
-1130:                                             ; preds = %1116, %1022
-  %1131 = phi double [ %1124, %1116 ], [ %423, %1022 ]
-  %1132 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %1133
+1134:                                             ; preds = %1120, %1026
+  %1135 = phi double [ %1128, %1120 ], [ %423, %1026 ]
+  %1136 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %1137
 
-1133:                                             ; preds = %1130, %1374
-  %1134 = phi i64 [ 0, %1130 ], [ %1376, %1374 ]
-  %1135 = phi i64 [ %1132, %1130 ], [ %1375, %1374 ]
-  %1136 = icmp sgt i64 %1135, 0
-  br i1 %1136, label %1374, label %1137
+1137:                                             ; preds = %1134, %1378
+  %1138 = phi i64 [ 0, %1134 ], [ %1380, %1378 ]
+  %1139 = phi i64 [ %1136, %1134 ], [ %1379, %1378 ]
+  %1140 = icmp sgt i64 %1139, 0
+  br i1 %1140, label %1378, label %1141
 
-1137:                                             ; preds = %1133
-  %1138 = getelementptr i8, ptr %144, i64 48
-  %1139 = load i64, ptr %1138, align 8, !noalias !15
-  %1140 = icmp eq i64 %1139, %148
-  br i1 %1140, label %1211, label %422
+1141:                                             ; preds = %1137
+  %1142 = getelementptr i8, ptr %144, i64 48
+  %1143 = load i64, ptr %1142, align 8, !noalias !15
+  %1144 = icmp eq i64 %1143, %148
+  br i1 %1144, label %1215, label %422
 
-1141:                                             ; preds = %722
-  %1142 = load i64, ptr %432, align 8, !noalias !15
-  %1143 = add nsw i64 %1142, 1
-  store i64 %1143, ptr %432, align 8, !noalias !15
-  %1144 = and i1 %726, %727
-  br i1 %1144, label %1145, label %1148
+1145:                                             ; preds = %722
+  %1146 = load i64, ptr %432, align 8, !noalias !15
+  %1147 = add nsw i64 %1146, 1
+  store i64 %1147, ptr %432, align 8, !noalias !15
+  %1148 = and i1 %726, %727
+  br i1 %1148, label %1149, label %1152
 
-1145:                                             ; preds = %1141
-  %1146 = fsub double %725, %725
-  %1147 = fcmp ord double %1146, 0.000000e+00
-  br label %1148
+1149:                                             ; preds = %1145
+  %1150 = fsub double %725, %725
+  %1151 = fcmp ord double %1150, 0.000000e+00
+  br label %1152
 
-1148:                                             ; preds = %1141, %1145
-  %1149 = phi i1 [ %1147, %1145 ], [ false, %1141 ]
-  %1150 = select i1 %1149, i64 2, i64 4
-  %1151 = select i1 %726, i64 %1150, i64 6
-  %1152 = select i1 %727, i64 %1151, i64 3
-  %1153 = getelementptr i8, ptr %144, i64 72
-  store i64 %1152, ptr %1153, align 8, !noalias !15
-  br i1 %233, label %1209, label %1154
+1152:                                             ; preds = %1145, %1149
+  %1153 = phi i1 [ %1151, %1149 ], [ false, %1145 ]
+  %1154 = select i1 %1153, i64 2, i64 4
+  %1155 = select i1 %726, i64 %1154, i64 6
+  %1156 = select i1 %727, i64 %1155, i64 3
+  %1157 = getelementptr i8, ptr %144, i64 72
+  store i64 %1156, ptr %1157, align 8, !noalias !15
+  br i1 %233, label %1213, label %1158
 
-1154:                                             ; preds = %1148
-  %1155 = getelementptr i8, ptr %49, i64 24
-  %1156 = load double, ptr %1155, align 8, !noalias !107
-  %1157 = fcmp ogt double %725, 1.000000e-10
-  %1158 = select i1 %1157, double %725, double 1.000000e-10
-  %1159 = bitcast double %1158 to i64
-  %1160 = add nsw i64 %1159, -4604544271217802189
-  %1161 = and i64 %1160, -4503599627370496
-  %1162 = sub i64 %1159, %1161
-  %1163 = bitcast i64 %1162 to double
-  %1164 = fadd double %1163, -1.000000e+00
-  %1165 = fadd double %1163, 1.000000e+00
-  %1166 = fdiv double %1164, %1165
-  %1167 = fmul double %1166, %1166
-  %1168 = call double @llvm.fma.f64(double %1167, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1169 = call double @llvm.fma.f64(double %1168, double %1167, double 0x3FE2776C50EF9BFE)
-  %1170 = call double @llvm.fma.f64(double %1169, double %1167, double 0x3FEEC709DC3A03FD)
-  %1171 = call double @llvm.fma.f64(double %1170, double %1167, double 0x40071547652B82FE)
-  %1172 = fmul double %1171, %1166
-  %1173 = ashr i64 %1160, 52
-  %1174 = trunc nsw i64 %1173 to i32
-  %1175 = sitofp i32 %1174 to double
-  %1176 = fadd double %1172, %1175
-  %1177 = load double, ptr %49, align 8, !noalias !107
-  %1178 = fneg double %1177
-  %1179 = fmul double %1176, %1178
-  %1180 = fcmp ogt double %1179, -1.000000e+03
-  %1181 = select i1 %1180, double %1179, double -1.000000e+03
-  %1182 = fcmp olt double %1181, 1.000000e+03
-  %1183 = select i1 %1182, double %1181, double 1.000000e+03
-  %1184 = call double @llvm.rint.f64(double %1183)
-  %1185 = fptosi double %1184 to i32
-  %1186 = zext i32 %1185 to i64
-  %1187 = shl i64 %1186, 52
-  %1188 = fsub double %1183, %1184
-  %1189 = call double @llvm.fma.f64(double %1188, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1190 = call double @llvm.fma.f64(double %1189, double %1188, double 0x3F55D87FE78A6730)
-  %1191 = call double @llvm.fma.f64(double %1190, double %1188, double 0x3F83B2AB6FBA4E77)
-  %1192 = call double @llvm.fma.f64(double %1191, double %1188, double 0x3FAC6B08D704A0BF)
-  %1193 = call double @llvm.fma.f64(double %1192, double %1188, double 0x3FCEBFBDFF82C58E)
-  %1194 = call double @llvm.fma.f64(double %1193, double %1188, double 0x3FE62E42FEFA39EF)
-  %1195 = call double @llvm.fma.f64(double %1194, double %1188, double 1.000000e+00)
-  %1196 = bitcast double %1195 to i64
-  %1197 = add i64 %1187, %1196
-  %1198 = bitcast i64 %1197 to double
-  %1199 = fmul double %1156, %1198
-  %1200 = getelementptr i8, ptr %49, i64 32
-  %1201 = load double, ptr %1200, align 8, !noalias !107
-  %1202 = fcmp ogt double %1199, %1201
-  %1203 = select i1 %1202, double %1199, double %1201
-  %1204 = select i1 %1149, double %1203, double 2.500000e-01
-  %1205 = getelementptr i8, ptr %139, i64 40
-  store double 1.000000e+00, ptr %1205, align 8, !noalias !15
-  br label %1206
+1158:                                             ; preds = %1152
+  %1159 = getelementptr i8, ptr %49, i64 24
+  %1160 = load double, ptr %1159, align 8, !noalias !107
+  %1161 = fcmp ogt double %725, 1.000000e-10
+  %1162 = select i1 %1161, double %725, double 1.000000e-10
+  %1163 = bitcast double %1162 to i64
+  %1164 = add nsw i64 %1163, -4604544271217802189
+  %1165 = and i64 %1164, -4503599627370496
+  %1166 = sub i64 %1163, %1165
+  %1167 = bitcast i64 %1166 to double
+  %1168 = fadd double %1167, -1.000000e+00
+  %1169 = fadd double %1167, 1.000000e+00
+  %1170 = fdiv double %1168, %1169
+  %1171 = fmul double %1170, %1170
+  %1172 = call double @llvm.fma.f64(double %1171, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1173 = call double @llvm.fma.f64(double %1172, double %1171, double 0x3FE2776C50EF9BFE)
+  %1174 = call double @llvm.fma.f64(double %1173, double %1171, double 0x3FEEC709DC3A03FD)
+  %1175 = call double @llvm.fma.f64(double %1174, double %1171, double 0x40071547652B82FE)
+  %1176 = fmul double %1175, %1170
+  %1177 = ashr i64 %1164, 52
+  %1178 = trunc nsw i64 %1177 to i32
+  %1179 = sitofp i32 %1178 to double
+  %1180 = fadd double %1176, %1179
+  %1181 = load double, ptr %49, align 8, !noalias !107
+  %1182 = fneg double %1181
+  %1183 = fmul double %1180, %1182
+  %1184 = fcmp ogt double %1183, -1.000000e+03
+  %1185 = select i1 %1184, double %1183, double -1.000000e+03
+  %1186 = fcmp olt double %1185, 1.000000e+03
+  %1187 = select i1 %1186, double %1185, double 1.000000e+03
+  %1188 = call double @llvm.rint.f64(double %1187)
+  %1189 = fptosi double %1188 to i32
+  %1190 = zext i32 %1189 to i64
+  %1191 = shl i64 %1190, 52
+  %1192 = fsub double %1187, %1188
+  %1193 = call double @llvm.fma.f64(double %1192, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1194 = call double @llvm.fma.f64(double %1193, double %1192, double 0x3F55D87FE78A6730)
+  %1195 = call double @llvm.fma.f64(double %1194, double %1192, double 0x3F83B2AB6FBA4E77)
+  %1196 = call double @llvm.fma.f64(double %1195, double %1192, double 0x3FAC6B08D704A0BF)
+  %1197 = call double @llvm.fma.f64(double %1196, double %1192, double 0x3FCEBFBDFF82C58E)
+  %1198 = call double @llvm.fma.f64(double %1197, double %1192, double 0x3FE62E42FEFA39EF)
+  %1199 = call double @llvm.fma.f64(double %1198, double %1192, double 1.000000e+00)
+  %1200 = bitcast double %1199 to i64
+  %1201 = add i64 %1191, %1200
+  %1202 = bitcast i64 %1201 to double
+  %1203 = fmul double %1160, %1202
+  %1204 = getelementptr i8, ptr %49, i64 32
+  %1205 = load double, ptr %1204, align 8, !noalias !107
+  %1206 = fcmp ogt double %1203, %1205
+  %1207 = select i1 %1206, double %1203, double %1205
+  %1208 = select i1 %1153, double %1207, double 2.500000e-01
+  %1209 = getelementptr i8, ptr %139, i64 40
+  store double 1.000000e+00, ptr %1209, align 8, !noalias !15
+  br label %1210
 
-1206:                                             ; preds = %1013, %1154
-  %1207 = phi double [ %1204, %1154 ], [ 2.500000e-01, %1013 ]
-  %1208 = fmul double %466, %1207
+1210:                                             ; preds = %1017, %1158
+  %1211 = phi double [ %1208, %1158 ], [ 2.500000e-01, %1017 ]
+  %1212 = fmul double %466, %1211
   br label %419
 
-1209:                                             ; preds = %1148
+1213:                                             ; preds = %1152
   store double %466, ptr %243, align 8, !noalias !15
-  br label %1394
+  br label %1398
 
-1210:                                             ; preds = %458
+1214:                                             ; preds = %458
   store double %466, ptr %243, align 8, !noalias !15
-  br label %1394
+  br label %1398
 
-1211:                                             ; preds = %1137
-  store double %1131, ptr %243, align 8, !noalias !15
-  br label %1394
+1215:                                             ; preds = %1141
+  store double %1135, ptr %243, align 8, !noalias !15
+  br label %1398
 
-1212:                                             ; preds = %261, %261
-  %1213 = icmp eq i32 %262, 0
-  br i1 %1213, label %268, label %264
+1216:                                             ; preds = %261, %261
+  %1217 = icmp eq i32 %262, 0
+  br i1 %1217, label %268, label %264
 
-1214:                                             ; preds = %261
-  br label %1394
+1218:                                             ; preds = %261
+  br label %1398
 
-1215:                                             ; preds = %268, %268
-  %1216 = load i8, ptr %19, align 1, !noalias !15
-  %1217 = icmp eq i8 %1216, 0
-  br i1 %1217, label %275, label %274
+1219:                                             ; preds = %268, %268
+  %1220 = load i8, ptr %19, align 1, !noalias !15
+  %1221 = icmp eq i8 %1220, 0
+  br i1 %1221, label %275, label %274
 
-1218:                                             ; preds = %268
-  br label %1394
+1222:                                             ; preds = %268
+  br label %1398
 
-1219:                                             ; preds = %277, %285
-  br label %1394
+1223:                                             ; preds = %277, %285
+  br label %1398
 
-1220:                                             ; preds = %298
-  %1221 = add nsw i64 %300, -1
-  %1222 = add i64 %299, 1
-  %1223 = icmp slt i64 %299, 0
-  %1224 = select i1 %1223, i64 %86, i64 0
-  %1225 = getelementptr double, ptr %87, i64 %299
-  %1226 = getelementptr double, ptr %1225, i64 %1224
-  %1227 = load double, ptr %1226, align 8, !noalias !15
-  %1228 = select i1 %1223, i64 %118, i64 0
-  %1229 = getelementptr double, ptr %119, i64 %299
+1224:                                             ; preds = %298
+  %1225 = add nsw i64 %300, -1
+  %1226 = add i64 %299, 1
+  %1227 = icmp slt i64 %299, 0
+  %1228 = select i1 %1227, i64 %86, i64 0
+  %1229 = getelementptr double, ptr %87, i64 %299
   %1230 = getelementptr double, ptr %1229, i64 %1228
   %1231 = load double, ptr %1230, align 8, !noalias !15
-  %1232 = fmul double %296, %1231
-  %1233 = fadd double %1227, %1232
-  %1234 = select i1 %1223, i64 %96, i64 0
-  %1235 = getelementptr double, ptr %97, i64 %299
-  %1236 = getelementptr double, ptr %1235, i64 %1234
-  store double %1233, ptr %1236, align 8, !noalias !15
+  %1232 = select i1 %1227, i64 %118, i64 0
+  %1233 = getelementptr double, ptr %119, i64 %299
+  %1234 = getelementptr double, ptr %1233, i64 %1232
+  %1235 = load double, ptr %1234, align 8, !noalias !15
+  %1236 = fmul double %296, %1235
+  %1237 = fadd double %1231, %1236
+  %1238 = select i1 %1227, i64 %96, i64 0
+  %1239 = getelementptr double, ptr %97, i64 %299
+  %1240 = getelementptr double, ptr %1239, i64 %1238
+  store double %1237, ptr %1240, align 8, !noalias !15
   br label %298
 
-1237:                                             ; preds = %319, %319
+1241:                                             ; preds = %319, %319
   br i1 %320, label %324, label %322
 
-1238:                                             ; preds = %319
-  br label %1394
+1242:                                             ; preds = %319
+  br label %1398
 
-1239:                                             ; preds = %333
-  br label %1394
+1243:                                             ; preds = %333
+  br label %1398
 
-1240:                                             ; preds = %475
-  %1241 = add nsw i64 %477, -1
-  %1242 = add i64 %476, 1
-  %1243 = icmp slt i64 %476, 0
-  %1244 = select i1 %1243, i64 %101, i64 0
-  %1245 = getelementptr double, ptr %102, i64 %476
-  %1246 = getelementptr double, ptr %1245, i64 %1244
-  store double %466, ptr %1246, align 8, !noalias !15
+1244:                                             ; preds = %475
+  %1245 = add nsw i64 %477, -1
+  %1246 = add i64 %476, 1
+  %1247 = icmp slt i64 %476, 0
+  %1248 = select i1 %1247, i64 %101, i64 0
+  %1249 = getelementptr double, ptr %102, i64 %476
+  %1250 = getelementptr double, ptr %1249, i64 %1248
+  store double %466, ptr %1250, align 8, !noalias !15
   br label %475
 
-1247:                                             ; preds = %483
-  %1248 = add nsw i64 %485, -1
-  %1249 = add i64 %484, 1
+1251:                                             ; preds = %483
+  %1252 = add nsw i64 %485, -1
+  %1253 = add i64 %484, 1
   store ptr null, ptr %20, align 8, !noalias !15
-  %1250 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %484, i64 %94, double %466) #2
-  switch i32 %1250, label %1279 [
-    i32 -2, label %1251
-    i32 0, label %1251
+  %1254 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %484, i64 %94, double %466) #2
+  switch i32 %1254, label %1283 [
+    i32 -2, label %1255
+    i32 0, label %1255
   ], !prof !35
 
-1251:                                             ; preds = %1247, %1247
-  %1252 = mul nsw i64 %484, %86
-  %1253 = shl i64 %1252, 3
-  %1254 = add i64 %1253, %116
-  %1255 = getelementptr i8, ptr %144, i64 24
-  %1256 = load i64, ptr %1255, align 8, !noalias !15
-  %1257 = add nsw i64 %1256, 1
-  store i64 %1257, ptr %1255, align 8, !noalias !15
-  %1258 = icmp slt i64 %484, 0
-  %1259 = select i1 %1258, i64 %45, i64 0
-  %1260 = getelementptr double, ptr %46, i64 %484
-  %1261 = getelementptr double, ptr %1260, i64 %1259
-  %1262 = load double, ptr %1261, align 8, !noalias !15
-  %1263 = fmul double %1262, %466
-  %1264 = fadd double %424, %1263
+1255:                                             ; preds = %1251, %1251
+  %1256 = mul nsw i64 %484, %86
+  %1257 = shl i64 %1256, 3
+  %1258 = add i64 %1257, %116
+  %1259 = getelementptr i8, ptr %144, i64 24
+  %1260 = load i64, ptr %1259, align 8, !noalias !15
+  %1261 = add nsw i64 %1260, 1
+  store i64 %1261, ptr %1259, align 8, !noalias !15
+  %1262 = icmp slt i64 %484, 0
+  %1263 = select i1 %1262, i64 %45, i64 0
+  %1264 = getelementptr double, ptr %46, i64 %484
+  %1265 = getelementptr double, ptr %1264, i64 %1263
+  %1266 = load double, ptr %1265, align 8, !noalias !15
+  %1267 = fmul double %1266, %466
+  %1268 = fadd double %424, %1267
   store ptr null, ptr %10, align 8, !noalias !110
   store ptr null, ptr %11, align 8, !noalias !110
-  store double %1264, ptr %55, align 8, !noalias !110
-  %1265 = icmp sgt i64 %67, 0
-  br i1 %1265, label %1266, label %1269
+  store double %1268, ptr %55, align 8, !noalias !110
+  %1269 = icmp sgt i64 %67, 0
+  br i1 %1269, label %1270, label %1273
 
-1266:                                             ; preds = %1251
+1270:                                             ; preds = %1255
   store ptr null, ptr %10, align 8, !noalias !110
-  %1267 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1264) #2
-  switch i32 %1267, label %1268 [
-    i32 -2, label %1269
-    i32 0, label %1269
+  %1271 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1268) #2
+  switch i32 %1271, label %1272 [
+    i32 -2, label %1273
+    i32 0, label %1273
   ], !prof !35
 
-1268:                                             ; preds = %1266
-  br label %1269
+1272:                                             ; preds = %1270
+  br label %1273
 
-1269:                                             ; preds = %1266, %1266, %1251, %1268
-  %1270 = phi i32 [ %1267, %1268 ], [ 0, %1251 ], [ 0, %1266 ], [ 0, %1266 ]
-  switch i32 %1270, label %1276 [
-    i32 -2, label %1271
-    i32 0, label %1271
+1273:                                             ; preds = %1270, %1270, %1255, %1272
+  %1274 = phi i32 [ %1271, %1272 ], [ 0, %1255 ], [ 0, %1270 ], [ 0, %1270 ]
+  switch i32 %1274, label %1280 [
+    i32 -2, label %1275
+    i32 0, label %1275
   ], !prof !35
 
-1271:                                             ; preds = %1269, %1269
-  %1272 = load i64, ptr %52, align 8, !noalias !117
-  %1273 = inttoptr i64 %1272 to ptr
-  %1274 = inttoptr i64 %1254 to ptr
-  %1275 = call i32 %1273(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1274) #2, !noalias !117
-  br label %1276
+1275:                                             ; preds = %1273, %1273
+  %1276 = load i64, ptr %52, align 8, !noalias !117
+  %1277 = inttoptr i64 %1276 to ptr
+  %1278 = inttoptr i64 %1258 to ptr
+  %1279 = call i32 %1277(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1278) #2, !noalias !117
+  br label %1280
 
-1276:                                             ; preds = %1269, %1271
-  %1277 = phi i32 [ %1275, %1271 ], [ 0, %1269 ]
-  %1278 = phi i32 [ 0, %1271 ], [ %1270, %1269 ]
-  switch i32 %1278, label %1282 [
-    i32 -2, label %1280
-    i32 0, label %1280
+1280:                                             ; preds = %1273, %1275
+  %1281 = phi i32 [ %1279, %1275 ], [ 0, %1273 ]
+  %1282 = phi i32 [ 0, %1275 ], [ %1274, %1273 ]
+  switch i32 %1282, label %1286 [
+    i32 -2, label %1284
+    i32 0, label %1284
   ], !prof !35
 
-1279:                                             ; preds = %1247
-  br label %1394
+1283:                                             ; preds = %1251
+  br label %1398
 
-1280:                                             ; preds = %1276, %1276
-  %1281 = icmp eq i32 %1277, 0
-  br i1 %1281, label %483, label %487
+1284:                                             ; preds = %1280, %1280
+  %1285 = icmp eq i32 %1281, 0
+  br i1 %1285, label %483, label %487
 
-1282:                                             ; preds = %1276
-  br label %1394
+1286:                                             ; preds = %1280
+  br label %1398
 
-1283:                                             ; preds = %489
-  br label %1394
+1287:                                             ; preds = %489
+  br label %1398
 
-1284:                                             ; preds = %513
-  br label %1394
+1288:                                             ; preds = %513
+  br label %1398
 
-1285:                                             ; preds = %684
-  %1286 = add nsw i64 %686, -1
-  %1287 = add i64 %685, 1
-  %1288 = icmp slt i64 %685, 0
-  %1289 = select i1 %1288, i64 %91, i64 0
-  %1290 = getelementptr double, ptr %92, i64 %685
-  %1291 = getelementptr double, ptr %1290, i64 %1289
-  %1292 = load double, ptr %1291, align 8, !noalias !15
-  %1293 = fmul double %1292, 0.000000e+00
-  %1294 = fadd double %687, %1293
+1289:                                             ; preds = %684
+  %1290 = add nsw i64 %686, -1
+  %1291 = add i64 %685, 1
+  %1292 = icmp slt i64 %685, 0
+  %1293 = select i1 %1292, i64 %91, i64 0
+  %1294 = getelementptr double, ptr %92, i64 %685
+  %1295 = getelementptr double, ptr %1294, i64 %1293
+  %1296 = load double, ptr %1295, align 8, !noalias !15
+  %1297 = fmul double %1296, 0.000000e+00
+  %1298 = fadd double %687, %1297
   br label %684
 
-1295:                                             ; preds = %718, %718
-  %1296 = sext i32 %719 to i64
-  %1297 = icmp slt i32 %719, 0
-  br i1 %1297, label %721, label %722
+1299:                                             ; preds = %718, %718
+  %1300 = sext i32 %719 to i64
+  %1301 = icmp slt i32 %719, 0
+  br i1 %1301, label %721, label %722
 
-1298:                                             ; preds = %718
-  br label %1394
+1302:                                             ; preds = %718
+  br label %1398
 
-1299:                                             ; preds = %746
-  br label %1394
+1303:                                             ; preds = %746
+  br label %1398
 
-1300:                                             ; preds = %753
-  %1301 = load i64, ptr %231, align 8, !noalias !15
-  %1302 = add nsw i64 %756, %1301
-  %1303 = getelementptr i8, ptr %52, i64 16
-  %1304 = load i64, ptr %1303, align 8, !noalias !118
-  %1305 = icmp slt i64 %1302, 0
-  %1306 = select i1 %1305, i64 %30, i64 0
-  %1307 = getelementptr i64, ptr %31, i64 %1302
-  %1308 = getelementptr i64, ptr %1307, i64 %1306
-  %1309 = load i64, ptr %1308, align 8, !noalias !122
-  %1310 = shl i64 %1309, 3
-  %1311 = add i64 %1310, %33
-  %1312 = add i64 %1310, %38
-  %1313 = icmp slt i64 %1302, -1
-  %1314 = select i1 %1313, i64 %30, i64 0
-  %1315 = getelementptr i8, ptr %1307, i64 8
-  %1316 = getelementptr i64, ptr %1315, i64 %1314
-  %1317 = load i64, ptr %1316, align 8, !noalias !122
-  %1318 = xor i64 %1309, -1
-  %1319 = add i64 %1317, %1318
-  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1311, i64 %1312, i64 %1319, i64 1, i64 %1304) #2, !noalias !122
-  %1320 = mul nsw i64 %756, %86
-  %1321 = shl i64 %1320, 3
-  %1322 = add i64 %1321, %116
-  %1323 = getelementptr i8, ptr %144, i64 24
-  %1324 = load i64, ptr %1323, align 8, !noalias !15
-  %1325 = add nsw i64 %1324, 1
-  store i64 %1325, ptr %1323, align 8, !noalias !15
-  %1326 = icmp slt i64 %756, 0
-  %1327 = select i1 %1326, i64 %45, i64 0
-  %1328 = getelementptr double, ptr %46, i64 %756
-  %1329 = getelementptr double, ptr %1328, i64 %1327
-  %1330 = load double, ptr %1329, align 8, !noalias !15
-  %1331 = fmul double %1330, %466
-  %1332 = fadd double %424, %1331
+1304:                                             ; preds = %753
+  %1305 = load i64, ptr %231, align 8, !noalias !15
+  %1306 = add nsw i64 %756, %1305
+  %1307 = getelementptr i8, ptr %52, i64 16
+  %1308 = load i64, ptr %1307, align 8, !noalias !118
+  %1309 = icmp slt i64 %1306, 0
+  %1310 = select i1 %1309, i64 %30, i64 0
+  %1311 = getelementptr i64, ptr %31, i64 %1306
+  %1312 = getelementptr i64, ptr %1311, i64 %1310
+  %1313 = load i64, ptr %1312, align 8, !noalias !122
+  %1314 = shl i64 %1313, 3
+  %1315 = add i64 %1314, %33
+  %1316 = add i64 %1314, %38
+  %1317 = icmp slt i64 %1306, -1
+  %1318 = select i1 %1317, i64 %30, i64 0
+  %1319 = getelementptr i8, ptr %1311, i64 8
+  %1320 = getelementptr i64, ptr %1319, i64 %1318
+  %1321 = load i64, ptr %1320, align 8, !noalias !122
+  %1322 = xor i64 %1313, -1
+  %1323 = add i64 %1321, %1322
+  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1315, i64 %1316, i64 %1323, i64 1, i64 %1308) #2, !noalias !122
+  %1324 = mul nsw i64 %756, %86
+  %1325 = shl i64 %1324, 3
+  %1326 = add i64 %1325, %116
+  %1327 = getelementptr i8, ptr %144, i64 24
+  %1328 = load i64, ptr %1327, align 8, !noalias !15
+  %1329 = add nsw i64 %1328, 1
+  store i64 %1329, ptr %1327, align 8, !noalias !15
+  %1330 = icmp slt i64 %756, 0
+  %1331 = select i1 %1330, i64 %45, i64 0
+  %1332 = getelementptr double, ptr %46, i64 %756
+  %1333 = getelementptr double, ptr %1332, i64 %1331
+  %1334 = load double, ptr %1333, align 8, !noalias !15
+  %1335 = fmul double %1334, %466
+  %1336 = fadd double %424, %1335
   store ptr null, ptr %4, align 8, !noalias !125
   store ptr null, ptr %5, align 8, !noalias !125
-  store double %1332, ptr %55, align 8, !noalias !125
-  %1333 = icmp sgt i64 %67, 0
-  br i1 %1333, label %1334, label %1337
+  store double %1336, ptr %55, align 8, !noalias !125
+  %1337 = icmp sgt i64 %67, 0
+  br i1 %1337, label %1338, label %1341
 
-1334:                                             ; preds = %1300
+1338:                                             ; preds = %1304
   store ptr null, ptr %4, align 8, !noalias !125
-  %1335 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1332) #2
-  switch i32 %1335, label %1336 [
-    i32 -2, label %1337
-    i32 0, label %1337
+  %1339 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1336) #2
+  switch i32 %1339, label %1340 [
+    i32 -2, label %1341
+    i32 0, label %1341
   ], !prof !35
 
-1336:                                             ; preds = %1334
-  br label %1337
+1340:                                             ; preds = %1338
+  br label %1341
 
-1337:                                             ; preds = %1334, %1334, %1300, %1336
-  %1338 = phi i32 [ %1335, %1336 ], [ 0, %1300 ], [ 0, %1334 ], [ 0, %1334 ]
-  switch i32 %1338, label %1344 [
-    i32 -2, label %1339
-    i32 0, label %1339
+1341:                                             ; preds = %1338, %1338, %1304, %1340
+  %1342 = phi i32 [ %1339, %1340 ], [ 0, %1304 ], [ 0, %1338 ], [ 0, %1338 ]
+  switch i32 %1342, label %1348 [
+    i32 -2, label %1343
+    i32 0, label %1343
   ], !prof !35
 
-1339:                                             ; preds = %1337, %1337
-  %1340 = load i64, ptr %52, align 8, !noalias !132
-  %1341 = inttoptr i64 %1340 to ptr
-  %1342 = inttoptr i64 %1322 to ptr
-  %1343 = call i32 %1341(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1342) #2, !noalias !132
-  br label %1344
+1343:                                             ; preds = %1341, %1341
+  %1344 = load i64, ptr %52, align 8, !noalias !132
+  %1345 = inttoptr i64 %1344 to ptr
+  %1346 = inttoptr i64 %1326 to ptr
+  %1347 = call i32 %1345(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1346) #2, !noalias !132
+  br label %1348
 
-1344:                                             ; preds = %1337, %1339
-  %1345 = phi i32 [ %1343, %1339 ], [ 0, %1337 ]
-  %1346 = phi i32 [ 0, %1339 ], [ %1338, %1337 ]
-  switch i32 %1346, label %1350 [
-    i32 -2, label %1347
-    i32 0, label %1347
+1348:                                             ; preds = %1341, %1343
+  %1349 = phi i32 [ %1347, %1343 ], [ 0, %1341 ]
+  %1350 = phi i32 [ 0, %1343 ], [ %1342, %1341 ]
+  switch i32 %1350, label %1354 [
+    i32 -2, label %1351
+    i32 0, label %1351
   ], !prof !35
 
-1347:                                             ; preds = %1344, %1344
-  %1348 = add nsw i64 %755, -1
-  %1349 = icmp eq i32 %1345, 0
-  br i1 %1349, label %753, label %758
+1351:                                             ; preds = %1348, %1348
+  %1352 = add nsw i64 %755, -1
+  %1353 = icmp eq i32 %1349, 0
+  br i1 %1353, label %753, label %758
 
-1350:                                             ; preds = %1344
-  br label %1394
+1354:                                             ; preds = %1348
+  br label %1398
 
-1351:                                             ; preds = %784
-  %1352 = load i64, ptr %734, align 8, !noalias !15
-  %1353 = icmp sgt i64 %1352, 0
-  br i1 %1353, label %865, label %872
-
-1354:                                             ; preds = %900, %1362
-  %1355 = phi i64 [ 0, %900 ], [ %1364, %1362 ]
-  %1356 = phi i64 [ %912, %900 ], [ %1363, %1362 ]
+1355:                                             ; preds = %784
+  %1356 = load i64, ptr %734, align 8, !noalias !15
   %1357 = icmp sgt i64 %1356, 0
-  br i1 %1357, label %1362, label %1358
+  br i1 %1357, label %865, label %872
 
-1358:                                             ; preds = %1354
-  %1359 = load i64, ptr %780, align 8, !noalias !133
-  %1360 = getelementptr i8, ptr %52, i64 16
-  %1361 = load i64, ptr %1360, align 8, !noalias !133
-  call fastcc void @pydy_nested(i64 %911, i64 %84, i64 %121, i64 %86, i64 %1359, i64 %104, i64 %1361) #2, !noalias !133
-  br i1 %886, label %913, label %920
+1358:                                             ; preds = %903, %1366
+  %1359 = phi i64 [ 0, %903 ], [ %1368, %1366 ]
+  %1360 = phi i64 [ %915, %903 ], [ %1367, %1366 ]
+  %1361 = icmp sgt i64 %1360, 0
+  br i1 %1361, label %1366, label %1362
 
-1362:                                             ; preds = %1354
-  %1363 = add nsw i64 %1356, -1
-  %1364 = add i64 %1355, 1
-  %1365 = icmp slt i64 %1355, 0
-  %1366 = select i1 %1365, i64 %106, i64 0
-  %1367 = getelementptr double, ptr %107, i64 %1355
-  %1368 = getelementptr double, ptr %1367, i64 %1366
-  store double %908, ptr %1368, align 8, !noalias !133
-  br label %1354
+1362:                                             ; preds = %1358
+  %1363 = load i64, ptr %780, align 8, !noalias !133
+  %1364 = getelementptr i8, ptr %52, i64 16
+  %1365 = load i64, ptr %1364, align 8, !noalias !133
+  call fastcc void @pydy_nested(i64 %914, i64 %84, i64 %121, i64 %86, i64 %1363, i64 %104, i64 %1365) #2, !noalias !133
+  br i1 %889, label %916, label %923
 
-1369:                                             ; preds = %952
-  %1370 = load i64, ptr %191, align 8, !noalias !15
-  %1371 = icmp eq i64 %1370, 1
-  br i1 %1371, label %974, label %979
+1366:                                             ; preds = %1358
+  %1367 = add nsw i64 %1360, -1
+  %1368 = add i64 %1359, 1
+  %1369 = icmp slt i64 %1359, 0
+  %1370 = select i1 %1369, i64 %106, i64 0
+  %1371 = getelementptr double, ptr %107, i64 %1359
+  %1372 = getelementptr double, ptr %1371, i64 %1370
+  store double %911, ptr %1372, align 8, !noalias !133
+  br label %1358
 
-1372:                                             ; preds = %984
-  br label %1394
+1373:                                             ; preds = %956
+  %1374 = load i64, ptr %191, align 8, !noalias !15
+  %1375 = icmp eq i64 %1374, 1
+  br i1 %1375, label %978, label %983
 
-1373:                                             ; preds = %990
+1376:                                             ; preds = %988
+  br label %1398
+
+1377:                                             ; preds = %994
   store double %882, ptr %139, align 8, !noalias !15
   store double 0.000000e+00, ptr %243, align 8, !noalias !15
   store i64 0, ptr %144, align 8, !noalias !15
-  br label %1005
+  br label %1009
 
-1374:                                             ; preds = %1133
-  %1375 = add nsw i64 %1135, -1
-  %1376 = add i64 %1134, 1
-  %1377 = icmp slt i64 %1134, 0
-  %1378 = select i1 %1377, i64 %91, i64 0
-  %1379 = getelementptr double, ptr %92, i64 %1134
-  %1380 = getelementptr double, ptr %1379, i64 %1378
-  %1381 = load double, ptr %1380, align 8, !noalias !15
-  %1382 = select i1 %1377, i64 %86, i64 0
-  %1383 = getelementptr double, ptr %87, i64 %1134
+1378:                                             ; preds = %1137
+  %1379 = add nsw i64 %1139, -1
+  %1380 = add i64 %1138, 1
+  %1381 = icmp slt i64 %1138, 0
+  %1382 = select i1 %1381, i64 %91, i64 0
+  %1383 = getelementptr double, ptr %92, i64 %1138
   %1384 = getelementptr double, ptr %1383, i64 %1382
-  store double %1381, ptr %1384, align 8, !noalias !15
-  %1385 = add nsw i64 %234, %1134
-  %1386 = icmp slt i64 %1385, 0
-  %1387 = select i1 %1386, i64 %118, i64 0
-  %1388 = getelementptr double, ptr %119, i64 %1385
-  %1389 = getelementptr double, ptr %1388, i64 %1387
-  %1390 = load double, ptr %1389, align 8, !noalias !15
-  %1391 = select i1 %1377, i64 %118, i64 0
-  %1392 = getelementptr double, ptr %119, i64 %1134
+  %1385 = load double, ptr %1384, align 8, !noalias !15
+  %1386 = select i1 %1381, i64 %86, i64 0
+  %1387 = getelementptr double, ptr %87, i64 %1138
+  %1388 = getelementptr double, ptr %1387, i64 %1386
+  store double %1385, ptr %1388, align 8, !noalias !15
+  %1389 = add nsw i64 %234, %1138
+  %1390 = icmp slt i64 %1389, 0
+  %1391 = select i1 %1390, i64 %118, i64 0
+  %1392 = getelementptr double, ptr %119, i64 %1389
   %1393 = getelementptr double, ptr %1392, i64 %1391
-  store double %1390, ptr %1393, align 8, !noalias !15
-  br label %1133
+  %1394 = load double, ptr %1393, align 8, !noalias !15
+  %1395 = select i1 %1381, i64 %118, i64 0
+  %1396 = getelementptr double, ptr %119, i64 %1138
+  %1397 = getelementptr double, ptr %1396, i64 %1395
+  store double %1394, ptr %1397, align 8, !noalias !15
+  br label %1137
 
-1394:                                             ; preds = %1372, %1350, %1299, %1298, %1284, %1283, %1282, %1279, %1239, %1238, %1219, %1218, %1214, %1211, %1210, %1209, %1021, %758, %721, %519, %438, %427, %274, %264, %226
-  %1395 = phi i64 [ 0, %1372 ], [ -1, %226 ], [ 0, %1214 ], [ %267, %264 ], [ 0, %1218 ], [ 0, %274 ], [ 0, %1219 ], [ 0, %1239 ], [ 0, %1238 ], [ -1, %427 ], [ 1, %438 ], [ 2, %1210 ], [ 0, %1283 ], [ 0, %1279 ], [ 0, %1282 ], [ 0, %1284 ], [ -4, %519 ], [ -4, %721 ], [ 2, %1209 ], [ 0, %1299 ], [ %1007, %1021 ], [ 0, %1211 ], [ 0, %1298 ], [ 0, %1350 ], [ %761, %758 ]
-  ret i64 %1395
+1398:                                             ; preds = %1376, %1354, %1303, %1302, %1288, %1287, %1286, %1283, %1243, %1242, %1223, %1222, %1218, %1215, %1214, %1213, %1025, %758, %721, %519, %438, %427, %274, %264, %226
+  %1399 = phi i64 [ 0, %1376 ], [ -1, %226 ], [ 0, %1218 ], [ %267, %264 ], [ 0, %1222 ], [ 0, %274 ], [ 0, %1223 ], [ 0, %1243 ], [ 0, %1242 ], [ -1, %427 ], [ 1, %438 ], [ 2, %1214 ], [ 0, %1287 ], [ 0, %1283 ], [ 0, %1286 ], [ 0, %1288 ], [ -4, %519 ], [ -4, %721 ], [ 2, %1213 ], [ 0, %1303 ], [ %1011, %1025 ], [ 0, %1215 ], [ 0, %1302 ], [ 0, %1354 ], [ %761, %758 ]
+  ret i64 %1399
 }
 
 

@@ -1,4 +1,4 @@
-; sources e1a63d9ec692563f214eb01d118d8a8e642ed8a008a9c5b81038f2f662212ca6
+; sources 5a0826a5b8c08433328c6939a4879bf5161045b5cabf16235e5e8b0509834956
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8
@@ -816,7 +816,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   br label %177
 
 192:                                              ; preds = %154
-  br label %2632
+  br label %2683
 
 193:                                              ; preds = %154
   %194 = getelementptr i8, ptr %25, i64 1032
@@ -910,12 +910,12 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %282 = call i64 @llvm.smax.i64(i64 %273, i64 0)
   br label %283
 
-283:                                              ; preds = %2324, %193
-  %284 = phi i64 [ 0, %193 ], [ %2332, %2324 ]
-  %285 = phi i64 [ %282, %193 ], [ %2333, %2324 ]
-  %286 = phi double [ %281, %193 ], [ %2331, %2324 ]
+283:                                              ; preds = %2365, %193
+  %284 = phi i64 [ 0, %193 ], [ %2373, %2365 ]
+  %285 = phi i64 [ %282, %193 ], [ %2374, %2365 ]
+  %286 = phi double [ %281, %193 ], [ %2372, %2365 ]
   %287 = icmp sgt i64 %285, 0
-  br i1 %287, label %2324, label %288
+  br i1 %287, label %2365, label %288
 
 288:                                              ; preds = %283
   %289 = fcmp olt double %286, 0x3CB0000000000000
@@ -971,19 +971,19 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 316:                                              ; preds = %310, %312
   %317 = phi i32 [ %315, %312 ], [ 0, %310 ]
   %318 = phi i32 [ 0, %312 ], [ %311, %310 ]
-  switch i32 %318, label %2336 [
-    i32 -2, label %2334
-    i32 0, label %2334
+  switch i32 %318, label %2377 [
+    i32 -2, label %2375
+    i32 0, label %2375
   ], !prof !32
 
-319:                                              ; preds = %2334
+319:                                              ; preds = %2375
   %320 = getelementptr i8, ptr %110, i64 72
   store i64 3, ptr %320, align 8, !noalias !12
   %321 = icmp slt i32 %317, 0
   %322 = select i1 %321, i64 -4, i64 2
-  br label %2632
+  br label %2683
 
-323:                                              ; preds = %2334
+323:                                              ; preds = %2375
   store i64 1, ptr %110, align 8, !noalias !12
   %324 = getelementptr i8, ptr %105, i64 24
   store double 0.000000e+00, ptr %324, align 8, !noalias !12
@@ -995,15 +995,15 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double 0.000000e+00, ptr %327, align 8, !noalias !12
   store i8 0, ptr %23, align 1, !noalias !12
   %328 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %30, ptr %65, i64 %64, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %328, label %2340 [
-    i32 -2, label %2337
-    i32 0, label %2337
+  switch i32 %328, label %2381 [
+    i32 -2, label %2378
+    i32 0, label %2378
   ], !prof !32
 
-329:                                              ; preds = %2337
-  br label %2632
+329:                                              ; preds = %2378
+  br label %2683
 
-330:                                              ; preds = %2337
+330:                                              ; preds = %2378
   %331 = fcmp oeq double %299, 0.000000e+00
   br i1 %331, label %332, label %359
 
@@ -1015,7 +1015,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   store double 0.000000e+00, ptr %21, align 8, !noalias !34
   %335 = call fastcc i32 @norm(ptr nonnull %21, ptr %65, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %273) #3
   %336 = load double, ptr %21, align 8, !noalias !34
-  switch i32 %335, label %2341 [
+  switch i32 %335, label %2382 [
     i32 -2, label %337
     i32 0, label %337
   ], !prof !32
@@ -1023,7 +1023,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 337:                                              ; preds = %332, %332
   store double 0.000000e+00, ptr %22, align 8, !noalias !34
   %338 = call fastcc i32 @norm(ptr nonnull %22, ptr %85, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %273) #3
-  switch i32 %338, label %2341 [
+  switch i32 %338, label %2382 [
     i32 -2, label %339
     i32 0, label %339
   ], !prof !32
@@ -1057,21 +1057,21 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %360 = phi double [ %355, %339 ], [ %355, %357 ], [ %299, %330 ], [ %299, %288 ]
   br label %361
 
-361:                                              ; preds = %2320, %359
-  %362 = phi double [ %360, %359 ], [ %2321, %2320 ]
-  %363 = phi double [ %297, %359 ], [ %366, %2320 ]
+361:                                              ; preds = %2361, %359
+  %362 = phi double [ %360, %359 ], [ %2362, %2361 ]
+  %363 = phi double [ %297, %359 ], [ %366, %2361 ]
   br label %364
 
-364:                                              ; preds = %2241, %361
-  %365 = phi double [ %362, %361 ], [ %2242, %2241 ]
-  %366 = phi double [ %363, %361 ], [ %392, %2241 ]
+364:                                              ; preds = %2282, %361
+  %365 = phi double [ %362, %361 ], [ %2283, %2282 ]
+  %366 = phi double [ %363, %361 ], [ %392, %2282 ]
   %367 = load i64, ptr %161, align 8, !noalias !12
   %368 = icmp eq i64 %367, 0
   br i1 %368, label %369, label %370
 
 369:                                              ; preds = %364
   store double %365, ptr %298, align 8, !noalias !12
-  br label %2632
+  br label %2683
 
 370:                                              ; preds = %364
   %371 = add nsw i64 %367, -1
@@ -1088,7 +1088,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 380:                                              ; preds = %370
   store double %365, ptr %298, align 8, !noalias !12
-  br label %2632
+  br label %2683
 
 381:                                              ; preds = %370
   %382 = getelementptr i8, ptr %105, i64 16
@@ -1107,20 +1107,20 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %395 = fcmp ogt double %394, %366
   %396 = fcmp oeq double %392, %280
   %397 = or i1 %395, %396
-  br i1 %397, label %398, label %2322
+  br i1 %397, label %398, label %2363
 
 398:                                              ; preds = %381
   %399 = getelementptr i8, ptr %196, i64 8
   %400 = load i64, ptr %399, align 8, !noalias !12
   %401 = icmp eq i64 %400, 1
-  br i1 %401, label %402, label %441
+  br i1 %401, label %402, label %449
 
 402:                                              ; preds = %398
-  %403 = load i64, ptr %116, align 8, !noalias !12
-  %404 = getelementptr i8, ptr %110, i64 32
-  %405 = load i64, ptr %404, align 8, !noalias !12
-  %406 = add nsw i64 %405, 1
-  store i64 %406, ptr %404, align 8, !noalias !12
+  %403 = getelementptr i8, ptr %110, i64 32
+  %404 = load i64, ptr %403, align 8, !noalias !12
+  %405 = add nsw i64 %404, 1
+  store i64 %405, ptr %403, align 8, !noalias !12
+  %406 = load i64, ptr %116, align 8, !noalias !12
   %407 = load i64, ptr %196, align 8, !noalias !12
   %408 = icmp eq i64 %407, 0
   br i1 %408, label %416, label %409
@@ -1145,3112 +1145,3178 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
 
 414:                                              ; preds = %411, %411, %409, %413
   %415 = phi i32 [ %412, %413 ], [ 0, %409 ], [ 0, %411 ], [ 0, %411 ]
-  switch i32 %415, label %2347 [
-    i32 -2, label %2342
-    i32 0, label %2342
-  ], !prof !32
-
-416:                                              ; preds = %402
-  %417 = call i64 @llvm.smax.i64(i64 %403, i64 0)
-  br label %418
-
-418:                                              ; preds = %416, %2348
-  %419 = phi i64 [ 0, %416 ], [ %2350, %2348 ]
-  %420 = phi i64 [ %417, %416 ], [ %2349, %2348 ]
-  %421 = icmp sgt i64 %420, 0
-  br i1 %421, label %2348, label %422
-
-422:                                              ; preds = %418, %432
-  %423 = phi i64 [ %2361, %432 ], [ 0, %418 ]
-  %424 = phi i64 [ %2360, %432 ], [ %417, %418 ]
-  %425 = icmp sgt i64 %424, 0
-  br i1 %425, label %2359, label %434
-
-426:                                              ; preds = %2392
-  %427 = sext i32 %2390 to i64
-  br label %434
-
-428:                                              ; preds = %2392, %2395
-  %429 = phi i64 [ %2397, %2395 ], [ 0, %2392 ]
-  %430 = phi i64 [ %2396, %2395 ], [ %417, %2392 ]
-  %431 = icmp sgt i64 %430, 0
-  br i1 %431, label %2395, label %432
-
-432:                                              ; preds = %428
-  %433 = load double, ptr %2365, align 8, !noalias !12
-  store double %433, ptr %2375, align 8, !noalias !12
-  br label %422
-
-434:                                              ; preds = %422, %2342, %426
-  %435 = phi i64 [ %2346, %2342 ], [ %427, %426 ], [ 0, %422 ]
-  %436 = icmp slt i64 %435, 0
-  br i1 %436, label %437, label %438
-
-437:                                              ; preds = %434
-  br label %2632
-
-438:                                              ; preds = %434
-  store i64 0, ptr %399, align 8, !noalias !12
-  %439 = getelementptr i8, ptr %196, i64 16
-  store i64 1, ptr %439, align 8, !noalias !12
-  %440 = getelementptr i8, ptr %196, i64 24
-  store i64 0, ptr %440, align 8, !noalias !12
-  br label %441
-
-441:                                              ; preds = %438, %398
-  %442 = getelementptr i8, ptr %196, i64 24
-  %443 = load i64, ptr %442, align 8, !noalias !12
-  %444 = icmp eq i64 %443, 0
-  br i1 %444, label %448, label %445
-
-445:                                              ; preds = %441
-  %446 = load double, ptr %199, align 8, !noalias !12
-  %447 = fcmp une double %391, %446
-  br i1 %447, label %448, label %763
-
-448:                                              ; preds = %445, %441
-  %449 = getelementptr i8, ptr %110, i64 40
-  %450 = load i64, ptr %449, align 8, !noalias !12
-  %451 = add nsw i64 %450, 1
-  store i64 %451, ptr %449, align 8, !noalias !12
-  %452 = call i64 @llvm.smax.i64(i64 %225, i64 0)
-  br label %453
-
-453:                                              ; preds = %461, %448
-  %454 = phi i64 [ 0, %448 ], [ %2417, %461 ]
-  %455 = phi i64 [ %452, %448 ], [ %2416, %461 ]
-  %456 = icmp sgt i64 %455, 0
-  br i1 %456, label %2415, label %487
-
-457:                                              ; preds = %2415, %2418
-  %458 = phi i64 [ 0, %2415 ], [ %2420, %2418 ]
-  %459 = phi i64 [ %452, %2415 ], [ %2419, %2418 ]
-  %460 = icmp sgt i64 %459, 0
-  br i1 %460, label %2418, label %461
-
-461:                                              ; preds = %457
-  %462 = icmp slt i64 %454, 0
-  %463 = select i1 %462, i64 %211, i64 0
-  %464 = add i64 %454, %463
-  %465 = select i1 %462, i64 %213, i64 0
-  %466 = mul i64 %464, %213
-  %467 = getelementptr double, ptr %214, i64 %466
-  %468 = getelementptr double, ptr %467, i64 %454
-  %469 = getelementptr double, ptr %468, i64 %465
-  %470 = load double, ptr %469, align 8, !noalias !12
-  %471 = fdiv double 0x400D1A48D83E731D, %391
-  %472 = fadd double %470, %471
-  store double %472, ptr %469, align 8, !noalias !12
-  %473 = select i1 %462, i64 %218, i64 0
-  %474 = add i64 %454, %473
-  %475 = select i1 %462, i64 %220, i64 0
-  %476 = mul i64 %474, %220
-  %477 = getelementptr { double, double }, ptr %221, i64 %476
-  %478 = getelementptr { double, double }, ptr %477, i64 %454
-  %479 = getelementptr { double, double }, ptr %478, i64 %475
-  %480 = load double, ptr %479, align 8, !noalias !12
-  %481 = getelementptr inbounds nuw i8, ptr %479, i64 8
-  %482 = load double, ptr %481, align 8, !noalias !12
-  %483 = fdiv double 0x400572DB93E0C672, %391
-  %484 = fdiv double 0xC0086747F2C3FCB6, %391
-  %485 = fadd double %480, %483
-  %486 = fadd double %482, %484
-  store double %485, ptr %479, align 8, !noalias !12
-  store double %486, ptr %481, align 8, !noalias !12
-  br label %453
-
-487:                                              ; preds = %453
-  %488 = call i64 @llvm.smax.i64(i64 %211, i64 0)
-  br label %489
-
-489:                                              ; preds = %513, %487
-  %490 = phi i64 [ 0, %487 ], [ %526, %513 ]
-  %491 = phi i64 [ %488, %487 ], [ %525, %513 ]
-  %492 = icmp sgt i64 %491, 0
-  br i1 %492, label %524, label %595
-
-493:                                              ; preds = %539, %524
-  %494 = phi i64 [ %526, %524 ], [ %541, %539 ]
-  %495 = phi i64 [ %538, %524 ], [ %540, %539 ]
-  %496 = phi double [ %536, %524 ], [ %552, %539 ]
-  %497 = phi i64 [ %490, %524 ], [ %553, %539 ]
-  %498 = icmp sgt i64 %495, 0
-  br i1 %498, label %539, label %499
-
-499:                                              ; preds = %493
-  %500 = select i1 %527, i64 %225, i64 0
-  %501 = getelementptr i64, ptr %226, i64 %490
-  %502 = getelementptr i64, ptr %501, i64 %500
-  store i64 %497, ptr %502, align 8, !noalias !42
-  %503 = fcmp ueq double %496, 0.000000e+00
-  br i1 %503, label %755, label %504
-
-504:                                              ; preds = %499
-  %505 = icmp eq i64 %497, %490
-  br i1 %505, label %510, label %506
-
-506:                                              ; preds = %504, %554
-  %507 = phi i64 [ %556, %554 ], [ 0, %504 ]
-  %508 = phi i64 [ %555, %554 ], [ %488, %504 ]
-  %509 = icmp sgt i64 %508, 0
-  br i1 %509, label %554, label %510
-
-510:                                              ; preds = %506, %504
-  %511 = load double, ptr %534, align 8, !noalias !42
-  %512 = fdiv double 1.000000e+00, %511
-  br label %513
-
-513:                                              ; preds = %523, %510
-  %514 = phi i64 [ %526, %510 ], [ %572, %523 ]
-  %515 = phi i64 [ %538, %510 ], [ %571, %523 ]
-  %516 = icmp sgt i64 %515, 0
-  br i1 %516, label %570, label %489
-
-517:                                              ; preds = %570
-  %518 = fmul double %580, %512
-  store double %518, ptr %579, align 8, !noalias !42
-  br label %519
-
-519:                                              ; preds = %582, %517
-  %520 = phi i64 [ %526, %517 ], [ %584, %582 ]
-  %521 = phi i64 [ %538, %517 ], [ %583, %582 ]
-  %522 = icmp sgt i64 %521, 0
-  br i1 %522, label %582, label %523
-
-523:                                              ; preds = %570, %519
-  br label %513
-
-524:                                              ; preds = %489
-  %525 = add nsw i64 %491, -1
-  %526 = add i64 %490, 1
-  %527 = icmp slt i64 %490, 0
-  %528 = select i1 %527, i64 %211, i64 0
-  %529 = add i64 %490, %528
-  %530 = select i1 %527, i64 %213, i64 0
-  %531 = mul i64 %529, %213
-  %532 = getelementptr double, ptr %214, i64 %531
-  %533 = getelementptr double, ptr %532, i64 %490
-  %534 = getelementptr double, ptr %533, i64 %530
-  %535 = load double, ptr %534, align 8, !noalias !42
-  %536 = call double @llvm.fabs.f64(double %535)
-  %537 = sub i64 %211, %526
-  %538 = call i64 @llvm.smax.i64(i64 %537, i64 0)
-  br label %493
-
-539:                                              ; preds = %493
-  %540 = add nsw i64 %495, -1
-  %541 = add i64 %494, 1
-  %542 = icmp slt i64 %494, 0
-  %543 = select i1 %542, i64 %211, i64 0
-  %544 = add i64 %494, %543
-  %545 = mul i64 %544, %213
-  %546 = getelementptr double, ptr %214, i64 %545
-  %547 = getelementptr double, ptr %546, i64 %490
-  %548 = getelementptr double, ptr %547, i64 %530
-  %549 = load double, ptr %548, align 8, !noalias !42
-  %550 = call double @llvm.fabs.f64(double %549)
-  %551 = fcmp ogt double %550, %496
-  %552 = select i1 %551, double %550, double %496
-  %553 = select i1 %551, i64 %494, i64 %497
-  br label %493
-
-554:                                              ; preds = %506
-  %555 = add nsw i64 %508, -1
-  %556 = add i64 %507, 1
-  %557 = icmp slt i64 %497, 0
-  %558 = select i1 %557, i64 %211, i64 0
-  %559 = add i64 %497, %558
-  %560 = icmp slt i64 %507, 0
-  %561 = select i1 %560, i64 %213, i64 0
-  %562 = mul i64 %559, %213
-  %563 = getelementptr double, ptr %214, i64 %562
-  %564 = getelementptr double, ptr %563, i64 %507
-  %565 = getelementptr double, ptr %564, i64 %561
-  %566 = load double, ptr %565, align 8, !noalias !42
-  %567 = getelementptr double, ptr %532, i64 %507
-  %568 = getelementptr double, ptr %567, i64 %561
-  %569 = load double, ptr %568, align 8, !noalias !42
-  store double %566, ptr %568, align 8, !noalias !42
-  store double %569, ptr %565, align 8, !noalias !42
-  br label %506
-
-570:                                              ; preds = %513
-  %571 = add nsw i64 %515, -1
-  %572 = add i64 %514, 1
-  %573 = icmp slt i64 %514, 0
-  %574 = select i1 %573, i64 %211, i64 0
-  %575 = add i64 %514, %574
-  %576 = mul i64 %575, %213
-  %577 = getelementptr double, ptr %214, i64 %576
-  %578 = getelementptr double, ptr %577, i64 %490
-  %579 = getelementptr double, ptr %578, i64 %530
-  %580 = load double, ptr %579, align 8, !noalias !42
-  %581 = fcmp une double %580, 0.000000e+00
-  br i1 %581, label %517, label %523
-
-582:                                              ; preds = %519
-  %583 = add nsw i64 %521, -1
-  %584 = add i64 %520, 1
-  %585 = icmp slt i64 %520, 0
-  %586 = select i1 %585, i64 %213, i64 0
-  %587 = getelementptr double, ptr %577, i64 %520
-  %588 = getelementptr double, ptr %587, i64 %586
-  %589 = load double, ptr %588, align 8, !noalias !42
-  %590 = getelementptr double, ptr %532, i64 %520
-  %591 = getelementptr double, ptr %590, i64 %586
-  %592 = load double, ptr %591, align 8, !noalias !42
-  %593 = fmul double %518, %592
-  %594 = fsub double %589, %593
-  store double %594, ptr %588, align 8, !noalias !42
-  br label %519
-
-595:                                              ; preds = %489
-  %596 = call i64 @llvm.smax.i64(i64 %218, i64 0)
-  br label %597
-
-597:                                              ; preds = %645, %595
-  %598 = phi i64 [ 0, %595 ], [ %663, %645 ]
-  %599 = phi i64 [ %596, %595 ], [ %662, %645 ]
-  %600 = icmp sgt i64 %599, 0
-  br i1 %600, label %661, label %754
-
-601:                                              ; preds = %678, %661
-  %602 = phi i64 [ %663, %661 ], [ %690, %678 ]
-  %603 = phi i64 [ %677, %661 ], [ %691, %678 ]
-  %604 = phi double [ %675, %661 ], [ %693, %678 ]
-  %605 = phi i64 [ %598, %661 ], [ %694, %678 ]
-  %606 = icmp sgt i64 %603, 0
-  br i1 %606, label %678, label %607
-
-607:                                              ; preds = %601
-  %608 = select i1 %664, i64 %230, i64 0
-  %609 = getelementptr i64, ptr %231, i64 %598
-  %610 = getelementptr i64, ptr %609, i64 %608
-  store i64 %605, ptr %610, align 8, !noalias !45
-  %611 = fcmp ueq double %604, 0.000000e+00
-  br i1 %611, label %755, label %612
-
-612:                                              ; preds = %607
-  %613 = icmp eq i64 %605, %598
-  br i1 %613, label %618, label %614
-
-614:                                              ; preds = %612, %695
-  %615 = phi i64 [ %697, %695 ], [ 0, %612 ]
-  %616 = phi i64 [ %696, %695 ], [ %596, %612 ]
-  %617 = icmp sgt i64 %616, 0
-  br i1 %617, label %695, label %618
-
-618:                                              ; preds = %614, %612
-  %619 = load double, ptr %671, align 8, !noalias !45
-  %620 = load double, ptr %673, align 8, !noalias !45
-  %621 = call double @llvm.fabs.f64(double %619)
-  %622 = call double @llvm.fabs.f64(double %620)
-  %623 = fcmp ult double %621, %622
-  br i1 %623, label %633, label %624
-
-624:                                              ; preds = %618
-  %625 = fdiv double %620, %619
-  %626 = fmul double %620, %625
-  %627 = fadd double %619, %626
-  %628 = fmul double %625, 0.000000e+00
-  %629 = fadd double %628, 1.000000e+00
-  %630 = fdiv double %629, %627
-  %631 = fsub double 0.000000e+00, %625
-  %632 = fdiv double %631, %627
-  br label %642
-
-633:                                              ; preds = %618
-  %634 = fdiv double %619, %620
-  %635 = fmul double %619, %634
-  %636 = fadd double %635, %620
-  %637 = fadd double %634, 0.000000e+00
-  %638 = fdiv double %637, %636
-  %639 = fmul double %634, 0.000000e+00
-  %640 = fadd double %639, -1.000000e+00
-  %641 = fdiv double %640, %636
-  br label %642
-
-642:                                              ; preds = %633, %624
-  %643 = phi double [ %632, %624 ], [ %641, %633 ]
-  %644 = phi double [ %630, %624 ], [ %638, %633 ]
-  br label %645
-
-645:                                              ; preds = %660, %642
-  %646 = phi i64 [ %663, %642 ], [ %717, %660 ]
-  %647 = phi i64 [ %677, %642 ], [ %716, %660 ]
-  %648 = icmp sgt i64 %647, 0
-  br i1 %648, label %715, label %597
-
-649:                                              ; preds = %715
-  %650 = fmul double %725, %643
-  %651 = fmul double %727, %644
-  %652 = fadd double %650, %651
-  %653 = fmul double %725, %644
-  %654 = fmul double %727, %643
-  %655 = fsub double %653, %654
-  store double %655, ptr %724, align 8, !noalias !45
-  store double %652, ptr %726, align 8, !noalias !45
-  br label %656
-
-656:                                              ; preds = %731, %649
-  %657 = phi i64 [ %663, %649 ], [ %750, %731 ]
-  %658 = phi i64 [ %677, %649 ], [ %751, %731 ]
-  %659 = icmp sgt i64 %658, 0
-  br i1 %659, label %731, label %660
-
-660:                                              ; preds = %715, %656
-  br label %645
-
-661:                                              ; preds = %597
-  %662 = add nsw i64 %599, -1
-  %663 = add i64 %598, 1
-  %664 = icmp slt i64 %598, 0
-  %665 = select i1 %664, i64 %218, i64 0
-  %666 = add i64 %598, %665
-  %667 = select i1 %664, i64 %220, i64 0
-  %668 = mul i64 %666, %220
-  %669 = getelementptr { double, double }, ptr %221, i64 %668
-  %670 = getelementptr { double, double }, ptr %669, i64 %598
-  %671 = getelementptr { double, double }, ptr %670, i64 %667
-  %672 = load double, ptr %671, align 8, !noalias !45
-  %673 = getelementptr inbounds nuw i8, ptr %671, i64 8
-  %674 = load double, ptr %673, align 8, !noalias !45
-  %675 = call double @hypot(double %672, double %674) #3, !noalias !49
-  %676 = sub i64 %218, %663
-  %677 = call i64 @llvm.smax.i64(i64 %676, i64 0)
-  br label %601
-
-678:                                              ; preds = %601
-  %679 = icmp slt i64 %602, 0
-  %680 = select i1 %679, i64 %218, i64 0
-  %681 = add i64 %602, %680
-  %682 = mul i64 %681, %220
-  %683 = getelementptr { double, double }, ptr %221, i64 %682
-  %684 = getelementptr { double, double }, ptr %683, i64 %598
-  %685 = getelementptr { double, double }, ptr %684, i64 %667
-  %686 = load double, ptr %685, align 8, !noalias !45
-  %687 = getelementptr inbounds nuw i8, ptr %685, i64 8
-  %688 = load double, ptr %687, align 8, !noalias !45
-  %689 = call double @hypot(double %686, double %688) #3, !noalias !55
-  %690 = add i64 %602, 1
-  %691 = add nsw i64 %603, -1
-  %692 = fcmp ogt double %689, %604
-  %693 = select i1 %692, double %689, double %604
-  %694 = select i1 %692, i64 %602, i64 %605
-  br label %601
-
-695:                                              ; preds = %614
-  %696 = add nsw i64 %616, -1
-  %697 = add i64 %615, 1
-  %698 = icmp slt i64 %605, 0
-  %699 = select i1 %698, i64 %218, i64 0
-  %700 = add i64 %605, %699
-  %701 = icmp slt i64 %615, 0
-  %702 = select i1 %701, i64 %220, i64 0
-  %703 = mul i64 %700, %220
-  %704 = getelementptr { double, double }, ptr %221, i64 %703
-  %705 = getelementptr { double, double }, ptr %704, i64 %615
-  %706 = getelementptr { double, double }, ptr %705, i64 %702
-  %707 = load double, ptr %706, align 8, !noalias !45
-  %708 = getelementptr inbounds nuw i8, ptr %706, i64 8
-  %709 = load double, ptr %708, align 8, !noalias !45
-  %710 = getelementptr { double, double }, ptr %669, i64 %615
-  %711 = getelementptr { double, double }, ptr %710, i64 %702
-  %712 = load double, ptr %711, align 8, !noalias !45
-  %713 = getelementptr inbounds nuw i8, ptr %711, i64 8
-  %714 = load double, ptr %713, align 8, !noalias !45
-  store double %707, ptr %711, align 8, !noalias !45
-  store double %709, ptr %713, align 8, !noalias !45
-  store double %712, ptr %706, align 8, !noalias !45
-  store double %714, ptr %708, align 8, !noalias !45
-  br label %614
-
-715:                                              ; preds = %645
-  %716 = add nsw i64 %647, -1
-  %717 = add i64 %646, 1
-  %718 = icmp slt i64 %646, 0
-  %719 = select i1 %718, i64 %218, i64 0
-  %720 = add i64 %646, %719
-  %721 = mul i64 %720, %220
-  %722 = getelementptr { double, double }, ptr %221, i64 %721
-  %723 = getelementptr { double, double }, ptr %722, i64 %598
-  %724 = getelementptr { double, double }, ptr %723, i64 %667
-  %725 = load double, ptr %724, align 8, !noalias !45
-  %726 = getelementptr inbounds nuw i8, ptr %724, i64 8
-  %727 = load double, ptr %726, align 8, !noalias !45
-  %728 = fcmp une double %725, 0.000000e+00
-  %729 = fcmp une double %727, 0.000000e+00
-  %730 = or i1 %728, %729
-  br i1 %730, label %649, label %660
-
-731:                                              ; preds = %656
-  %732 = icmp slt i64 %657, 0
-  %733 = select i1 %732, i64 %220, i64 0
-  %734 = getelementptr { double, double }, ptr %722, i64 %657
-  %735 = getelementptr { double, double }, ptr %734, i64 %733
-  %736 = load double, ptr %735, align 8, !noalias !45
-  %737 = getelementptr inbounds nuw i8, ptr %735, i64 8
-  %738 = load double, ptr %737, align 8, !noalias !45
-  %739 = getelementptr { double, double }, ptr %669, i64 %657
-  %740 = getelementptr { double, double }, ptr %739, i64 %733
-  %741 = load double, ptr %740, align 8, !noalias !45
-  %742 = getelementptr inbounds nuw i8, ptr %740, i64 8
-  %743 = load double, ptr %742, align 8, !noalias !45
-  %744 = fmul double %655, %743
-  %745 = fmul double %652, %741
-  %746 = fadd double %744, %745
-  %747 = fmul double %655, %741
-  %748 = fmul double %652, %743
-  %749 = fsub double %747, %748
-  %750 = add i64 %657, 1
-  %751 = add nsw i64 %658, -1
-  %752 = fsub double %736, %749
-  %753 = fsub double %738, %746
-  store double %752, ptr %735, align 8, !noalias !45
-  store double %753, ptr %737, align 8, !noalias !45
-  br label %656
-
-754:                                              ; preds = %597
-  store i64 1, ptr %442, align 8, !noalias !12
-  store double %391, ptr %199, align 8, !noalias !12
-  br label %763
-
-755:                                              ; preds = %499, %607
-  %756 = load i64, ptr %374, align 8, !noalias !12
-  %757 = add nsw i64 %756, 1
-  %758 = fmul double %391, 5.000000e-01
-  %759 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %759, align 8, !noalias !12
-  store i64 %757, ptr %374, align 8, !noalias !12
-  %760 = getelementptr i8, ptr %196, i64 16
-  %761 = load i64, ptr %760, align 8, !noalias !12
-  %762 = sub nsw i64 1, %761
-  store i64 %762, ptr %399, align 8, !noalias !12
-  store i64 0, ptr %442, align 8, !noalias !12
-  br label %2320
-
-763:                                              ; preds = %754, %445
-  %764 = getelementptr i8, ptr %199, i64 8
-  %765 = load double, ptr %764, align 8, !noalias !12
-  br label %766
-
-766:                                              ; preds = %781, %763
-  %767 = phi i64 [ 0, %763 ], [ %2450, %781 ]
-  %768 = phi i64 [ 3, %763 ], [ %2449, %781 ]
-  %769 = icmp sgt i64 %768, 0
-  br i1 %769, label %2448, label %835
-
-770:                                              ; preds = %2448
-  %771 = icmp slt i64 %767, 0
-  %772 = add i64 %767, 3
-  %773 = select i1 %771, i64 %772, i64 %767
-  %774 = getelementptr double, ptr @0, i64 %773
-  %775 = load double, ptr %774, align 8, !noalias !12
-  %776 = fmul double %775, %391
-  %777 = fdiv double %776, %765
-  %778 = fadd double %777, 1.000000e+00
-  br label %779
-
-779:                                              ; preds = %2448, %770
-  %780 = phi double [ %778, %770 ], [ 0.000000e+00, %2448 ]
-  br label %781
-
-781:                                              ; preds = %779, %825, %785
-  %782 = phi i64 [ 0, %779 ], [ %2454, %785 ], [ %2454, %825 ]
-  %783 = phi i64 [ %282, %779 ], [ %2453, %785 ], [ %2453, %825 ]
-  %784 = icmp sgt i64 %783, 0
-  br i1 %784, label %2452, label %766
-
-785:                                              ; preds = %2452
-  %786 = fsub double 1.000000e+00, %780
-  %787 = icmp slt i64 %782, 0
-  %788 = select i1 %787, i64 %256, i64 0
-  %789 = shl i64 %256, 4
-  %790 = getelementptr i8, ptr %257, i64 %789
-  %791 = getelementptr double, ptr %790, i64 %782
-  %792 = getelementptr double, ptr %791, i64 %788
-  %793 = load double, ptr %792, align 8, !noalias !12
-  %794 = mul i64 %256, 24
-  %795 = getelementptr i8, ptr %257, i64 %794
-  %796 = getelementptr double, ptr %795, i64 %782
-  %797 = getelementptr double, ptr %796, i64 %788
-  %798 = load double, ptr %797, align 8, !noalias !12
-  %799 = fmul double %780, %798
-  %800 = fadd double %793, %799
-  %801 = fmul double %786, %800
-  %802 = getelementptr double, ptr %257, i64 %782
-  %803 = getelementptr double, ptr %802, i64 %788
-  %804 = load double, ptr %803, align 8, !noalias !12
-  %805 = getelementptr double, ptr %257, i64 %256
-  %806 = getelementptr double, ptr %805, i64 %782
-  %807 = getelementptr double, ptr %806, i64 %788
-  %808 = load double, ptr %807, align 8, !noalias !12
-  %809 = fadd double %808, %801
-  %810 = fmul double %780, %809
-  %811 = fadd double %804, %810
-  %812 = select i1 %787, i64 %64, i64 0
-  %813 = getelementptr double, ptr %65, i64 %782
-  %814 = getelementptr double, ptr %813, i64 %812
-  %815 = load double, ptr %814, align 8, !noalias !12
-  %816 = fsub double %811, %815
-  %817 = icmp slt i64 %767, 0
-  %818 = select i1 %817, i64 %235, i64 0
-  %819 = add i64 %767, %818
-  %820 = select i1 %787, i64 %237, i64 0
-  %821 = mul i64 %819, %237
-  %822 = getelementptr double, ptr %238, i64 %821
-  %823 = getelementptr double, ptr %822, i64 %782
-  %824 = getelementptr double, ptr %823, i64 %820
-  store double %816, ptr %824, align 8, !noalias !12
-  br label %781
-
-825:                                              ; preds = %2452
-  %826 = icmp slt i64 %767, 0
-  %827 = select i1 %826, i64 %235, i64 0
-  %828 = add i64 %767, %827
-  %829 = icmp slt i64 %782, 0
-  %830 = select i1 %829, i64 %237, i64 0
-  %831 = mul i64 %828, %237
-  %832 = getelementptr double, ptr %238, i64 %831
-  %833 = getelementptr double, ptr %832, i64 %782
-  %834 = getelementptr double, ptr %833, i64 %830
-  store double 0.000000e+00, ptr %834, align 8, !noalias !12
-  br label %781
-
-835:                                              ; preds = %766, %839
-  %836 = phi i64 [ %2457, %839 ], [ 0, %766 ]
-  %837 = phi i64 [ %2456, %839 ], [ 3, %766 ]
-  %838 = icmp sgt i64 %837, 0
-  br i1 %838, label %2455, label %843
-
-839:                                              ; preds = %2455, %2458
-  %840 = phi i64 [ 0, %2455 ], [ %2460, %2458 ]
-  %841 = phi i64 [ %282, %2455 ], [ %2459, %2458 ]
-  %842 = icmp sgt i64 %841, 0
-  br i1 %842, label %2458, label %835
-
-843:                                              ; preds = %835
-  %844 = fmul double %296, %286
-  store ptr null, ptr %12, align 8, !noalias !61
-  %845 = load i64, ptr %116, align 8, !noalias !61
-  %846 = getelementptr i8, ptr %196, i64 40
-  %847 = load i64, ptr %846, align 8, !noalias !61
-  %848 = icmp sgt i64 %847, 0
-  %849 = select i1 %848, i64 10, i64 6
-  br label %850
-
-850:                                              ; preds = %1282, %843
-  %851 = phi i64 [ 0, %843 ], [ %1292, %1282 ]
-  %852 = phi i64 [ %849, %843 ], [ %1293, %1282 ]
-  %853 = phi double [ -1.000000e+00, %843 ], [ %1140, %1282 ]
-  %854 = phi double [ 0.000000e+00, %843 ], [ %1181, %1282 ]
-  %855 = phi i64 [ 0, %843 ], [ %1201, %1282 ]
-  %856 = icmp sgt i64 %852, 0
-  br i1 %856, label %1288, label %1291
-
-857:                                              ; preds = %1291
-  %858 = icmp sgt i64 %1295, 5
-  %859 = icmp eq i64 %855, 0
-  %860 = and i1 %858, %859
-  br i1 %860, label %1283, label %861
-
-861:                                              ; preds = %1321, %857
-  %862 = phi i64 [ %1298, %1321 ], [ 0, %857 ]
-  %863 = phi i64 [ %1297, %1321 ], [ 3, %857 ]
-  %864 = icmp sgt i64 %863, 0
-  br i1 %864, label %1296, label %899
-
-865:                                              ; preds = %1300, %1296
-  %866 = phi i64 [ 0, %1296 ], [ %1302, %1300 ]
-  %867 = phi i64 [ %1299, %1296 ], [ %1301, %1300 ]
-  %868 = icmp sgt i64 %867, 0
-  br i1 %868, label %1300, label %869
-
-869:                                              ; preds = %865
-  %870 = getelementptr i8, ptr %110, i64 24
-  %871 = load i64, ptr %870, align 8, !noalias !61
-  %872 = add nsw i64 %871, 1
-  store i64 %872, ptr %870, align 8, !noalias !61
-  %873 = icmp slt i64 %862, 0
-  %874 = add i64 %862, 3
-  %875 = select i1 %873, i64 %874, i64 %862
-  %876 = getelementptr double, ptr @4, i64 %875
-  %877 = load double, ptr %876, align 8, !noalias !61
-  %878 = fmul double %391, %877
-  %879 = fadd double %366, %878
-  %880 = mul nsw i64 %862, %845
-  %881 = shl i64 %880, 3
-  %882 = add i64 %881, %247
-  store ptr null, ptr %10, align 8, !noalias !65
-  store ptr null, ptr %11, align 8, !noalias !65
-  store double %879, ptr %33, align 8, !noalias !65
-  %883 = icmp sgt i64 %45, 0
-  br i1 %883, label %884, label %887
-
-884:                                              ; preds = %869
-  store ptr null, ptr %10, align 8, !noalias !65
-  %885 = call fastcc i32 @_sample(ptr nonnull %10, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %879) #3
-  switch i32 %885, label %886 [
-    i32 -2, label %887
-    i32 0, label %887
-  ], !prof !32
-
-886:                                              ; preds = %884
-  br label %887
-
-887:                                              ; preds = %884, %884, %869, %886
-  %888 = phi i32 [ %885, %886 ], [ 0, %869 ], [ 0, %884 ], [ 0, %884 ]
-  switch i32 %888, label %894 [
-    i32 -2, label %889
-    i32 0, label %889
-  ], !prof !32
-
-889:                                              ; preds = %887, %887
-  %890 = load i64, ptr %30, align 8, !noalias !72
-  %891 = inttoptr i64 %890 to ptr
-  %892 = inttoptr i64 %882 to ptr
-  %893 = call i32 %891(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %892) #3, !noalias !72
-  br label %894
-
-894:                                              ; preds = %887, %889
-  %895 = phi i32 [ %893, %889 ], [ 0, %887 ]
-  %896 = phi i32 [ 0, %889 ], [ %888, %887 ]
-  switch i32 %896, label %1840 [
-    i32 -2, label %1321
-    i32 0, label %1321
-  ], !prof !32
-
-897:                                              ; preds = %1321
-  %898 = sext i32 %895 to i64
-  br label %1840
-
-899:                                              ; preds = %861
-  %900 = call i64 @llvm.smax.i64(i64 %845, i64 0)
-  br label %901
-
-901:                                              ; preds = %905, %899
-  %902 = phi i64 [ 0, %899 ], [ %906, %905 ]
-  %903 = phi i64 [ %900, %899 ], [ %907, %905 ]
-  %904 = icmp sgt i64 %903, 0
-  br i1 %904, label %1323, label %959
-
-905:                                              ; preds = %1323
-  %906 = add i64 %902, 1
-  %907 = add nsw i64 %903, -1
-  %908 = fmul double %1328, 0x4010B70201A79C46
-  %909 = fmul double %1332, 0x3FD4F8C15DA84E86
-  %910 = fadd double %908, %909
-  %911 = fmul double %1338, 0x3FE0BF7FF59D56EF
-  %912 = fadd double %910, %911
-  %913 = fdiv double 0x400D1A48D83E731D, %391
-  %914 = select i1 %1324, i64 %244, i64 0
-  %915 = getelementptr double, ptr %245, i64 %902
-  %916 = getelementptr double, ptr %915, i64 %914
-  %917 = load double, ptr %916, align 8, !noalias !61
-  %918 = fmul double %913, %917
-  %919 = fsub double %912, %918
-  %920 = select i1 %1324, i64 %261, i64 0
-  %921 = getelementptr double, ptr %262, i64 %902
-  %922 = getelementptr double, ptr %921, i64 %920
-  store double %919, ptr %922, align 8, !noalias !61
-  %923 = load double, ptr %1327, align 8, !noalias !61
-  %924 = fmul double %923, 0xC010B70201A79C46
-  %925 = load double, ptr %1331, align 8, !noalias !61
-  %926 = fmul double %925, 0xBFD4F8C15DA84E86
-  %927 = fadd double %924, %926
-  %928 = load double, ptr %1337, align 8, !noalias !61
-  %929 = fmul double %928, 0x3FDE810014C55221
-  %930 = fadd double %927, %929
-  %931 = fmul double %923, 0x3FE017885A24A7F2
-  %932 = fmul double %925, 0xC004934E6FCAA598
-  %933 = fadd double %931, %932
-  %934 = fmul double %928, 0x3FE312C0CF7BDFD1
-  %935 = fadd double %933, %934
-  %936 = fdiv double 0x400572DB93E0C672, %391
-  %937 = fdiv double 0xC0086747F2C3FCB6, %391
-  %938 = getelementptr double, ptr %245, i64 %244
-  %939 = getelementptr double, ptr %938, i64 %902
-  %940 = getelementptr double, ptr %939, i64 %914
-  %941 = load double, ptr %940, align 8, !noalias !61
-  %942 = shl i64 %244, 4
-  %943 = getelementptr i8, ptr %245, i64 %942
-  %944 = getelementptr double, ptr %943, i64 %902
-  %945 = getelementptr double, ptr %944, i64 %914
-  %946 = load double, ptr %945, align 8, !noalias !61
-  %947 = fmul double %936, %946
-  %948 = fmul double %937, %941
-  %949 = fadd double %947, %948
-  %950 = fmul double %936, %941
-  %951 = fmul double %937, %946
-  %952 = fsub double %950, %951
-  %953 = fsub double %930, %952
-  %954 = fsub double %935, %949
-  %955 = select i1 %1324, i64 %266, i64 0
-  %956 = getelementptr { double, double }, ptr %267, i64 %902
-  %957 = getelementptr { double, double }, ptr %956, i64 %955
-  store double %953, ptr %957, align 8, !noalias !61
-  %958 = getelementptr inbounds nuw i8, ptr %957, i64 8
-  store double %954, ptr %958, align 8, !noalias !61
-  br label %901
-
-959:                                              ; preds = %901
-  store ptr null, ptr %12, align 8, !noalias !61
-  %960 = call fastcc i32 @solve(ptr nonnull %12, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !61
-  switch i32 %960, label %1840 [
-    i32 -2, label %1342
-    i32 0, label %1342
-  ], !prof !32
-
-961:                                              ; preds = %1512
-  %962 = call i64 @llvm.smax.i64(i64 %211, i64 0)
-  br label %963
-
-963:                                              ; preds = %976, %961
-  %964 = phi i64 [ 0, %961 ], [ %1022, %976 ]
-  %965 = phi i64 [ %962, %961 ], [ %1021, %976 ]
-  %966 = icmp sgt i64 %965, 0
-  br i1 %966, label %1020, label %977
-
-967:                                              ; preds = %1020
-  %968 = mul nsw i64 %964, %847
-  %969 = add nsw i64 %211, %968
-  %970 = mul nsw i64 %1027, %847
-  %971 = add nsw i64 %211, %970
-  br label %972
-
-972:                                              ; preds = %1029, %967
-  %973 = phi i64 [ 0, %967 ], [ %1031, %1029 ]
-  %974 = phi i64 [ %847, %967 ], [ %1030, %1029 ]
-  %975 = icmp sgt i64 %974, 0
-  br i1 %975, label %1029, label %976
-
-976:                                              ; preds = %1020, %972
-  br label %963
-
-977:                                              ; preds = %963, %981
-  %978 = phi i64 [ %1046, %981 ], [ 0, %963 ]
-  %979 = phi i64 [ %1045, %981 ], [ %962, %963 ]
-  %980 = icmp sgt i64 %979, 0
-  br i1 %980, label %1044, label %989
-
-981:                                              ; preds = %1044, %985
-  %982 = phi i64 [ 0, %1044 ], [ %1050, %985 ]
-  %983 = phi i64 [ %1047, %1044 ], [ %1049, %985 ]
-  %984 = icmp sgt i64 %983, 0
-  br i1 %984, label %1048, label %977
-
-985:                                              ; preds = %1065, %1048
-  %986 = phi i64 [ 0, %1048 ], [ %1067, %1065 ]
-  %987 = phi i64 [ %847, %1048 ], [ %1066, %1065 ]
-  %988 = icmp sgt i64 %987, 0
-  br i1 %988, label %1065, label %981
-
-989:                                              ; preds = %977
-  %990 = icmp ugt i64 %211, -9223372036854775808
-  %991 = select i1 %990, i64 0, i64 %211
-  br label %992
-
-992:                                              ; preds = %1016, %989
-  %993 = phi i64 [ %211, %989 ], [ %995, %1016 ]
-  %994 = phi i64 [ %991, %989 ], [ %1083, %1016 ]
-  %995 = add i64 %993, -1
-  %996 = icmp sgt i64 %994, 0
-  br i1 %996, label %1082, label %1513
-
-997:                                              ; preds = %1082, %1001
-  %998 = phi i64 [ %993, %1082 ], [ %1090, %1001 ]
-  %999 = phi i64 [ %1087, %1082 ], [ %1089, %1001 ]
-  %1000 = icmp sgt i64 %999, 0
-  br i1 %1000, label %1088, label %1005
-
-1001:                                             ; preds = %1103, %1088
-  %1002 = phi i64 [ 0, %1088 ], [ %1105, %1103 ]
-  %1003 = phi i64 [ %847, %1088 ], [ %1104, %1103 ]
-  %1004 = icmp sgt i64 %1003, 0
-  br i1 %1004, label %1103, label %997
-
-1005:                                             ; preds = %997
-  %1006 = icmp slt i64 %995, 0
-  %1007 = select i1 %1006, i64 %211, i64 0
-  %1008 = add i64 %995, %1007
-  %1009 = select i1 %1006, i64 %213, i64 0
-  %1010 = mul i64 %1008, %213
-  %1011 = getelementptr double, ptr %214, i64 %1010
-  %1012 = getelementptr double, ptr %1011, i64 %995
-  %1013 = getelementptr double, ptr %1012, i64 %1009
-  %1014 = load double, ptr %1013, align 8, !noalias !73
-  %1015 = fdiv double 1.000000e+00, %1014
-  br label %1016
-
-1016:                                             ; preds = %1120, %1005
-  %1017 = phi i64 [ 0, %1005 ], [ %1122, %1120 ]
-  %1018 = phi i64 [ %847, %1005 ], [ %1121, %1120 ]
-  %1019 = icmp sgt i64 %1018, 0
-  br i1 %1019, label %1120, label %992
-
-1020:                                             ; preds = %963
-  %1021 = add nsw i64 %965, -1
-  %1022 = add i64 %964, 1
-  %1023 = icmp slt i64 %964, 0
-  %1024 = select i1 %1023, i64 %225, i64 0
-  %1025 = getelementptr i64, ptr %226, i64 %964
-  %1026 = getelementptr i64, ptr %1025, i64 %1024
-  %1027 = load i64, ptr %1026, align 8, !noalias !73
-  %1028 = icmp eq i64 %1027, %964
-  br i1 %1028, label %976, label %967
-
-1029:                                             ; preds = %972
-  %1030 = add nsw i64 %974, -1
-  %1031 = add i64 %973, 1
-  %1032 = add nsw i64 %971, %973
-  %1033 = icmp slt i64 %1032, 0
-  %1034 = select i1 %1033, i64 %261, i64 0
-  %1035 = getelementptr double, ptr %262, i64 %1032
-  %1036 = getelementptr double, ptr %1035, i64 %1034
-  %1037 = load double, ptr %1036, align 8, !noalias !73
-  %1038 = add nsw i64 %969, %973
-  %1039 = icmp slt i64 %1038, 0
-  %1040 = select i1 %1039, i64 %261, i64 0
-  %1041 = getelementptr double, ptr %262, i64 %1038
-  %1042 = getelementptr double, ptr %1041, i64 %1040
-  %1043 = load double, ptr %1042, align 8, !noalias !73
-  store double %1037, ptr %1042, align 8, !noalias !73
-  store double %1043, ptr %1036, align 8, !noalias !73
-  br label %972
-
-1044:                                             ; preds = %977
-  %1045 = add nsw i64 %979, -1
-  %1046 = add i64 %978, 1
-  %1047 = call i64 @llvm.smax.i64(i64 %978, i64 0)
-  br label %981
-
-1048:                                             ; preds = %981
-  %1049 = add nsw i64 %983, -1
-  %1050 = add i64 %982, 1
-  %1051 = icmp slt i64 %978, 0
-  %1052 = select i1 %1051, i64 %211, i64 0
-  %1053 = add i64 %978, %1052
-  %1054 = icmp slt i64 %982, 0
-  %1055 = select i1 %1054, i64 %213, i64 0
-  %1056 = mul i64 %1053, %213
-  %1057 = getelementptr double, ptr %214, i64 %1056
-  %1058 = getelementptr double, ptr %1057, i64 %982
-  %1059 = getelementptr double, ptr %1058, i64 %1055
-  %1060 = load double, ptr %1059, align 8, !noalias !73
-  %1061 = mul nsw i64 %978, %847
-  %1062 = add nsw i64 %211, %1061
-  %1063 = mul nsw i64 %982, %847
-  %1064 = add nsw i64 %211, %1063
-  br label %985
-
-1065:                                             ; preds = %985
-  %1066 = add nsw i64 %987, -1
-  %1067 = add i64 %986, 1
-  %1068 = add nsw i64 %1062, %986
-  %1069 = icmp slt i64 %1068, 0
-  %1070 = select i1 %1069, i64 %261, i64 0
-  %1071 = getelementptr double, ptr %262, i64 %1068
-  %1072 = getelementptr double, ptr %1071, i64 %1070
-  %1073 = load double, ptr %1072, align 8, !noalias !73
-  %1074 = add nsw i64 %1064, %986
-  %1075 = icmp slt i64 %1074, 0
-  %1076 = select i1 %1075, i64 %261, i64 0
-  %1077 = getelementptr double, ptr %262, i64 %1074
-  %1078 = getelementptr double, ptr %1077, i64 %1076
-  %1079 = load double, ptr %1078, align 8, !noalias !73
-  %1080 = fmul double %1060, %1079
-  %1081 = fsub double %1073, %1080
-  store double %1081, ptr %1072, align 8, !noalias !73
-  br label %985
-
-1082:                                             ; preds = %992
-  %1083 = add nsw i64 %994, -1
-  %1084 = mul nsw i64 %995, %847
-  %1085 = add nsw i64 %211, %1084
-  %1086 = sub i64 %211, %993
-  %1087 = call i64 @llvm.smax.i64(i64 %1086, i64 0)
-  br label %997
-
-1088:                                             ; preds = %997
-  %1089 = add nsw i64 %999, -1
-  %1090 = add i64 %998, 1
-  %1091 = icmp slt i64 %995, 0
-  %1092 = select i1 %1091, i64 %211, i64 0
-  %1093 = add i64 %995, %1092
-  %1094 = icmp slt i64 %998, 0
-  %1095 = select i1 %1094, i64 %213, i64 0
-  %1096 = mul i64 %1093, %213
-  %1097 = getelementptr double, ptr %214, i64 %1096
-  %1098 = getelementptr double, ptr %1097, i64 %998
-  %1099 = getelementptr double, ptr %1098, i64 %1095
-  %1100 = load double, ptr %1099, align 8, !noalias !73
-  %1101 = mul nsw i64 %998, %847
-  %1102 = add nsw i64 %211, %1101
-  br label %1001
-
-1103:                                             ; preds = %1001
-  %1104 = add nsw i64 %1003, -1
-  %1105 = add i64 %1002, 1
-  %1106 = add nsw i64 %1085, %1002
-  %1107 = icmp slt i64 %1106, 0
-  %1108 = select i1 %1107, i64 %261, i64 0
-  %1109 = getelementptr double, ptr %262, i64 %1106
-  %1110 = getelementptr double, ptr %1109, i64 %1108
-  %1111 = load double, ptr %1110, align 8, !noalias !73
-  %1112 = add nsw i64 %1102, %1002
-  %1113 = icmp slt i64 %1112, 0
-  %1114 = select i1 %1113, i64 %261, i64 0
-  %1115 = getelementptr double, ptr %262, i64 %1112
-  %1116 = getelementptr double, ptr %1115, i64 %1114
-  %1117 = load double, ptr %1116, align 8, !noalias !73
-  %1118 = fmul double %1100, %1117
-  %1119 = fsub double %1111, %1118
-  store double %1119, ptr %1110, align 8, !noalias !73
-  br label %1001
-
-1120:                                             ; preds = %1016
-  %1121 = add nsw i64 %1018, -1
-  %1122 = add i64 %1017, 1
-  %1123 = add nsw i64 %1085, %1017
-  %1124 = icmp slt i64 %1123, 0
-  %1125 = select i1 %1124, i64 %261, i64 0
-  %1126 = getelementptr double, ptr %262, i64 %1123
-  %1127 = getelementptr double, ptr %1126, i64 %1125
-  %1128 = load double, ptr %1127, align 8, !noalias !73
-  %1129 = fmul double %1128, %1015
-  store double %1129, ptr %1127, align 8, !noalias !73
-  br label %1016
-
-1130:                                             ; preds = %1539, %1512
-  br label %1131
-
-1131:                                             ; preds = %1737, %1130
-  %1132 = phi i64 [ 0, %1130 ], [ %1739, %1737 ]
-  %1133 = phi i64 [ %900, %1130 ], [ %1738, %1737 ]
-  %1134 = phi double [ 0.000000e+00, %1130 ], [ %1774, %1737 ]
-  %1135 = icmp sgt i64 %1133, 0
-  br i1 %1135, label %1737, label %1136
-
-1136:                                             ; preds = %1131
-  %1137 = mul nsw i64 %845, 3
-  %1138 = sitofp i64 %1137 to double
-  %1139 = fdiv double %1134, %1138
-  %1140 = call double @sqrt(double %1139), !noalias !61
-  %1141 = fcmp ogt double %853, 0.000000e+00
-  %1142 = and i1 %1141, %859
-  br i1 %1142, label %1143, label %1180
-
-1143:                                             ; preds = %1136
-  %1144 = fdiv double %1140, %853
-  %1145 = sub nsw i64 5, %1295
-  %1146 = add nsw i64 %1295, -5
-  %1147 = select i1 %858, i64 %1146, i64 %1145
-  %1148 = icmp samesign ugt i64 %1147, 65536
-  br i1 %1148, label %1149, label %1152
-
-1149:                                             ; preds = %1143
-  %1150 = sitofp i64 %1145 to double
-  %1151 = call double @llvm.pow.f64(double %1144, double %1150)
-  br label %1171
-
-1152:                                             ; preds = %1143
-  %1153 = icmp eq i64 %1147, 0
-  br i1 %1153, label %1165, label %1154
-
-1154:                                             ; preds = %1154, %1152
-  %1155 = phi double [ %1161, %1154 ], [ 1.000000e+00, %1152 ]
-  %1156 = phi double [ %1163, %1154 ], [ %1144, %1152 ]
-  %1157 = phi i64 [ %1162, %1154 ], [ %1147, %1152 ]
-  %1158 = and i64 %1157, 1
-  %1159 = icmp eq i64 %1158, 0
-  %1160 = fmul double %1155, %1156
-  %1161 = select i1 %1159, double %1155, double %1160
-  %1162 = lshr i64 %1157, 1
-  %1163 = fmul double %1156, %1156
-  %1164 = icmp eq i64 %1162, 0
-  br i1 %1164, label %1165, label %1154
-
-1165:                                             ; preds = %1154, %1152
-  %1166 = phi double [ %1161, %1154 ], [ 1.000000e+00, %1152 ]
-  br i1 %858, label %1167, label %1171
-
-1167:                                             ; preds = %1165
-  %1168 = fcmp oeq double %1166, 0.000000e+00
-  br i1 %1168, label %1171, label %1169, !prof !4
-
-1169:                                             ; preds = %1167
-  %1170 = fdiv double 1.000000e+00, %1166
-  br label %1171
-
-1171:                                             ; preds = %1167, %1165, %1149, %1169
-  %1172 = phi double [ 0.000000e+00, %1167 ], [ %1151, %1149 ], [ %1166, %1165 ], [ %1170, %1169 ]
-  %1173 = phi i1 [ false, %1167 ], [ true, %1149 ], [ true, %1165 ], [ true, %1169 ]
-  %1174 = phi i32 [ 1, %1167 ], [ 0, %1149 ], [ 0, %1165 ], [ 0, %1169 ]
-  br i1 %1173, label %1775, label %1840, !prof !76
-
-1175:                                             ; preds = %1775
-  %1176 = fsub double 1.000000e+00, %1144
-  %1177 = fdiv double %1172, %1176
-  %1178 = fmul double %1177, %1140
-  %1179 = fcmp ogt double %1178, %296
-  br i1 %1179, label %1840, label %1180
-
-1180:                                             ; preds = %1175, %1136
-  %1181 = phi double [ %1144, %1175 ], [ %854, %1136 ]
-  br label %1182
-
-1182:                                             ; preds = %1186, %1180
-  %1183 = phi i64 [ 0, %1180 ], [ %1779, %1186 ]
-  %1184 = phi i64 [ %900, %1180 ], [ %1778, %1186 ]
-  %1185 = icmp sgt i64 %1184, 0
-  br i1 %1185, label %1777, label %1190
-
-1186:                                             ; preds = %1807, %1777
-  %1187 = phi i64 [ 0, %1777 ], [ %1809, %1807 ]
-  %1188 = phi i64 [ 3, %1777 ], [ %1808, %1807 ]
-  %1189 = icmp sgt i64 %1188, 0
-  br i1 %1189, label %1807, label %1182
-
-1190:                                             ; preds = %1182
-  br i1 %859, label %1191, label %1200
-
-1191:                                             ; preds = %1190
-  %1192 = fcmp oeq double %1140, 0.000000e+00
-  br i1 %1192, label %1199, label %1193
-
-1193:                                             ; preds = %1191
-  br i1 %1141, label %1194, label %1200
-
-1194:                                             ; preds = %1193
-  %1195 = fsub double 1.000000e+00, %1181
-  %1196 = fdiv double %1181, %1195
-  %1197 = fmul double %1196, %1140
-  %1198 = fcmp olt double %1197, %296
-  br i1 %1198, label %1199, label %1200
-
-1199:                                             ; preds = %1194, %1191
-  br label %1200
-
-1200:                                             ; preds = %1199, %1194, %1193, %1190
-  %1201 = phi i64 [ %1294, %1199 ], [ 0, %1194 ], [ 0, %1193 ], [ %855, %1190 ]
-  %1202 = icmp sgt i64 %1201, 0
-  br i1 %1202, label %1203, label %1282
-
-1203:                                             ; preds = %1200
-  %1204 = icmp eq i64 %847, 0
-  br i1 %1204, label %1283, label %1205
-
-1205:                                             ; preds = %1203
-  %1206 = load i64, ptr %846, align 8, !noalias !77
-  %1207 = call i64 @llvm.smax.i64(i64 %1206, i64 0)
-  br label %1208
-
-1208:                                             ; preds = %1226, %1205
-  %1209 = phi i64 [ 0, %1205 ], [ %1230, %1226 ]
-  %1210 = phi i64 [ %1207, %1205 ], [ %1229, %1226 ]
-  %1211 = phi double [ 0.000000e+00, %1205 ], [ %1227, %1226 ]
-  %1212 = icmp sgt i64 %1210, 0
-  br i1 %1212, label %1228, label %1837
-
-1213:                                             ; preds = %1232, %1228
-  %1214 = phi i64 [ 0, %1228 ], [ %1234, %1232 ]
-  %1215 = phi i64 [ %1231, %1228 ], [ %1233, %1232 ]
-  %1216 = phi double [ 0.000000e+00, %1228 ], [ %1256, %1232 ]
-  %1217 = phi double [ 0.000000e+00, %1228 ], [ %1281, %1232 ]
-  %1218 = icmp sgt i64 %1215, 0
-  br i1 %1218, label %1232, label %1219
-
-1219:                                             ; preds = %1213
-  %1220 = fmul double %1211, %1217
-  %1221 = fcmp ogt double %1216, %1220
-  br i1 %1221, label %1222, label %1226
-
-1222:                                             ; preds = %1219
-  %1223 = fcmp ogt double %1217, 0.000000e+00
-  %1224 = fdiv double %1216, %1217
-  %1225 = select i1 %1223, double %1224, double 1.000000e+00
-  br label %1226
-
-1226:                                             ; preds = %1222, %1219
-  %1227 = phi double [ %1225, %1222 ], [ %1211, %1219 ]
-  br label %1208
-
-1228:                                             ; preds = %1208
-  %1229 = add nsw i64 %1210, -1
-  %1230 = add i64 %1209, 1
-  %1231 = call i64 @llvm.smax.i64(i64 %225, i64 0)
-  br label %1213
-
-1232:                                             ; preds = %1213
-  %1233 = add nsw i64 %1215, -1
-  %1234 = add i64 %1214, 1
-  %1235 = mul nsw i64 %1214, %1206
-  %1236 = add nsw i64 %225, %1235
-  %1237 = add nsw i64 %1236, %1209
-  %1238 = icmp slt i64 %1237, 0
-  %1239 = select i1 %1238, i64 %261, i64 0
-  %1240 = getelementptr double, ptr %262, i64 %1237
-  %1241 = getelementptr double, ptr %1240, i64 %1239
-  %1242 = load double, ptr %1241, align 8, !noalias !77
-  %1243 = fmul double %1242, %1242
-  %1244 = select i1 %1238, i64 %266, i64 0
-  %1245 = getelementptr { double, double }, ptr %267, i64 %1237
-  %1246 = getelementptr { double, double }, ptr %1245, i64 %1244
-  %1247 = load double, ptr %1246, align 8, !noalias !77
-  %1248 = getelementptr inbounds nuw i8, ptr %1246, i64 8
-  %1249 = load double, ptr %1248, align 8, !noalias !77
-  %1250 = call double @hypot(double %1247, double %1249) #3, !noalias !81
-  %1251 = load double, ptr %1246, align 8, !noalias !77
-  %1252 = load double, ptr %1248, align 8, !noalias !77
-  %1253 = call double @hypot(double %1251, double %1252) #3, !noalias !87
-  %1254 = fmul double %1250, %1253
-  %1255 = fadd double %1243, %1254
-  %1256 = fadd double %1216, %1255
-  %1257 = select i1 %1238, i64 %64, i64 0
-  %1258 = getelementptr double, ptr %65, i64 %1237
-  %1259 = getelementptr double, ptr %1258, i64 %1257
-  %1260 = load double, ptr %1259, align 8, !noalias !77
-  %1261 = fmul double %1260, %1260
-  %1262 = fadd double %1217, %1261
-  %1263 = select i1 %1238, i64 %244, i64 0
-  %1264 = getelementptr double, ptr %245, i64 %1237
-  %1265 = getelementptr double, ptr %1264, i64 %1263
-  %1266 = load double, ptr %1265, align 8, !noalias !77
-  %1267 = fmul double %1266, %1266
-  %1268 = getelementptr double, ptr %245, i64 %244
-  %1269 = getelementptr double, ptr %1268, i64 %1237
-  %1270 = getelementptr double, ptr %1269, i64 %1263
-  %1271 = load double, ptr %1270, align 8, !noalias !77
-  %1272 = fmul double %1271, %1271
-  %1273 = fadd double %1267, %1272
-  %1274 = shl i64 %244, 4
-  %1275 = getelementptr i8, ptr %245, i64 %1274
-  %1276 = getelementptr double, ptr %1275, i64 %1237
-  %1277 = getelementptr double, ptr %1276, i64 %1263
-  %1278 = load double, ptr %1277, align 8, !noalias !77
-  %1279 = fmul double %1278, %1278
-  %1280 = fadd double %1273, %1279
-  %1281 = fadd double %1262, %1280
-  br label %1213
-
-1282:                                             ; preds = %1837, %1200
-  br label %850
-
-1283:                                             ; preds = %1837, %1291, %1203, %857
-  %1284 = phi double [ %854, %1291 ], [ %854, %857 ], [ %1181, %1837 ], [ %1181, %1203 ]
-  %1285 = phi i64 [ %855, %1291 ], [ 0, %857 ], [ %1201, %1837 ], [ %1201, %1203 ]
-  %1286 = icmp slt i64 %1285, 1
-  %1287 = select i1 %1286, i64 6, i64 %1285
-  br label %1840
-
-1288:                                             ; preds = %850
-  %1289 = add nsw i64 %852, -1
-  %1290 = add i64 %851, 1
-  br label %1291
-
-1291:                                             ; preds = %1288, %850
-  %1292 = phi i64 [ %1290, %1288 ], [ %851, %850 ]
-  %1293 = phi i64 [ %1289, %1288 ], [ %852, %850 ]
-  %1294 = phi i64 [ %1290, %1288 ], [ 1, %850 ]
-  %1295 = phi i64 [ %851, %1288 ], [ 0, %850 ]
-  br i1 %856, label %857, label %1283
-
-1296:                                             ; preds = %861
-  %1297 = add nsw i64 %863, -1
-  %1298 = add i64 %862, 1
-  %1299 = call i64 @llvm.smax.i64(i64 %845, i64 0)
-  br label %865
-
-1300:                                             ; preds = %865
-  %1301 = add nsw i64 %867, -1
-  %1302 = add i64 %866, 1
-  %1303 = icmp slt i64 %866, 0
-  %1304 = select i1 %1303, i64 %64, i64 0
-  %1305 = getelementptr double, ptr %65, i64 %866
-  %1306 = getelementptr double, ptr %1305, i64 %1304
-  %1307 = load double, ptr %1306, align 8, !noalias !61
-  %1308 = icmp slt i64 %862, 0
-  %1309 = select i1 %1308, i64 %235, i64 0
-  %1310 = add i64 %862, %1309
-  %1311 = select i1 %1303, i64 %237, i64 0
-  %1312 = mul i64 %1310, %237
-  %1313 = getelementptr double, ptr %238, i64 %1312
-  %1314 = getelementptr double, ptr %1313, i64 %866
-  %1315 = getelementptr double, ptr %1314, i64 %1311
-  %1316 = load double, ptr %1315, align 8, !noalias !61
-  %1317 = fadd double %1307, %1316
-  %1318 = select i1 %1303, i64 %74, i64 0
-  %1319 = getelementptr double, ptr %75, i64 %866
-  %1320 = getelementptr double, ptr %1319, i64 %1318
-  store double %1317, ptr %1320, align 8, !noalias !61
-  br label %865
-
-1321:                                             ; preds = %894, %894
-  %1322 = icmp eq i32 %895, 0
-  br i1 %1322, label %861, label %897
-
-1323:                                             ; preds = %901
-  %1324 = icmp slt i64 %902, 0
-  %1325 = select i1 %1324, i64 %249, i64 0
-  %1326 = getelementptr double, ptr %250, i64 %902
-  %1327 = getelementptr double, ptr %1326, i64 %1325
-  %1328 = load double, ptr %1327, align 8, !noalias !61
-  %1329 = getelementptr double, ptr %250, i64 %249
-  %1330 = getelementptr double, ptr %1329, i64 %902
-  %1331 = getelementptr double, ptr %1330, i64 %1325
-  %1332 = load double, ptr %1331, align 8, !noalias !61
-  %1333 = fadd double %1328, %1332
-  %1334 = shl i64 %249, 4
-  %1335 = getelementptr i8, ptr %250, i64 %1334
-  %1336 = getelementptr double, ptr %1335, i64 %902
-  %1337 = getelementptr double, ptr %1336, i64 %1325
-  %1338 = load double, ptr %1337, align 8, !noalias !61
-  %1339 = fadd double %1333, %1338
-  %1340 = fsub double %1339, %1339
-  %1341 = fcmp ord double %1340, 0.000000e+00
-  br i1 %1341, label %905, label %1840
-
-1342:                                             ; preds = %959, %959
-  %1343 = call i64 @llvm.smax.i64(i64 %218, i64 0)
-  br label %1344
-
-1344:                                             ; preds = %1362, %1342
-  %1345 = phi i64 [ 0, %1342 ], [ %1427, %1362 ]
-  %1346 = phi i64 [ %1343, %1342 ], [ %1426, %1362 ]
-  %1347 = icmp sgt i64 %1346, 0
-  br i1 %1347, label %1425, label %1363
-
-1348:                                             ; preds = %1425
-  %1349 = icmp slt i64 %1432, 0
-  %1350 = select i1 %1349, i64 %266, i64 0
-  %1351 = getelementptr { double, double }, ptr %267, i64 %1432
-  %1352 = getelementptr { double, double }, ptr %1351, i64 %1350
-  %1353 = load double, ptr %1352, align 8, !noalias !93
-  %1354 = getelementptr inbounds nuw i8, ptr %1352, i64 8
-  %1355 = load double, ptr %1354, align 8, !noalias !93
-  %1356 = select i1 %1428, i64 %266, i64 0
-  %1357 = getelementptr { double, double }, ptr %267, i64 %1345
-  %1358 = getelementptr { double, double }, ptr %1357, i64 %1356
-  %1359 = load double, ptr %1358, align 8, !noalias !93
-  %1360 = getelementptr inbounds nuw i8, ptr %1358, i64 8
-  %1361 = load double, ptr %1360, align 8, !noalias !93
-  store double %1353, ptr %1358, align 8, !noalias !93
-  store double %1355, ptr %1360, align 8, !noalias !93
-  store double %1359, ptr %1352, align 8, !noalias !93
-  store double %1361, ptr %1354, align 8, !noalias !93
-  br label %1362
-
-1362:                                             ; preds = %1425, %1348
-  br label %1344
-
-1363:                                             ; preds = %1344, %1373
-  %1364 = phi i64 [ %1436, %1373 ], [ 0, %1344 ]
-  %1365 = phi i64 [ %1435, %1373 ], [ %1343, %1344 ]
-  %1366 = icmp sgt i64 %1365, 0
-  br i1 %1366, label %1434, label %1374
-
-1367:                                             ; preds = %1445, %1434
-  %1368 = phi i64 [ 0, %1434 ], [ %1469, %1445 ]
-  %1369 = phi i64 [ %1444, %1434 ], [ %1470, %1445 ]
-  %1370 = phi double [ %1443, %1434 ], [ %1472, %1445 ]
-  %1371 = phi double [ %1441, %1434 ], [ %1471, %1445 ]
-  %1372 = icmp sgt i64 %1369, 0
-  br i1 %1372, label %1445, label %1373
-
-1373:                                             ; preds = %1367
-  store double %1371, ptr %1440, align 8, !noalias !93
-  store double %1370, ptr %1442, align 8, !noalias !93
-  br label %1363
-
-1374:                                             ; preds = %1363
-  %1375 = icmp ugt i64 %218, -9223372036854775808
-  %1376 = select i1 %1375, i64 0, i64 %218
-  br label %1377
-
-1377:                                             ; preds = %1422, %1374
-  %1378 = phi i64 [ %218, %1374 ], [ %1380, %1422 ]
-  %1379 = phi i64 [ %1376, %1374 ], [ %1474, %1422 ]
-  %1380 = add i64 %1378, -1
-  %1381 = icmp sgt i64 %1379, 0
-  br i1 %1381, label %1473, label %1512
-
-1382:                                             ; preds = %1484, %1473
-  %1383 = phi i64 [ %1378, %1473 ], [ %1508, %1484 ]
-  %1384 = phi i64 [ %1483, %1473 ], [ %1509, %1484 ]
-  %1385 = phi double [ %1481, %1473 ], [ %1511, %1484 ]
-  %1386 = phi double [ %1479, %1473 ], [ %1510, %1484 ]
-  %1387 = icmp sgt i64 %1384, 0
-  br i1 %1387, label %1484, label %1388
-
-1388:                                             ; preds = %1382
-  %1389 = select i1 %1475, i64 %218, i64 0
-  %1390 = add i64 %1380, %1389
-  %1391 = select i1 %1475, i64 %220, i64 0
-  %1392 = mul i64 %1390, %220
-  %1393 = getelementptr { double, double }, ptr %221, i64 %1392
-  %1394 = getelementptr { double, double }, ptr %1393, i64 %1380
-  %1395 = getelementptr { double, double }, ptr %1394, i64 %1391
-  %1396 = load double, ptr %1395, align 8, !noalias !93
-  %1397 = getelementptr inbounds nuw i8, ptr %1395, i64 8
-  %1398 = load double, ptr %1397, align 8, !noalias !93
-  %1399 = call double @llvm.fabs.f64(double %1396)
-  %1400 = call double @llvm.fabs.f64(double %1398)
-  %1401 = fcmp ult double %1399, %1400
-  br i1 %1401, label %1412, label %1402
-
-1402:                                             ; preds = %1388
-  %1403 = fdiv double %1398, %1396
-  %1404 = fmul double %1398, %1403
-  %1405 = fadd double %1396, %1404
-  %1406 = fmul double %1385, %1403
-  %1407 = fadd double %1386, %1406
-  %1408 = fdiv double %1407, %1405
-  %1409 = fmul double %1386, %1403
-  %1410 = fsub double %1385, %1409
-  %1411 = fdiv double %1410, %1405
-  br label %1422
-
-1412:                                             ; preds = %1388
-  %1413 = fdiv double %1396, %1398
-  %1414 = fmul double %1396, %1413
-  %1415 = fadd double %1414, %1398
-  %1416 = fmul double %1386, %1413
-  %1417 = fadd double %1416, %1385
-  %1418 = fdiv double %1417, %1415
-  %1419 = fmul double %1385, %1413
-  %1420 = fsub double %1419, %1386
-  %1421 = fdiv double %1420, %1415
-  br label %1422
-
-1422:                                             ; preds = %1412, %1402
-  %1423 = phi double [ %1411, %1402 ], [ %1421, %1412 ]
-  %1424 = phi double [ %1408, %1402 ], [ %1418, %1412 ]
-  store double %1424, ptr %1478, align 8, !noalias !93
-  store double %1423, ptr %1480, align 8, !noalias !93
-  br label %1377
-
-1425:                                             ; preds = %1344
-  %1426 = add nsw i64 %1346, -1
-  %1427 = add i64 %1345, 1
-  %1428 = icmp slt i64 %1345, 0
-  %1429 = select i1 %1428, i64 %230, i64 0
-  %1430 = getelementptr i64, ptr %231, i64 %1345
-  %1431 = getelementptr i64, ptr %1430, i64 %1429
-  %1432 = load i64, ptr %1431, align 8, !noalias !93
-  %1433 = icmp eq i64 %1432, %1345
-  br i1 %1433, label %1362, label %1348
-
-1434:                                             ; preds = %1363
-  %1435 = add nsw i64 %1365, -1
-  %1436 = add i64 %1364, 1
-  %1437 = icmp slt i64 %1364, 0
-  %1438 = select i1 %1437, i64 %266, i64 0
-  %1439 = getelementptr { double, double }, ptr %267, i64 %1364
-  %1440 = getelementptr { double, double }, ptr %1439, i64 %1438
-  %1441 = load double, ptr %1440, align 8, !noalias !93
-  %1442 = getelementptr inbounds nuw i8, ptr %1440, i64 8
-  %1443 = load double, ptr %1442, align 8, !noalias !93
-  %1444 = call i64 @llvm.smax.i64(i64 %1364, i64 0)
-  br label %1367
-
-1445:                                             ; preds = %1367
-  %1446 = select i1 %1437, i64 %218, i64 0
-  %1447 = add i64 %1364, %1446
-  %1448 = icmp slt i64 %1368, 0
-  %1449 = select i1 %1448, i64 %220, i64 0
-  %1450 = mul i64 %1447, %220
-  %1451 = getelementptr { double, double }, ptr %221, i64 %1450
-  %1452 = getelementptr { double, double }, ptr %1451, i64 %1368
-  %1453 = getelementptr { double, double }, ptr %1452, i64 %1449
-  %1454 = load double, ptr %1453, align 8, !noalias !93
-  %1455 = getelementptr inbounds nuw i8, ptr %1453, i64 8
-  %1456 = load double, ptr %1455, align 8, !noalias !93
-  %1457 = select i1 %1448, i64 %266, i64 0
-  %1458 = getelementptr { double, double }, ptr %267, i64 %1368
-  %1459 = getelementptr { double, double }, ptr %1458, i64 %1457
-  %1460 = load double, ptr %1459, align 8, !noalias !93
-  %1461 = getelementptr inbounds nuw i8, ptr %1459, i64 8
-  %1462 = load double, ptr %1461, align 8, !noalias !93
-  %1463 = fmul double %1454, %1462
-  %1464 = fmul double %1456, %1460
-  %1465 = fadd double %1463, %1464
-  %1466 = fmul double %1454, %1460
-  %1467 = fmul double %1456, %1462
-  %1468 = fsub double %1466, %1467
-  %1469 = add i64 %1368, 1
-  %1470 = add nsw i64 %1369, -1
-  %1471 = fsub double %1371, %1468
-  %1472 = fsub double %1370, %1465
-  br label %1367
-
-1473:                                             ; preds = %1377
-  %1474 = add nsw i64 %1379, -1
-  %1475 = icmp slt i64 %1380, 0
-  %1476 = select i1 %1475, i64 %266, i64 0
-  %1477 = getelementptr { double, double }, ptr %267, i64 %1380
-  %1478 = getelementptr { double, double }, ptr %1477, i64 %1476
-  %1479 = load double, ptr %1478, align 8, !noalias !93
-  %1480 = getelementptr inbounds nuw i8, ptr %1478, i64 8
-  %1481 = load double, ptr %1480, align 8, !noalias !93
-  %1482 = sub i64 %218, %1378
-  %1483 = call i64 @llvm.smax.i64(i64 %1482, i64 0)
-  br label %1382
-
-1484:                                             ; preds = %1382
-  %1485 = select i1 %1475, i64 %218, i64 0
-  %1486 = add i64 %1380, %1485
-  %1487 = icmp slt i64 %1383, 0
-  %1488 = select i1 %1487, i64 %220, i64 0
-  %1489 = mul i64 %1486, %220
-  %1490 = getelementptr { double, double }, ptr %221, i64 %1489
-  %1491 = getelementptr { double, double }, ptr %1490, i64 %1383
-  %1492 = getelementptr { double, double }, ptr %1491, i64 %1488
-  %1493 = load double, ptr %1492, align 8, !noalias !93
-  %1494 = getelementptr inbounds nuw i8, ptr %1492, i64 8
-  %1495 = load double, ptr %1494, align 8, !noalias !93
-  %1496 = select i1 %1487, i64 %266, i64 0
-  %1497 = getelementptr { double, double }, ptr %267, i64 %1383
-  %1498 = getelementptr { double, double }, ptr %1497, i64 %1496
-  %1499 = load double, ptr %1498, align 8, !noalias !93
-  %1500 = getelementptr inbounds nuw i8, ptr %1498, i64 8
-  %1501 = load double, ptr %1500, align 8, !noalias !93
-  %1502 = fmul double %1493, %1501
-  %1503 = fmul double %1495, %1499
-  %1504 = fadd double %1502, %1503
-  %1505 = fmul double %1493, %1499
-  %1506 = fmul double %1495, %1501
-  %1507 = fsub double %1505, %1506
-  %1508 = add i64 %1383, 1
-  %1509 = add nsw i64 %1384, -1
-  %1510 = fsub double %1386, %1507
-  %1511 = fsub double %1385, %1504
-  br label %1382
-
-1512:                                             ; preds = %1377
-  br i1 %848, label %961, label %1130
-
-1513:                                             ; preds = %992, %1526
-  %1514 = phi i64 [ %1594, %1526 ], [ 0, %992 ]
-  %1515 = phi i64 [ %1593, %1526 ], [ %1343, %992 ]
-  %1516 = icmp sgt i64 %1515, 0
-  br i1 %1516, label %1592, label %1527
-
-1517:                                             ; preds = %1592
-  %1518 = mul nsw i64 %1514, %847
-  %1519 = add nsw i64 %218, %1518
-  %1520 = mul nsw i64 %1599, %847
-  %1521 = add nsw i64 %218, %1520
-  br label %1522
-
-1522:                                             ; preds = %1601, %1517
-  %1523 = phi i64 [ 0, %1517 ], [ %1603, %1601 ]
-  %1524 = phi i64 [ %847, %1517 ], [ %1602, %1601 ]
-  %1525 = icmp sgt i64 %1524, 0
-  br i1 %1525, label %1601, label %1526
-
-1526:                                             ; preds = %1592, %1522
-  br label %1513
-
-1527:                                             ; preds = %1513, %1531
-  %1528 = phi i64 [ %1622, %1531 ], [ 0, %1513 ]
-  %1529 = phi i64 [ %1621, %1531 ], [ %1343, %1513 ]
-  %1530 = icmp sgt i64 %1529, 0
-  br i1 %1530, label %1620, label %1539
-
-1531:                                             ; preds = %1620, %1535
-  %1532 = phi i64 [ 0, %1620 ], [ %1626, %1535 ]
-  %1533 = phi i64 [ %1623, %1620 ], [ %1625, %1535 ]
-  %1534 = icmp sgt i64 %1533, 0
-  br i1 %1534, label %1624, label %1527
-
-1535:                                             ; preds = %1643, %1624
-  %1536 = phi i64 [ 0, %1624 ], [ %1666, %1643 ]
-  %1537 = phi i64 [ %847, %1624 ], [ %1667, %1643 ]
-  %1538 = icmp sgt i64 %1537, 0
-  br i1 %1538, label %1643, label %1531
-
-1539:                                             ; preds = %1527, %1588
-  %1540 = phi i64 [ %1542, %1588 ], [ %218, %1527 ]
-  %1541 = phi i64 [ %1671, %1588 ], [ %1376, %1527 ]
-  %1542 = add i64 %1540, -1
-  %1543 = icmp sgt i64 %1541, 0
-  br i1 %1543, label %1670, label %1130
-
-1544:                                             ; preds = %1670, %1548
-  %1545 = phi i64 [ %1540, %1670 ], [ %1678, %1548 ]
-  %1546 = phi i64 [ %1675, %1670 ], [ %1677, %1548 ]
-  %1547 = icmp sgt i64 %1546, 0
-  br i1 %1547, label %1676, label %1552
-
-1548:                                             ; preds = %1693, %1676
-  %1549 = phi i64 [ 0, %1676 ], [ %1716, %1693 ]
-  %1550 = phi i64 [ %847, %1676 ], [ %1717, %1693 ]
-  %1551 = icmp sgt i64 %1550, 0
-  br i1 %1551, label %1693, label %1544
-
-1552:                                             ; preds = %1544
-  %1553 = icmp slt i64 %1542, 0
-  %1554 = select i1 %1553, i64 %218, i64 0
-  %1555 = add i64 %1542, %1554
-  %1556 = select i1 %1553, i64 %220, i64 0
-  %1557 = mul i64 %1555, %220
-  %1558 = getelementptr { double, double }, ptr %221, i64 %1557
-  %1559 = getelementptr { double, double }, ptr %1558, i64 %1542
-  %1560 = getelementptr { double, double }, ptr %1559, i64 %1556
-  %1561 = load double, ptr %1560, align 8, !noalias !97
-  %1562 = getelementptr inbounds nuw i8, ptr %1560, i64 8
-  %1563 = load double, ptr %1562, align 8, !noalias !97
-  %1564 = call double @llvm.fabs.f64(double %1561)
-  %1565 = call double @llvm.fabs.f64(double %1563)
-  %1566 = fcmp ult double %1564, %1565
-  br i1 %1566, label %1576, label %1567
-
-1567:                                             ; preds = %1552
-  %1568 = fdiv double %1563, %1561
-  %1569 = fmul double %1563, %1568
-  %1570 = fadd double %1561, %1569
-  %1571 = fmul double %1568, 0.000000e+00
-  %1572 = fadd double %1571, 1.000000e+00
-  %1573 = fdiv double %1572, %1570
-  %1574 = fsub double 0.000000e+00, %1568
-  %1575 = fdiv double %1574, %1570
-  br label %1585
-
-1576:                                             ; preds = %1552
-  %1577 = fdiv double %1561, %1563
-  %1578 = fmul double %1561, %1577
-  %1579 = fadd double %1578, %1563
-  %1580 = fadd double %1577, 0.000000e+00
-  %1581 = fdiv double %1580, %1579
-  %1582 = fmul double %1577, 0.000000e+00
-  %1583 = fadd double %1582, -1.000000e+00
-  %1584 = fdiv double %1583, %1579
-  br label %1585
-
-1585:                                             ; preds = %1576, %1567
-  %1586 = phi double [ %1575, %1567 ], [ %1584, %1576 ]
-  %1587 = phi double [ %1573, %1567 ], [ %1581, %1576 ]
-  br label %1588
-
-1588:                                             ; preds = %1720, %1585
-  %1589 = phi i64 [ 0, %1585 ], [ %1735, %1720 ]
-  %1590 = phi i64 [ %847, %1585 ], [ %1736, %1720 ]
-  %1591 = icmp sgt i64 %1590, 0
-  br i1 %1591, label %1720, label %1539
-
-1592:                                             ; preds = %1513
-  %1593 = add nsw i64 %1515, -1
-  %1594 = add i64 %1514, 1
-  %1595 = icmp slt i64 %1514, 0
-  %1596 = select i1 %1595, i64 %230, i64 0
-  %1597 = getelementptr i64, ptr %231, i64 %1514
-  %1598 = getelementptr i64, ptr %1597, i64 %1596
-  %1599 = load i64, ptr %1598, align 8, !noalias !97
-  %1600 = icmp eq i64 %1599, %1514
-  br i1 %1600, label %1526, label %1517
-
-1601:                                             ; preds = %1522
-  %1602 = add nsw i64 %1524, -1
-  %1603 = add i64 %1523, 1
-  %1604 = add nsw i64 %1521, %1523
-  %1605 = icmp slt i64 %1604, 0
-  %1606 = select i1 %1605, i64 %266, i64 0
-  %1607 = getelementptr { double, double }, ptr %267, i64 %1604
-  %1608 = getelementptr { double, double }, ptr %1607, i64 %1606
-  %1609 = load double, ptr %1608, align 8, !noalias !97
-  %1610 = getelementptr inbounds nuw i8, ptr %1608, i64 8
-  %1611 = load double, ptr %1610, align 8, !noalias !97
-  %1612 = add nsw i64 %1519, %1523
-  %1613 = icmp slt i64 %1612, 0
-  %1614 = select i1 %1613, i64 %266, i64 0
-  %1615 = getelementptr { double, double }, ptr %267, i64 %1612
-  %1616 = getelementptr { double, double }, ptr %1615, i64 %1614
-  %1617 = load double, ptr %1616, align 8, !noalias !97
-  %1618 = getelementptr inbounds nuw i8, ptr %1616, i64 8
-  %1619 = load double, ptr %1618, align 8, !noalias !97
-  store double %1609, ptr %1616, align 8, !noalias !97
-  store double %1611, ptr %1618, align 8, !noalias !97
-  store double %1617, ptr %1608, align 8, !noalias !97
-  store double %1619, ptr %1610, align 8, !noalias !97
-  br label %1522
-
-1620:                                             ; preds = %1527
-  %1621 = add nsw i64 %1529, -1
-  %1622 = add i64 %1528, 1
-  %1623 = call i64 @llvm.smax.i64(i64 %1528, i64 0)
-  br label %1531
-
-1624:                                             ; preds = %1531
-  %1625 = add nsw i64 %1533, -1
-  %1626 = add i64 %1532, 1
-  %1627 = icmp slt i64 %1528, 0
-  %1628 = select i1 %1627, i64 %218, i64 0
-  %1629 = add i64 %1528, %1628
-  %1630 = icmp slt i64 %1532, 0
-  %1631 = select i1 %1630, i64 %220, i64 0
-  %1632 = mul i64 %1629, %220
-  %1633 = getelementptr { double, double }, ptr %221, i64 %1632
-  %1634 = getelementptr { double, double }, ptr %1633, i64 %1532
-  %1635 = getelementptr { double, double }, ptr %1634, i64 %1631
-  %1636 = load double, ptr %1635, align 8, !noalias !97
-  %1637 = getelementptr inbounds nuw i8, ptr %1635, i64 8
-  %1638 = load double, ptr %1637, align 8, !noalias !97
-  %1639 = mul nsw i64 %1528, %847
-  %1640 = add nsw i64 %218, %1639
-  %1641 = mul nsw i64 %1532, %847
-  %1642 = add nsw i64 %218, %1641
-  br label %1535
-
-1643:                                             ; preds = %1535
-  %1644 = add nsw i64 %1640, %1536
-  %1645 = icmp slt i64 %1644, 0
-  %1646 = select i1 %1645, i64 %266, i64 0
-  %1647 = getelementptr { double, double }, ptr %267, i64 %1644
-  %1648 = getelementptr { double, double }, ptr %1647, i64 %1646
-  %1649 = load double, ptr %1648, align 8, !noalias !97
-  %1650 = getelementptr inbounds nuw i8, ptr %1648, i64 8
-  %1651 = load double, ptr %1650, align 8, !noalias !97
-  %1652 = add nsw i64 %1642, %1536
-  %1653 = icmp slt i64 %1652, 0
-  %1654 = select i1 %1653, i64 %266, i64 0
-  %1655 = getelementptr { double, double }, ptr %267, i64 %1652
-  %1656 = getelementptr { double, double }, ptr %1655, i64 %1654
-  %1657 = load double, ptr %1656, align 8, !noalias !97
-  %1658 = getelementptr inbounds nuw i8, ptr %1656, i64 8
-  %1659 = load double, ptr %1658, align 8, !noalias !97
-  %1660 = fmul double %1636, %1659
-  %1661 = fmul double %1638, %1657
-  %1662 = fadd double %1660, %1661
-  %1663 = fmul double %1636, %1657
-  %1664 = fmul double %1638, %1659
-  %1665 = fsub double %1663, %1664
-  %1666 = add i64 %1536, 1
-  %1667 = add nsw i64 %1537, -1
-  %1668 = fsub double %1649, %1665
-  %1669 = fsub double %1651, %1662
-  store double %1668, ptr %1648, align 8, !noalias !97
-  store double %1669, ptr %1650, align 8, !noalias !97
-  br label %1535
-
-1670:                                             ; preds = %1539
-  %1671 = add nsw i64 %1541, -1
-  %1672 = mul nsw i64 %1542, %847
-  %1673 = add nsw i64 %218, %1672
-  %1674 = sub i64 %218, %1540
-  %1675 = call i64 @llvm.smax.i64(i64 %1674, i64 0)
-  br label %1544
-
-1676:                                             ; preds = %1544
-  %1677 = add nsw i64 %1546, -1
-  %1678 = add i64 %1545, 1
-  %1679 = icmp slt i64 %1542, 0
-  %1680 = select i1 %1679, i64 %218, i64 0
-  %1681 = add i64 %1542, %1680
-  %1682 = icmp slt i64 %1545, 0
-  %1683 = select i1 %1682, i64 %220, i64 0
-  %1684 = mul i64 %1681, %220
-  %1685 = getelementptr { double, double }, ptr %221, i64 %1684
-  %1686 = getelementptr { double, double }, ptr %1685, i64 %1545
-  %1687 = getelementptr { double, double }, ptr %1686, i64 %1683
-  %1688 = load double, ptr %1687, align 8, !noalias !97
-  %1689 = getelementptr inbounds nuw i8, ptr %1687, i64 8
-  %1690 = load double, ptr %1689, align 8, !noalias !97
-  %1691 = mul nsw i64 %1545, %847
-  %1692 = add nsw i64 %218, %1691
-  br label %1548
-
-1693:                                             ; preds = %1548
-  %1694 = add nsw i64 %1673, %1549
-  %1695 = icmp slt i64 %1694, 0
-  %1696 = select i1 %1695, i64 %266, i64 0
-  %1697 = getelementptr { double, double }, ptr %267, i64 %1694
-  %1698 = getelementptr { double, double }, ptr %1697, i64 %1696
-  %1699 = load double, ptr %1698, align 8, !noalias !97
-  %1700 = getelementptr inbounds nuw i8, ptr %1698, i64 8
-  %1701 = load double, ptr %1700, align 8, !noalias !97
-  %1702 = add nsw i64 %1692, %1549
-  %1703 = icmp slt i64 %1702, 0
-  %1704 = select i1 %1703, i64 %266, i64 0
-  %1705 = getelementptr { double, double }, ptr %267, i64 %1702
-  %1706 = getelementptr { double, double }, ptr %1705, i64 %1704
-  %1707 = load double, ptr %1706, align 8, !noalias !97
-  %1708 = getelementptr inbounds nuw i8, ptr %1706, i64 8
-  %1709 = load double, ptr %1708, align 8, !noalias !97
-  %1710 = fmul double %1688, %1709
-  %1711 = fmul double %1690, %1707
-  %1712 = fadd double %1710, %1711
-  %1713 = fmul double %1688, %1707
-  %1714 = fmul double %1690, %1709
-  %1715 = fsub double %1713, %1714
-  %1716 = add i64 %1549, 1
-  %1717 = add nsw i64 %1550, -1
-  %1718 = fsub double %1699, %1715
-  %1719 = fsub double %1701, %1712
-  store double %1718, ptr %1698, align 8, !noalias !97
-  store double %1719, ptr %1700, align 8, !noalias !97
-  br label %1548
-
-1720:                                             ; preds = %1588
-  %1721 = add nsw i64 %1673, %1589
-  %1722 = icmp slt i64 %1721, 0
-  %1723 = select i1 %1722, i64 %266, i64 0
-  %1724 = getelementptr { double, double }, ptr %267, i64 %1721
-  %1725 = getelementptr { double, double }, ptr %1724, i64 %1723
-  %1726 = load double, ptr %1725, align 8, !noalias !97
-  %1727 = getelementptr inbounds nuw i8, ptr %1725, i64 8
-  %1728 = load double, ptr %1727, align 8, !noalias !97
-  %1729 = fmul double %1726, %1586
-  %1730 = fmul double %1728, %1587
-  %1731 = fadd double %1729, %1730
-  %1732 = fmul double %1726, %1587
-  %1733 = fmul double %1728, %1586
-  %1734 = fsub double %1732, %1733
-  %1735 = add i64 %1589, 1
-  %1736 = add nsw i64 %1590, -1
-  store double %1734, ptr %1725, align 8, !noalias !97
-  store double %1731, ptr %1727, align 8, !noalias !97
-  br label %1588
-
-1737:                                             ; preds = %1131
-  %1738 = add nsw i64 %1133, -1
-  %1739 = add i64 %1132, 1
-  %1740 = icmp slt i64 %1132, 0
-  %1741 = select i1 %1740, i64 %64, i64 0
-  %1742 = getelementptr double, ptr %65, i64 %1132
-  %1743 = getelementptr double, ptr %1742, i64 %1741
-  %1744 = load double, ptr %1743, align 8, !noalias !61
-  %1745 = select i1 %1740, i64 %99, i64 0
-  %1746 = getelementptr double, ptr %100, i64 %1132
-  %1747 = getelementptr double, ptr %1746, i64 %1745
-  %1748 = load double, ptr %1747, align 8, !noalias !101
-  %1749 = select i1 %1740, i64 %94, i64 0
-  %1750 = getelementptr double, ptr %95, i64 %1132
-  %1751 = getelementptr double, ptr %1750, i64 %1749
-  %1752 = load double, ptr %1751, align 8, !noalias !101
-  %1753 = call double @llvm.fabs.f64(double %1744)
-  %1754 = fmul double %1752, %1753
-  %1755 = fadd double %1748, %1754
-  %1756 = select i1 %1740, i64 %261, i64 0
-  %1757 = getelementptr double, ptr %262, i64 %1132
-  %1758 = getelementptr double, ptr %1757, i64 %1756
-  %1759 = load double, ptr %1758, align 8, !noalias !61
-  %1760 = fdiv double %1759, %1755
-  %1761 = select i1 %1740, i64 %266, i64 0
-  %1762 = getelementptr { double, double }, ptr %267, i64 %1132
-  %1763 = getelementptr { double, double }, ptr %1762, i64 %1761
-  %1764 = load double, ptr %1763, align 8, !noalias !61
-  %1765 = fdiv double %1764, %1755
-  %1766 = getelementptr inbounds nuw i8, ptr %1763, i64 8
-  %1767 = load double, ptr %1766, align 8, !noalias !61
-  %1768 = fdiv double %1767, %1755
-  %1769 = fmul double %1760, %1760
-  %1770 = fmul double %1765, %1765
-  %1771 = fadd double %1769, %1770
-  %1772 = fmul double %1768, %1768
-  %1773 = fadd double %1771, %1772
-  %1774 = fadd double %1134, %1773
-  br label %1131
-
-1775:                                             ; preds = %1171
-  %1776 = fcmp ult double %1144, 1.000000e+00
-  br i1 %1776, label %1175, label %1840
-
-1777:                                             ; preds = %1182
-  %1778 = add nsw i64 %1184, -1
-  %1779 = add i64 %1183, 1
-  %1780 = icmp slt i64 %1183, 0
-  %1781 = select i1 %1780, i64 %244, i64 0
-  %1782 = getelementptr double, ptr %245, i64 %1183
-  %1783 = getelementptr double, ptr %1782, i64 %1781
-  %1784 = load double, ptr %1783, align 8, !noalias !61
-  %1785 = select i1 %1780, i64 %261, i64 0
-  %1786 = getelementptr double, ptr %262, i64 %1183
-  %1787 = getelementptr double, ptr %1786, i64 %1785
-  %1788 = load double, ptr %1787, align 8, !noalias !61
-  %1789 = fadd double %1784, %1788
-  store double %1789, ptr %1783, align 8, !noalias !61
-  %1790 = getelementptr double, ptr %245, i64 %244
-  %1791 = getelementptr double, ptr %1790, i64 %1183
-  %1792 = getelementptr double, ptr %1791, i64 %1781
-  %1793 = load double, ptr %1792, align 8, !noalias !61
-  %1794 = select i1 %1780, i64 %266, i64 0
-  %1795 = getelementptr { double, double }, ptr %267, i64 %1183
-  %1796 = getelementptr { double, double }, ptr %1795, i64 %1794
-  %1797 = load double, ptr %1796, align 8, !noalias !61
-  %1798 = fadd double %1793, %1797
-  store double %1798, ptr %1792, align 8, !noalias !61
-  %1799 = shl i64 %244, 4
-  %1800 = getelementptr i8, ptr %245, i64 %1799
-  %1801 = getelementptr double, ptr %1800, i64 %1183
-  %1802 = getelementptr double, ptr %1801, i64 %1781
-  %1803 = load double, ptr %1802, align 8, !noalias !61
-  %1804 = getelementptr inbounds nuw i8, ptr %1796, i64 8
-  %1805 = load double, ptr %1804, align 8, !noalias !61
-  %1806 = fadd double %1803, %1805
-  store double %1806, ptr %1802, align 8, !noalias !61
-  br label %1186
-
-1807:                                             ; preds = %1186
-  %1808 = add nsw i64 %1188, -1
-  %1809 = add i64 %1187, 1
-  %1810 = icmp slt i64 %1187, 0
-  %1811 = add i64 %1187, 3
-  %1812 = select i1 %1810, i64 %1811, i64 %1187
-  %1813 = mul i64 %1812, 24
-  %1814 = getelementptr i8, ptr @5, i64 %1813
-  %1815 = load double, ptr %1814, align 8, !noalias !61
-  %1816 = load double, ptr %1783, align 8, !noalias !61
-  %1817 = fmul double %1815, %1816
-  %1818 = getelementptr i8, ptr @6, i64 %1813
-  %1819 = getelementptr i8, ptr %1818, i64 8
-  %1820 = load double, ptr %1819, align 8, !noalias !61
-  %1821 = load double, ptr %1792, align 8, !noalias !61
-  %1822 = fmul double %1820, %1821
-  %1823 = fadd double %1817, %1822
-  %1824 = getelementptr i8, ptr @7, i64 %1813
-  %1825 = getelementptr i8, ptr %1824, i64 16
-  %1826 = load double, ptr %1825, align 8, !noalias !61
-  %1827 = load double, ptr %1802, align 8, !noalias !61
-  %1828 = fmul double %1826, %1827
-  %1829 = fadd double %1823, %1828
-  %1830 = select i1 %1810, i64 %235, i64 0
-  %1831 = add i64 %1187, %1830
-  %1832 = select i1 %1780, i64 %237, i64 0
-  %1833 = mul i64 %1831, %237
-  %1834 = getelementptr double, ptr %238, i64 %1833
-  %1835 = getelementptr double, ptr %1834, i64 %1183
-  %1836 = getelementptr double, ptr %1835, i64 %1832
-  store double %1829, ptr %1836, align 8, !noalias !61
-  br label %1186
-
-1837:                                             ; preds = %1208
-  %1838 = fmul double %844, %844
-  %1839 = fcmp ugt double %1211, %1838
-  br i1 %1839, label %1282, label %1283
-
-1840:                                             ; preds = %1171, %959, %894, %1175, %1775, %1323, %897, %1283
-  %1841 = phi double [ %1284, %1283 ], [ %1144, %1175 ], [ 0.000000e+00, %897 ], [ 0x7FF0000000000000, %1323 ], [ 0.000000e+00, %894 ], [ 0.000000e+00, %959 ], [ %1144, %1775 ], [ 0.000000e+00, %1171 ]
-  %1842 = phi i64 [ %1287, %1283 ], [ %1294, %1175 ], [ %1295, %897 ], [ %1295, %1323 ], [ 0, %894 ], [ 0, %959 ], [ %1294, %1775 ], [ 0, %1171 ]
-  %1843 = phi i1 [ %1286, %1283 ], [ true, %1175 ], [ true, %897 ], [ true, %1323 ], [ true, %894 ], [ true, %959 ], [ true, %1775 ], [ true, %1171 ]
-  %1844 = phi i64 [ 0, %1283 ], [ 0, %1175 ], [ %898, %897 ], [ 0, %1323 ], [ 0, %894 ], [ 0, %959 ], [ 0, %1775 ], [ 0, %1171 ]
-  %1845 = phi i32 [ 0, %1283 ], [ 0, %1175 ], [ 0, %897 ], [ 0, %1323 ], [ %896, %894 ], [ %960, %959 ], [ 0, %1775 ], [ %1174, %1171 ]
-  switch i32 %1845, label %2501 [
-    i32 -2, label %2499
-    i32 0, label %2499
-  ], !prof !32
-
-1846:                                             ; preds = %2499
-  br label %2632
-
-1847:                                             ; preds = %2499
-  br i1 %1843, label %2263, label %1848
-
-1848:                                             ; preds = %1847, %2502
-  %1849 = phi i64 [ %2504, %2502 ], [ 0, %1847 ]
-  %1850 = phi i64 [ %2503, %2502 ], [ %282, %1847 ]
-  %1851 = icmp sgt i64 %1850, 0
-  br i1 %1851, label %2502, label %1852
-
-1852:                                             ; preds = %1848
-  %1853 = getelementptr i8, ptr %196, i64 32
-  %1854 = load i64, ptr %1853, align 8, !noalias !12
-  %1855 = icmp ne i64 %1854, 1
-  store ptr null, ptr %6, align 8, !noalias !104
-  store double 0.000000e+00, ptr %7, align 8, !noalias !104
-  store ptr null, ptr %8, align 8, !noalias !104
-  store double 0.000000e+00, ptr %9, align 8, !noalias !104
-  %1856 = load i64, ptr %116, align 8, !noalias !104
-  %1857 = call i64 @llvm.smax.i64(i64 %1856, i64 0)
-  br label %1858
-
-1858:                                             ; preds = %1893, %1852
-  %1859 = phi i64 [ 0, %1852 ], [ %1895, %1893 ]
-  %1860 = phi i64 [ %1857, %1852 ], [ %1894, %1893 ]
-  %1861 = icmp sgt i64 %1860, 0
-  br i1 %1861, label %1893, label %1862
-
-1862:                                             ; preds = %1858
-  store ptr null, ptr %6, align 8, !noalias !104
-  %1863 = call fastcc i32 @solve(ptr nonnull %6, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !104
-  switch i32 %1863, label %1971 [
-    i32 -2, label %1927
-    i32 0, label %1927
-  ], !prof !32
-
-1864:                                             ; preds = %1930, %1933
-  %1865 = phi i64 [ %1935, %1933 ], [ 0, %1930 ]
-  %1866 = phi i64 [ %1934, %1933 ], [ %1857, %1930 ]
-  %1867 = icmp sgt i64 %1866, 0
-  br i1 %1867, label %1933, label %1868
-
-1868:                                             ; preds = %1864
-  %1869 = getelementptr i8, ptr %110, i64 24
-  %1870 = load i64, ptr %1869, align 8, !noalias !104
-  %1871 = add nsw i64 %1870, 1
-  store i64 %1871, ptr %1869, align 8, !noalias !104
-  store ptr null, ptr %4, align 8, !noalias !108
-  store ptr null, ptr %5, align 8, !noalias !108
-  store double %366, ptr %33, align 8, !noalias !108
-  %1872 = icmp sgt i64 %45, 0
-  br i1 %1872, label %1873, label %1876
-
-1873:                                             ; preds = %1868
-  store ptr null, ptr %4, align 8, !noalias !108
-  %1874 = call fastcc i32 @_sample(ptr nonnull %4, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
-  switch i32 %1874, label %1875 [
-    i32 -2, label %1876
-    i32 0, label %1876
-  ], !prof !32
-
-1875:                                             ; preds = %1873
-  br label %1876
-
-1876:                                             ; preds = %1873, %1873, %1868, %1875
-  %1877 = phi i32 [ %1874, %1875 ], [ 0, %1868 ], [ 0, %1873 ], [ 0, %1873 ]
-  switch i32 %1877, label %1882 [
-    i32 -2, label %1878
-    i32 0, label %1878
-  ], !prof !32
-
-1878:                                             ; preds = %1876, %1876
-  %1879 = load i64, ptr %30, align 8, !noalias !115
-  %1880 = inttoptr i64 %1879 to ptr
-  %1881 = call i32 %1880(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %250) #3, !noalias !115
-  br label %1882
-
-1882:                                             ; preds = %1876, %1878
-  %1883 = phi i32 [ %1881, %1878 ], [ 0, %1876 ]
-  %1884 = phi i32 [ 0, %1878 ], [ %1877, %1876 ]
-  switch i32 %1884, label %1971 [
-    i32 -2, label %1949
-    i32 0, label %1949
-  ], !prof !32
-
-1885:                                             ; preds = %1949
-  %1886 = sext i32 %1883 to i64
-  br label %1971
-
-1887:                                             ; preds = %1949, %1951
-  %1888 = phi i64 [ %1953, %1951 ], [ 0, %1949 ]
-  %1889 = phi i64 [ %1952, %1951 ], [ %1857, %1949 ]
-  %1890 = icmp sgt i64 %1889, 0
-  br i1 %1890, label %1951, label %1891
-
-1891:                                             ; preds = %1887
-  store ptr null, ptr %8, align 8, !noalias !104
-  %1892 = call fastcc i32 @solve(ptr nonnull %8, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !104
-  switch i32 %1892, label %1971 [
-    i32 -2, label %1967
-    i32 0, label %1967
-  ], !prof !32
-
-1893:                                             ; preds = %1858
-  %1894 = add nsw i64 %1860, -1
-  %1895 = add i64 %1859, 1
-  %1896 = icmp slt i64 %1859, 0
-  %1897 = select i1 %1896, i64 %237, i64 0
-  %1898 = getelementptr double, ptr %238, i64 %1859
-  %1899 = getelementptr double, ptr %1898, i64 %1897
-  %1900 = load double, ptr %1899, align 8, !noalias !104
-  %1901 = fmul double %1900, 0xC02418FD8BAFFE05
-  %1902 = getelementptr double, ptr %238, i64 %237
-  %1903 = getelementptr double, ptr %1902, i64 %1859
-  %1904 = getelementptr double, ptr %1903, i64 %1897
-  %1905 = load double, ptr %1904, align 8, !noalias !104
-  %1906 = fmul double %1905, 0x3FF61D41B2D54580
-  %1907 = fadd double %1901, %1906
-  %1908 = shl i64 %237, 4
-  %1909 = getelementptr i8, ptr %238, i64 %1908
-  %1910 = getelementptr double, ptr %1909, i64 %1859
-  %1911 = getelementptr double, ptr %1910, i64 %1897
-  %1912 = load double, ptr %1911, align 8, !noalias !104
-  %1913 = fmul double %1912, 0xBFD5555555555555
-  %1914 = fadd double %1907, %1913
-  %1915 = fdiv double %1914, %391
-  %1916 = select i1 %1896, i64 %271, i64 0
-  %1917 = getelementptr double, ptr %272, i64 %1859
-  %1918 = getelementptr double, ptr %1917, i64 %1916
-  store double %1915, ptr %1918, align 8, !noalias !104
-  %1919 = select i1 %1896, i64 %84, i64 0
-  %1920 = getelementptr double, ptr %85, i64 %1859
-  %1921 = getelementptr double, ptr %1920, i64 %1919
-  %1922 = load double, ptr %1921, align 8, !noalias !104
-  %1923 = fadd double %1922, %1915
-  %1924 = select i1 %1896, i64 %261, i64 0
-  %1925 = getelementptr double, ptr %262, i64 %1859
-  %1926 = getelementptr double, ptr %1925, i64 %1924
-  store double %1923, ptr %1926, align 8, !noalias !104
-  br label %1858
-
-1927:                                             ; preds = %1862, %1862
-  store double 0.000000e+00, ptr %7, align 8, !noalias !104
-  %1928 = call fastcc i32 @norm(ptr nonnull %7, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1856) #3, !noalias !104
-  %1929 = load double, ptr %7, align 8, !noalias !104
-  switch i32 %1928, label %1971 [
-    i32 -2, label %1930
-    i32 0, label %1930
-  ], !prof !32
-
-1930:                                             ; preds = %1927, %1927
-  %1931 = fcmp olt double %1929, 1.000000e+00
-  %1932 = select i1 %1931, i1 true, i1 %1855
-  br i1 %1932, label %1971, label %1864
-
-1933:                                             ; preds = %1864
-  %1934 = add nsw i64 %1866, -1
-  %1935 = add i64 %1865, 1
-  %1936 = icmp slt i64 %1865, 0
-  %1937 = select i1 %1936, i64 %64, i64 0
-  %1938 = getelementptr double, ptr %65, i64 %1865
-  %1939 = getelementptr double, ptr %1938, i64 %1937
-  %1940 = load double, ptr %1939, align 8, !noalias !104
-  %1941 = select i1 %1936, i64 %261, i64 0
-  %1942 = getelementptr double, ptr %262, i64 %1865
-  %1943 = getelementptr double, ptr %1942, i64 %1941
-  %1944 = load double, ptr %1943, align 8, !noalias !104
-  %1945 = fadd double %1940, %1944
-  %1946 = select i1 %1936, i64 %74, i64 0
-  %1947 = getelementptr double, ptr %75, i64 %1865
-  %1948 = getelementptr double, ptr %1947, i64 %1946
-  store double %1945, ptr %1948, align 8, !noalias !104
-  br label %1864
-
-1949:                                             ; preds = %1882, %1882
-  %1950 = icmp eq i32 %1883, 0
-  br i1 %1950, label %1887, label %1885
-
-1951:                                             ; preds = %1887
-  %1952 = add nsw i64 %1889, -1
-  %1953 = add i64 %1888, 1
-  %1954 = icmp slt i64 %1888, 0
-  %1955 = select i1 %1954, i64 %249, i64 0
-  %1956 = getelementptr double, ptr %250, i64 %1888
-  %1957 = getelementptr double, ptr %1956, i64 %1955
-  %1958 = load double, ptr %1957, align 8, !noalias !104
-  %1959 = select i1 %1954, i64 %271, i64 0
-  %1960 = getelementptr double, ptr %272, i64 %1888
-  %1961 = getelementptr double, ptr %1960, i64 %1959
-  %1962 = load double, ptr %1961, align 8, !noalias !104
-  %1963 = fadd double %1958, %1962
-  %1964 = select i1 %1954, i64 %261, i64 0
-  %1965 = getelementptr double, ptr %262, i64 %1888
-  %1966 = getelementptr double, ptr %1965, i64 %1964
-  store double %1963, ptr %1966, align 8, !noalias !104
-  br label %1887
-
-1967:                                             ; preds = %1891, %1891
-  store double 0.000000e+00, ptr %9, align 8, !noalias !104
-  %1968 = call fastcc i32 @norm(ptr nonnull %9, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1856) #3, !noalias !104
-  switch i32 %1968, label %1971 [
-    i32 -2, label %1969
-    i32 0, label %1969
-  ], !prof !32
-
-1969:                                             ; preds = %1967, %1967
-  %1970 = load double, ptr %9, align 8, !noalias !104
-  br label %1971
-
-1971:                                             ; preds = %1967, %1891, %1882, %1927, %1862, %1930, %1885, %1969
-  %1972 = phi double [ %1929, %1930 ], [ 0.000000e+00, %1862 ], [ %1929, %1885 ], [ 0.000000e+00, %1927 ], [ 0.000000e+00, %1882 ], [ 0.000000e+00, %1891 ], [ %1970, %1969 ], [ 0.000000e+00, %1967 ]
-  %1973 = phi i64 [ 0, %1930 ], [ 0, %1862 ], [ %1886, %1885 ], [ 0, %1927 ], [ 0, %1882 ], [ 0, %1891 ], [ 0, %1969 ], [ 0, %1967 ]
-  %1974 = phi i32 [ 0, %1930 ], [ %1863, %1862 ], [ 0, %1885 ], [ %1928, %1927 ], [ %1884, %1882 ], [ %1892, %1891 ], [ 0, %1969 ], [ %1968, %1967 ]
-  switch i32 %1974, label %2522 [
-    i32 -2, label %2520
-    i32 0, label %2520
-  ], !prof !32
-
-1975:                                             ; preds = %2520
-  br label %2632
-
-1976:                                             ; preds = %2520
-  %1977 = add nsw i64 %1842, 12
-  %1978 = sitofp i64 %1977 to double
-  %1979 = fdiv double 0x4027666666666667, %1978
-  %1980 = fcmp olt double %1972, 1.000000e-10
-  %1981 = select i1 %1980, double 1.000000e-10, double %1972
-  %1982 = call double @llvm.pow.f64(double %1981, double -2.500000e-01)
-  %1983 = icmp eq i64 %1973, 0
-  %1984 = fcmp olt double %1972, 1.000000e+00
-  %1985 = select i1 %1983, i1 %1984, i1 false
-  br i1 %1985, label %1986, label %2246
-
-1986:                                             ; preds = %1976
-  br i1 %275, label %1987, label %2001
-
-1987:                                             ; preds = %1986
-  %1988 = getelementptr i8, ptr %157, i64 56
-  %1989 = load i64, ptr %1988, align 8, !noalias !12
-  %1990 = inttoptr i64 %1989 to ptr
-  %1991 = call i64 %1990(i64 %0, double %392, i64 %67) #3, !noalias !12
-  %1992 = icmp eq i64 %1991, 0
-  br i1 %1992, label %2001, label %1993
-
-1993:                                             ; preds = %1987
-  %1994 = load i64, ptr %374, align 8, !noalias !12
-  %1995 = add nsw i64 %1994, 1
-  store i64 %1995, ptr %374, align 8, !noalias !12
-  %1996 = fmul double %391, 2.500000e-01
-  %1997 = getelementptr i8, ptr %110, i64 72
-  store i64 6, ptr %1997, align 8, !noalias !12
-  %1998 = getelementptr i8, ptr %196, i64 16
-  %1999 = load i64, ptr %1998, align 8, !noalias !12
-  %2000 = sub nsw i64 1, %1999
-  store i64 1, ptr %1853, align 8, !noalias !12
-  store i64 %2000, ptr %399, align 8, !noalias !12
-  br label %2320
-
-2001:                                             ; preds = %1987, %1986
-  %2002 = load i64, ptr %372, align 8, !noalias !12
-  %2003 = add nsw i64 %2002, 1
-  store i64 %2003, ptr %372, align 8, !noalias !12
-  %2004 = getelementptr i8, ptr %105, i64 24
-  %2005 = load double, ptr %2004, align 8, !noalias !12
-  %2006 = fcmp ogt double %2005, 0.000000e+00
-  br i1 %2006, label %2007, label %2017
-
-2007:                                             ; preds = %2001
-  %2008 = getelementptr i8, ptr %105, i64 32
-  %2009 = load double, ptr %2008, align 8, !noalias !12
-  %2010 = fdiv double %391, %2009
-  %2011 = fdiv double %2005, %1981
-  %2012 = call double @llvm.pow.f64(double %2011, double 2.500000e-01)
-  %2013 = fmul double %2010, %2012
-  %2014 = fcmp olt double %2013, 1.000000e+00
-  %2015 = select i1 %2014, double %2013, double 1.000000e+00
-  %2016 = fmul double %1982, %2015
-  br label %2017
-
-2017:                                             ; preds = %2007, %2001
-  %2018 = phi double [ %2016, %2007 ], [ %1982, %2001 ]
-  %2019 = fmul double %1979, %2018
-  %2020 = fcmp olt double %2019, 1.000000e+01
-  %2021 = select i1 %2020, double %2019, double 1.000000e+01
-  store double %392, ptr %105, align 8, !noalias !12
-  %2022 = getelementptr i8, ptr %105, i64 32
-  store double %391, ptr %2022, align 8, !noalias !12
-  store double %1981, ptr %2004, align 8, !noalias !12
-  br label %2023
-
-2023:                                             ; preds = %2027, %2017
-  %2024 = phi i64 [ 0, %2017 ], [ %2525, %2027 ]
-  %2025 = phi i64 [ %282, %2017 ], [ %2524, %2027 ]
-  %2026 = icmp sgt i64 %2025, 0
-  br i1 %2026, label %2523, label %2031
-
-2027:                                             ; preds = %2523, %2580
-  %2028 = phi i64 [ 0, %2523 ], [ %2582, %2580 ]
-  %2029 = phi i64 [ 3, %2523 ], [ %2581, %2580 ]
-  %2030 = icmp sgt i64 %2029, 0
-  br i1 %2030, label %2580, label %2023
-
-2031:                                             ; preds = %2023
-  store double %391, ptr %764, align 8, !noalias !12
-  %2032 = getelementptr i8, ptr %160, i64 8
-  %2033 = load i64, ptr %2032, align 8, !noalias !12
-  %2034 = icmp sgt i64 %2033, 0
-  br i1 %2034, label %2044, label %2035
-
-2035:                                             ; preds = %2031
-  %2036 = getelementptr i8, ptr %110, i64 48
-  %2037 = load i64, ptr %2036, align 8, !noalias !12
-  %2038 = icmp slt i64 %2037, 0
-  %2039 = select i1 %2038, i64 %114, i64 0
-  %2040 = getelementptr double, ptr %115, i64 %2037
-  %2041 = getelementptr double, ptr %2040, i64 %2039
-  %2042 = load double, ptr %2041, align 8, !noalias !12
-  %2043 = fcmp ugt double %2042, %392
-  br i1 %2043, label %2201, label %2051
-
-2044:                                             ; preds = %2031
-  %2045 = getelementptr i8, ptr %160, i64 16
-  %2046 = load i64, ptr %2045, align 8, !noalias !12
-  %2047 = inttoptr i64 %2046 to ptr
-  %2048 = call i64 %2047(i64 %0, double %366, double %391) #3, !noalias !12
-  %2049 = getelementptr i8, ptr %105, i64 48
-  %2050 = load double, ptr %2049, align 8, !noalias !12
-  br label %2051
-
-2051:                                             ; preds = %2035, %2044
-  %2052 = phi double [ %2050, %2044 ], [ 1.000000e+00, %2035 ]
-  %2053 = phi i64 [ %2048, %2044 ], [ 0, %2035 ]
-  %2054 = fcmp oeq double %2052, 1.000000e+00
-  br i1 %2054, label %2055, label %2057
-
-2055:                                             ; preds = %2051
-  %2056 = load double, ptr %105, align 8, !noalias !12
-  br label %2060
-
-2057:                                             ; preds = %2051
-  %2058 = fmul double %2052, %391
-  %2059 = fadd double %366, %2058
-  br label %2060
-
-2060:                                             ; preds = %2057, %2055
-  %2061 = phi double [ %2056, %2055 ], [ %2059, %2057 ]
-  %2062 = fcmp olt double %2052, 1.000000e+00
-  %2063 = load i64, ptr %116, align 8, !noalias !12
-  %2064 = load i64, ptr %157, align 8, !noalias !12
-  %2065 = icmp eq i64 %2064, 1
-  %2066 = getelementptr i8, ptr %110, i64 48
-  %2067 = load i64, ptr %2066, align 8, !noalias !12
-  %2068 = icmp slt i64 %2067, %114
-  br i1 %2068, label %2069, label %2112
-
-2069:                                             ; preds = %2060
-  %2070 = icmp slt i64 %2067, 0
-  %2071 = select i1 %2070, i64 %114, i64 0
-  %2072 = getelementptr double, ptr %115, i64 %2067
-  %2073 = getelementptr double, ptr %2072, i64 %2071
-  %2074 = load double, ptr %2073, align 8, !noalias !12
-  %2075 = fcmp olt double %2074, %2061
-  %2076 = fcmp oeq double %2074, %2061
-  %2077 = and i1 %2076, %2062
-  %2078 = or i1 %2075, %2077
-  br i1 %2078, label %2079, label %2112
-
-2079:                                             ; preds = %2102, %2069
-  %2080 = phi i64 [ %2067, %2069 ], [ %2100, %2102 ]
-  %2081 = icmp slt i64 %2080, 0
-  %2082 = select i1 %2081, i64 %114, i64 0
-  %2083 = getelementptr double, ptr %115, i64 %2080
-  %2084 = getelementptr double, ptr %2083, i64 %2082
-  %2085 = load double, ptr %2084, align 8, !noalias !12
-  %2086 = fsub double %2085, %366
-  %2087 = fdiv double %2086, %391
-  %2088 = mul nsw i64 %2080, %2063
-  %2089 = shl i64 %2088, 3
-  %2090 = add i64 %2089, %1
-  %2091 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2597
-
-2092:                                             ; preds = %2601
-  %2093 = getelementptr i8, ptr %157, i64 56
-  %2094 = load i64, ptr %2093, align 8, !noalias !12
-  %2095 = load double, ptr %2084, align 8, !noalias !12
-  %2096 = inttoptr i64 %2094 to ptr
-  %2097 = call i64 %2096(i64 %0, double %2095, i64 %2090) #3, !noalias !12
-  %2098 = icmp eq i64 %2097, 0
-  br i1 %2098, label %2099, label %2114
-
-2099:                                             ; preds = %2601, %2092
-  %2100 = add nsw i64 %2080, 1
-  %2101 = icmp slt i64 %2100, %114
-  br i1 %2101, label %2102, label %2112
-
-2102:                                             ; preds = %2099
-  %2103 = icmp slt i64 %2080, -1
-  %2104 = select i1 %2103, i64 %114, i64 0
-  %2105 = getelementptr double, ptr %115, i64 %2100
-  %2106 = getelementptr double, ptr %2105, i64 %2104
-  %2107 = load double, ptr %2106, align 8, !noalias !12
-  %2108 = fcmp olt double %2107, %2061
-  %2109 = fcmp oeq double %2107, %2061
-  %2110 = and i1 %2109, %2062
-  %2111 = or i1 %2108, %2110
-  br i1 %2111, label %2079, label %2112
-
-2112:                                             ; preds = %2102, %2069, %2099, %2060
-  %2113 = phi i64 [ %2067, %2069 ], [ %2100, %2102 ], [ %2100, %2099 ], [ %2067, %2060 ]
-  store i64 %2113, ptr %2066, align 8, !noalias !12
-  br label %2114
-
-2114:                                             ; preds = %2092, %2112
-  %2115 = phi i1 [ true, %2112 ], [ false, %2092 ]
-  %2116 = phi i64 [ 0, %2112 ], [ %2097, %2092 ]
-  %2117 = icmp ne i64 %2053, 0
-  %2118 = select i1 %2115, i1 %2117, i1 false
-  %2119 = and i1 %2118, %2062
-  br i1 %2119, label %2120, label %2159
-
-2120:                                             ; preds = %2114
-  %2121 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2122
-
-2122:                                             ; preds = %2120, %2147
-  %2123 = phi i64 [ 0, %2120 ], [ %2149, %2147 ]
-  %2124 = phi i64 [ %2121, %2120 ], [ %2148, %2147 ]
-  %2125 = icmp sgt i64 %2124, 0
-  br i1 %2125, label %2147, label %2126
-
-2126:                                             ; preds = %2122
-  %2127 = getelementptr i8, ptr %27, i64 24
-  %2128 = load i64, ptr %2127, align 8, !noalias !116
-  %2129 = getelementptr i8, ptr %30, i64 16
-  %2130 = load i64, ptr %2129, align 8, !noalias !116
-  call fastcc void @pydy_nested(i64 %72, i64 %62, i64 %87, i64 %64, i64 %2128, i64 %77, i64 %2130) #3, !noalias !116
-  %2131 = call i64 @llvm.smax.i64(i64 %69, i64 0)
-  br label %2132
-
-2132:                                             ; preds = %2136, %2126
-  %2133 = phi i64 [ 0, %2126 ], [ %2138, %2136 ]
-  %2134 = phi i64 [ %2131, %2126 ], [ %2137, %2136 ]
-  %2135 = icmp sgt i64 %2134, 0
-  br i1 %2135, label %2136, label %2613
-
-2136:                                             ; preds = %2132
-  %2137 = add nsw i64 %2134, -1
-  %2138 = add i64 %2133, 1
-  %2139 = icmp slt i64 %2133, 0
-  %2140 = select i1 %2139, i64 %74, i64 0
-  %2141 = getelementptr double, ptr %75, i64 %2133
-  %2142 = getelementptr double, ptr %2141, i64 %2140
-  %2143 = load double, ptr %2142, align 8, !noalias !120
-  %2144 = select i1 %2139, i64 %69, i64 0
-  %2145 = getelementptr double, ptr %70, i64 %2133
-  %2146 = getelementptr double, ptr %2145, i64 %2144
-  store double %2143, ptr %2146, align 8, !noalias !120
-  br label %2132
-
-2147:                                             ; preds = %2122
-  %2148 = add nsw i64 %2124, -1
-  %2149 = add i64 %2123, 1
-  %2150 = icmp slt i64 %2123, 0
-  %2151 = select i1 %2150, i64 %79, i64 0
-  %2152 = getelementptr double, ptr %80, i64 %2123
-  %2153 = getelementptr double, ptr %2152, i64 %2151
-  store double %2052, ptr %2153, align 8, !noalias !116
-  br label %2122
-
-2154:                                             ; preds = %2613
-  %2155 = getelementptr i8, ptr %157, i64 56
-  %2156 = load i64, ptr %2155, align 8, !noalias !12
-  %2157 = inttoptr i64 %2156 to ptr
-  %2158 = call i64 %2157(i64 %0, double %2061, i64 %67) #3, !noalias !12
-  br label %2159
-
-2159:                                             ; preds = %2613, %2154, %2114
-  %2160 = phi i64 [ %2158, %2154 ], [ 0, %2613 ], [ %2116, %2114 ]
-  %2161 = icmp eq i64 %2160, 0
-  br i1 %2161, label %2163, label %2162
-
-2162:                                             ; preds = %2159
-  store double %366, ptr %105, align 8, !noalias !12
-  store double %391, ptr %298, align 8, !noalias !12
-  br label %2185
-
-2163:                                             ; preds = %2159
-  br i1 %2054, label %2164, label %2166
-
-2164:                                             ; preds = %2163
-  store i8 0, ptr %24, align 1, !noalias !12
-  %2165 = call fastcc i32 @write_reached(ptr nonnull %24, ptr %30, ptr %70, i64 %69, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %2165, label %2616 [
-    i32 -2, label %2166
-    i32 0, label %2166
-  ], !prof !32
-
-2166:                                             ; preds = %2164, %2164, %2163
-  %2167 = icmp eq i64 %2053, 0
-  br i1 %2167, label %2185, label %2168
-
-2168:                                             ; preds = %2166
-  %2169 = call i64 @llvm.smax.i64(i64 %64, i64 0)
-  br label %2170
-
-2170:                                             ; preds = %2174, %2168
-  %2171 = phi i64 [ 0, %2168 ], [ %2176, %2174 ]
-  %2172 = phi i64 [ %2169, %2168 ], [ %2175, %2174 ]
-  %2173 = icmp sgt i64 %2172, 0
-  br i1 %2173, label %2174, label %2617
-
-2174:                                             ; preds = %2170
-  %2175 = add nsw i64 %2172, -1
-  %2176 = add i64 %2171, 1
-  %2177 = icmp slt i64 %2171, 0
-  %2178 = select i1 %2177, i64 %69, i64 0
-  %2179 = getelementptr double, ptr %70, i64 %2171
-  %2180 = getelementptr double, ptr %2179, i64 %2178
-  %2181 = load double, ptr %2180, align 8, !noalias !123
-  %2182 = select i1 %2177, i64 %64, i64 0
-  %2183 = getelementptr double, ptr %65, i64 %2171
-  %2184 = getelementptr double, ptr %2183, i64 %2182
-  store double %2181, ptr %2184, align 8, !noalias !123
-  br label %2170
-
-2185:                                             ; preds = %2166, %2617, %2162
-  %2186 = phi i64 [ %2160, %2162 ], [ %2053, %2617 ], [ 0, %2166 ]
-  switch i64 %2186, label %2200 [
-    i64 6, label %2187
-    i64 0, label %2201
-  ]
-
-2187:                                             ; preds = %2185
-  %2188 = load i64, ptr %2032, align 8, !noalias !12
-  %2189 = icmp eq i64 %2188, 0
-  br i1 %2189, label %2190, label %2200
-
-2190:                                             ; preds = %2187
-  %2191 = load i64, ptr %372, align 8, !noalias !12
-  %2192 = add nsw i64 %2191, -1
-  store i64 %2192, ptr %372, align 8, !noalias !12
-  %2193 = load i64, ptr %374, align 8, !noalias !12
-  %2194 = add nsw i64 %2193, 1
-  store i64 %2194, ptr %374, align 8, !noalias !12
-  %2195 = fmul double %391, 2.500000e-01
-  %2196 = getelementptr i8, ptr %110, i64 72
-  store i64 6, ptr %2196, align 8, !noalias !12
-  %2197 = getelementptr i8, ptr %196, i64 16
-  %2198 = load i64, ptr %2197, align 8, !noalias !12
-  %2199 = sub nsw i64 1, %2198
-  store i64 1, ptr %1853, align 8, !noalias !12
-  store i64 %2199, ptr %399, align 8, !noalias !12
-  store double 0.000000e+00, ptr %764, align 8, !noalias !12
-  br label %2320
-
-2200:                                             ; preds = %2187, %2185
-  br label %2632
-
-2201:                                             ; preds = %2185, %2035
-  br label %2202
-
-2202:                                             ; preds = %2201, %2618
-  %2203 = phi i64 [ 0, %2201 ], [ %2620, %2618 ]
-  %2204 = phi i64 [ %282, %2201 ], [ %2619, %2618 ]
-  %2205 = icmp sgt i64 %2204, 0
-  br i1 %2205, label %2618, label %2206
-
-2206:                                             ; preds = %2202
-  %2207 = getelementptr i8, ptr %110, i64 24
-  %2208 = load i64, ptr %2207, align 8, !noalias !12
-  %2209 = add nsw i64 %2208, 1
-  store i64 %2209, ptr %2207, align 8, !noalias !12
-  store ptr null, ptr %15, align 8, !noalias !126
-  store ptr null, ptr %16, align 8, !noalias !126
-  store double %392, ptr %33, align 8, !noalias !126
-  %2210 = icmp sgt i64 %45, 0
-  br i1 %2210, label %2211, label %2214
-
-2211:                                             ; preds = %2206
-  store ptr null, ptr %15, align 8, !noalias !126
-  %2212 = call fastcc i32 @_sample(ptr nonnull %15, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %392) #3
-  switch i32 %2212, label %2213 [
-    i32 -2, label %2214
-    i32 0, label %2214
-  ], !prof !32
-
-2213:                                             ; preds = %2211
-  br label %2214
-
-2214:                                             ; preds = %2211, %2211, %2206, %2213
-  %2215 = phi i32 [ %2212, %2213 ], [ 0, %2206 ], [ 0, %2211 ], [ 0, %2211 ]
-  switch i32 %2215, label %2220 [
-    i32 -2, label %2216
-    i32 0, label %2216
-  ], !prof !32
-
-2216:                                             ; preds = %2214, %2214
-  %2217 = load i64, ptr %30, align 8, !noalias !133
-  %2218 = inttoptr i64 %2217 to ptr
-  %2219 = call i32 %2218(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !133
-  br label %2220
-
-2220:                                             ; preds = %2214, %2216
-  %2221 = phi i32 [ %2219, %2216 ], [ 0, %2214 ]
-  %2222 = phi i32 [ 0, %2216 ], [ %2215, %2214 ]
-  switch i32 %2222, label %2631 [
-    i32 -2, label %2629
-    i32 0, label %2629
-  ], !prof !32
-
-2223:                                             ; preds = %2629
-  %2224 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %2224, align 8, !noalias !12
-  store double %391, ptr %298, align 8, !noalias !12
-  %2225 = icmp slt i32 %2221, 0
-  %2226 = select i1 %2225, i64 -4, i64 2
-  br label %2632
-
-2227:                                             ; preds = %2629
-  %2228 = icmp sgt i64 %1842, 2
-  %2229 = fcmp ogt double %1841, 1.000000e-03
-  %2230 = select i1 %2228, i1 %2229, i1 false
-  %2231 = zext i1 %2230 to i64
-  store i64 %2231, ptr %399, align 8, !noalias !12
-  %2232 = getelementptr i8, ptr %196, i64 16
-  store i64 0, ptr %2232, align 8, !noalias !12
-  store i64 0, ptr %1853, align 8, !noalias !12
-  %2233 = fcmp ule double %2021, 1.000000e+00
-  %2234 = fcmp uge double %2021, 1.200000e+00
-  %2235 = or i1 %2233, %2234
-  %2236 = select i1 %2235, i1 true, i1 %2230
-  br i1 %2236, label %2237, label %2241
-
-2237:                                             ; preds = %2227
-  %2238 = fcmp ogt double %2021, 2.000000e-01
-  %2239 = select i1 %2238, double %2021, double 2.000000e-01
-  %2240 = fmul double %391, %2239
-  br label %2241
-
-2241:                                             ; preds = %2227, %2237
-  %2242 = phi double [ %2240, %2237 ], [ %391, %2227 ]
-  %2243 = getelementptr i8, ptr %110, i64 48
-  %2244 = load i64, ptr %2243, align 8, !noalias !12
-  %2245 = icmp eq i64 %2244, %114
-  br i1 %2245, label %2323, label %364
-
-2246:                                             ; preds = %1976
-  %2247 = load i64, ptr %374, align 8, !noalias !12
-  %2248 = add nsw i64 %2247, 1
-  store i64 %2248, ptr %374, align 8, !noalias !12
-  %2249 = select i1 %1983, i64 2, i64 3
-  %2250 = getelementptr i8, ptr %110, i64 72
-  store i64 %2249, ptr %2250, align 8, !noalias !12
-  %2251 = fsub double %1972, %1972
-  %2252 = fcmp ord double %2251, 0.000000e+00
-  br i1 %2252, label %2253, label %2257
-
-2253:                                             ; preds = %2246
-  %2254 = fmul double %1979, %1982
-  %2255 = fcmp ogt double %2254, 2.000000e-01
-  %2256 = select i1 %2255, double %2254, double 2.000000e-01
-  br label %2257
-
-2257:                                             ; preds = %2253, %2246
-  %2258 = phi double [ 2.500000e-01, %2246 ], [ %2256, %2253 ]
-  %2259 = fmul double %391, %2258
-  %2260 = getelementptr i8, ptr %196, i64 16
-  %2261 = load i64, ptr %2260, align 8, !noalias !12
-  %2262 = sub nsw i64 1, %2261
-  store i64 1, ptr %1853, align 8, !noalias !12
-  store i64 %2262, ptr %399, align 8, !noalias !12
-  br label %2320
-
-2263:                                             ; preds = %1847
-  %2264 = load i64, ptr %374, align 8, !noalias !12
-  %2265 = add nsw i64 %2264, 1
-  store i64 %2265, ptr %374, align 8, !noalias !12
-  %2266 = icmp eq i64 %1844, 0
-  br i1 %2266, label %2269, label %2267
-
-2267:                                             ; preds = %2263
-  %2268 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %2268, align 8, !noalias !12
-  br label %2276
-
-2269:                                             ; preds = %2263
-  %2270 = fsub double %1841, %1841
-  %2271 = fcmp ord double %2270, 0.000000e+00
-  br i1 %2271, label %2272, label %2274
-
-2272:                                             ; preds = %2269
-  %2273 = getelementptr i8, ptr %110, i64 72
-  store i64 7, ptr %2273, align 8, !noalias !12
-  br label %2276
-
-2274:                                             ; preds = %2269
-  %2275 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %2275, align 8, !noalias !12
-  br label %2276
-
-2276:                                             ; preds = %2274, %2272, %2267
-  %2277 = getelementptr i8, ptr %196, i64 16
-  %2278 = load i64, ptr %2277, align 8, !noalias !12
-  %2279 = icmp eq i64 %2278, 1
-  %2280 = and i1 %2279, %2266
-  br i1 %2280, label %2281, label %2308
-
-2281:                                             ; preds = %2276
-  %2282 = call i64 @llvm.smax.i64(i64 %206, i64 0)
-  br label %2283
-
-2283:                                             ; preds = %2295, %2281
-  %2284 = phi i64 [ 0, %2281 ], [ %2303, %2295 ]
-  %2285 = phi i64 [ %2282, %2281 ], [ %2302, %2295 ]
-  %2286 = phi i1 [ false, %2281 ], [ %2296, %2295 ]
-  %2287 = icmp sgt i64 %2285, 0
-  br i1 %2287, label %2301, label %2304
-
-2288:                                             ; preds = %2301
-  %2289 = icmp slt i64 %2284, 0
-  %2290 = select i1 %2289, i64 %206, i64 0
-  %2291 = getelementptr double, ptr %207, i64 %2284
-  %2292 = getelementptr double, ptr %2291, i64 %2290
-  %2293 = load double, ptr %2292, align 8, !noalias !134
-  %2294 = fcmp une double %2293, 0.000000e+00
-  br label %2295
-
-2295:                                             ; preds = %2301, %2288
-  %2296 = phi i1 [ true, %2301 ], [ %2294, %2288 ]
-  %2297 = icmp slt i64 %2284, 0
-  %2298 = select i1 %2297, i64 %206, i64 0
-  %2299 = getelementptr double, ptr %207, i64 %2284
-  %2300 = getelementptr double, ptr %2299, i64 %2298
-  store double 0.000000e+00, ptr %2300, align 8, !noalias !134
-  br label %2283
-
-2301:                                             ; preds = %2283
-  %2302 = add nsw i64 %2285, -1
-  %2303 = add i64 %2284, 1
-  br i1 %2286, label %2295, label %2288
-
-2304:                                             ; preds = %2283
-  br i1 %2286, label %2305, label %2306
-
-2305:                                             ; preds = %2304
-  store i64 0, ptr %442, align 8, !noalias !12
-  br label %2320
-
-2306:                                             ; preds = %2304
-  store i64 0, ptr %2277, align 8, !noalias !12
-  %2307 = fmul double %391, 5.000000e-01
-  br label %2308
-
-2308:                                             ; preds = %2306, %2276
-  %2309 = phi double [ %2307, %2306 ], [ %365, %2276 ]
-  %2310 = load i64, ptr %2277, align 8, !noalias !12
-  %2311 = icmp ne i64 %2310, 1
-  %2312 = and i1 %2311, %2266
-  br i1 %2312, label %2316, label %2313
-
-2313:                                             ; preds = %2308
-  %2314 = select i1 %2266, double 5.000000e-01, double 2.500000e-01
-  %2315 = fmul double %391, %2314
-  store double 0.000000e+00, ptr %764, align 8, !noalias !12
-  br label %2316
-
-2316:                                             ; preds = %2308, %2313
-  %2317 = phi double [ %2315, %2313 ], [ %2309, %2308 ]
-  %2318 = load i64, ptr %2277, align 8, !noalias !12
-  %2319 = sub nsw i64 1, %2318
-  store i64 %2319, ptr %399, align 8, !noalias !12
-  br label %2320
-
-2320:                                             ; preds = %2316, %2305, %2257, %2190, %1993, %755
-  %2321 = phi double [ %2259, %2257 ], [ %1996, %1993 ], [ %2195, %2190 ], [ %365, %2305 ], [ %2317, %2316 ], [ %758, %755 ]
-  br label %361
-
-2322:                                             ; preds = %381
-  store double %391, ptr %298, align 8, !noalias !12
-  br label %2632
-
-2323:                                             ; preds = %2241
-  store double %2242, ptr %298, align 8, !noalias !12
-  br label %2632
-
-2324:                                             ; preds = %283
-  %2325 = icmp slt i64 %284, 0
-  %2326 = select i1 %2325, i64 %94, i64 0
-  %2327 = getelementptr double, ptr %95, i64 %284
-  %2328 = getelementptr double, ptr %2327, i64 %2326
-  %2329 = load double, ptr %2328, align 8, !noalias !12
-  %2330 = fcmp olt double %2329, %286
-  %2331 = select i1 %2330, double %2329, double %286
-  %2332 = add i64 %284, 1
-  %2333 = add nsw i64 %285, -1
-  br label %283
-
-2334:                                             ; preds = %316, %316
-  %2335 = icmp eq i32 %317, 0
-  br i1 %2335, label %323, label %319
-
-2336:                                             ; preds = %316
-  br label %2632
-
-2337:                                             ; preds = %323, %323
-  %2338 = load i8, ptr %23, align 1, !noalias !12
-  %2339 = icmp eq i8 %2338, 0
-  br i1 %2339, label %330, label %329
-
-2340:                                             ; preds = %323
-  br label %2632
-
-2341:                                             ; preds = %337, %332
-  br label %2632
-
-2342:                                             ; preds = %414, %414
-  %2343 = load i64, ptr %196, align 8, !noalias !12
-  %2344 = inttoptr i64 %2343 to ptr
-  %2345 = call i32 %2344(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !12
-  %2346 = sext i32 %2345 to i64
-  br label %434
-
-2347:                                             ; preds = %414
-  br label %2632
-
-2348:                                             ; preds = %418
-  %2349 = add nsw i64 %420, -1
-  %2350 = add i64 %419, 1
-  %2351 = icmp slt i64 %419, 0
-  %2352 = select i1 %2351, i64 %64, i64 0
-  %2353 = getelementptr double, ptr %65, i64 %419
-  %2354 = getelementptr double, ptr %2353, i64 %2352
-  %2355 = load double, ptr %2354, align 8, !noalias !12
-  %2356 = select i1 %2351, i64 %74, i64 0
-  %2357 = getelementptr double, ptr %75, i64 %419
-  %2358 = getelementptr double, ptr %2357, i64 %2356
-  store double %2355, ptr %2358, align 8, !noalias !12
-  br label %418
-
-2359:                                             ; preds = %422
-  %2360 = add nsw i64 %424, -1
-  %2361 = add i64 %423, 1
-  %2362 = icmp slt i64 %423, 0
-  %2363 = select i1 %2362, i64 %64, i64 0
-  %2364 = getelementptr double, ptr %65, i64 %423
-  %2365 = getelementptr double, ptr %2364, i64 %2363
-  %2366 = load double, ptr %2365, align 8, !noalias !12
-  %2367 = call double @llvm.fabs.f64(double %2366)
-  %2368 = fcmp olt double %2367, 1.000000e-05
-  %2369 = select i1 %2368, double 1.000000e-05, double %2367
-  %2370 = fmul double %2369, 1.500000e-08
-  %2371 = fadd double %2366, %2370
-  %2372 = fsub double %2371, %2366
-  %2373 = select i1 %2362, i64 %74, i64 0
-  %2374 = getelementptr double, ptr %75, i64 %423
-  %2375 = getelementptr double, ptr %2374, i64 %2373
-  store double %2371, ptr %2375, align 8, !noalias !12
-  %2376 = getelementptr i8, ptr %110, i64 24
-  %2377 = load i64, ptr %2376, align 8, !noalias !12
-  %2378 = add nsw i64 %2377, 1
-  store i64 %2378, ptr %2376, align 8, !noalias !12
-  store ptr null, ptr %17, align 8, !noalias !137
-  store ptr null, ptr %18, align 8, !noalias !137
-  store double %366, ptr %33, align 8, !noalias !137
-  %2379 = icmp sgt i64 %45, 0
-  br i1 %2379, label %2380, label %2383
-
-2380:                                             ; preds = %2359
-  store ptr null, ptr %17, align 8, !noalias !137
-  %2381 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
-  switch i32 %2381, label %2382 [
+  switch i32 %415, label %2388 [
     i32 -2, label %2383
     i32 0, label %2383
   ], !prof !32
 
-2382:                                             ; preds = %2380
-  br label %2383
+416:                                              ; preds = %402
+  %417 = call i64 @llvm.smax.i64(i64 %406, i64 0)
+  br label %418
 
-2383:                                             ; preds = %2380, %2380, %2359, %2382
-  %2384 = phi i32 [ %2381, %2382 ], [ 0, %2359 ], [ 0, %2380 ], [ 0, %2380 ]
-  switch i32 %2384, label %2389 [
-    i32 -2, label %2385
-    i32 0, label %2385
+418:                                              ; preds = %416, %2389
+  %419 = phi i64 [ 0, %416 ], [ %2391, %2389 ]
+  %420 = phi i64 [ %417, %416 ], [ %2390, %2389 ]
+  %421 = icmp sgt i64 %420, 0
+  br i1 %421, label %2389, label %422
+
+422:                                              ; preds = %418, %432
+  %423 = phi i64 [ %2402, %432 ], [ 0, %418 ]
+  %424 = phi i64 [ %2401, %432 ], [ %417, %418 ]
+  %425 = icmp sgt i64 %424, 0
+  br i1 %425, label %2400, label %434
+
+426:                                              ; preds = %2433
+  %427 = sext i32 %2431 to i64
+  br label %434
+
+428:                                              ; preds = %2433, %2436
+  %429 = phi i64 [ %2438, %2436 ], [ 0, %2433 ]
+  %430 = phi i64 [ %2437, %2436 ], [ %417, %2433 ]
+  %431 = icmp sgt i64 %430, 0
+  br i1 %431, label %2436, label %432
+
+432:                                              ; preds = %428
+  %433 = load double, ptr %2406, align 8, !noalias !12
+  store double %433, ptr %2416, align 8, !noalias !12
+  br label %422
+
+434:                                              ; preds = %422, %2383, %426
+  %435 = phi i64 [ %2387, %2383 ], [ %427, %426 ], [ 0, %422 ]
+  %436 = call i64 @llvm.smax.i64(i64 %206, i64 0)
+  br label %437
+
+437:                                              ; preds = %434, %442
+  %438 = phi i64 [ 0, %434 ], [ %2458, %442 ]
+  %439 = phi i64 [ %436, %434 ], [ %2457, %442 ]
+  %440 = icmp sgt i64 %439, 0
+  br i1 %440, label %2456, label %443
+
+441:                                              ; preds = %2456
+  store double 0.000000e+00, ptr %2462, align 8, !noalias !12
+  br label %442
+
+442:                                              ; preds = %441, %2456
+  br label %437
+
+443:                                              ; preds = %437
+  %444 = icmp slt i64 %435, 0
+  br i1 %444, label %445, label %446
+
+445:                                              ; preds = %443
+  br label %2683
+
+446:                                              ; preds = %443
+  store i64 0, ptr %399, align 8, !noalias !12
+  %447 = getelementptr i8, ptr %196, i64 16
+  store i64 1, ptr %447, align 8, !noalias !12
+  %448 = getelementptr i8, ptr %196, i64 24
+  store i64 0, ptr %448, align 8, !noalias !12
+  br label %449
+
+449:                                              ; preds = %446, %398
+  %450 = getelementptr i8, ptr %196, i64 24
+  %451 = load i64, ptr %450, align 8, !noalias !12
+  %452 = icmp eq i64 %451, 0
+  br i1 %452, label %456, label %453
+
+453:                                              ; preds = %449
+  %454 = load double, ptr %199, align 8, !noalias !12
+  %455 = fcmp une double %391, %454
+  br i1 %455, label %456, label %771
+
+456:                                              ; preds = %453, %449
+  %457 = getelementptr i8, ptr %110, i64 40
+  %458 = load i64, ptr %457, align 8, !noalias !12
+  %459 = add nsw i64 %458, 1
+  store i64 %459, ptr %457, align 8, !noalias !12
+  %460 = call i64 @llvm.smax.i64(i64 %225, i64 0)
+  br label %461
+
+461:                                              ; preds = %469, %456
+  %462 = phi i64 [ 0, %456 ], [ %2468, %469 ]
+  %463 = phi i64 [ %460, %456 ], [ %2467, %469 ]
+  %464 = icmp sgt i64 %463, 0
+  br i1 %464, label %2466, label %495
+
+465:                                              ; preds = %2466, %2469
+  %466 = phi i64 [ 0, %2466 ], [ %2471, %2469 ]
+  %467 = phi i64 [ %460, %2466 ], [ %2470, %2469 ]
+  %468 = icmp sgt i64 %467, 0
+  br i1 %468, label %2469, label %469
+
+469:                                              ; preds = %465
+  %470 = icmp slt i64 %462, 0
+  %471 = select i1 %470, i64 %211, i64 0
+  %472 = add i64 %462, %471
+  %473 = select i1 %470, i64 %213, i64 0
+  %474 = mul i64 %472, %213
+  %475 = getelementptr double, ptr %214, i64 %474
+  %476 = getelementptr double, ptr %475, i64 %462
+  %477 = getelementptr double, ptr %476, i64 %473
+  %478 = load double, ptr %477, align 8, !noalias !12
+  %479 = fdiv double 0x400D1A48D83E731D, %391
+  %480 = fadd double %478, %479
+  store double %480, ptr %477, align 8, !noalias !12
+  %481 = select i1 %470, i64 %218, i64 0
+  %482 = add i64 %462, %481
+  %483 = select i1 %470, i64 %220, i64 0
+  %484 = mul i64 %482, %220
+  %485 = getelementptr { double, double }, ptr %221, i64 %484
+  %486 = getelementptr { double, double }, ptr %485, i64 %462
+  %487 = getelementptr { double, double }, ptr %486, i64 %483
+  %488 = load double, ptr %487, align 8, !noalias !12
+  %489 = getelementptr inbounds nuw i8, ptr %487, i64 8
+  %490 = load double, ptr %489, align 8, !noalias !12
+  %491 = fdiv double 0x400572DB93E0C672, %391
+  %492 = fdiv double 0xC0086747F2C3FCB6, %391
+  %493 = fadd double %488, %491
+  %494 = fadd double %490, %492
+  store double %493, ptr %487, align 8, !noalias !12
+  store double %494, ptr %489, align 8, !noalias !12
+  br label %461
+
+495:                                              ; preds = %461
+  %496 = call i64 @llvm.smax.i64(i64 %211, i64 0)
+  br label %497
+
+497:                                              ; preds = %521, %495
+  %498 = phi i64 [ 0, %495 ], [ %534, %521 ]
+  %499 = phi i64 [ %496, %495 ], [ %533, %521 ]
+  %500 = icmp sgt i64 %499, 0
+  br i1 %500, label %532, label %603
+
+501:                                              ; preds = %547, %532
+  %502 = phi i64 [ %534, %532 ], [ %549, %547 ]
+  %503 = phi i64 [ %546, %532 ], [ %548, %547 ]
+  %504 = phi double [ %544, %532 ], [ %560, %547 ]
+  %505 = phi i64 [ %498, %532 ], [ %561, %547 ]
+  %506 = icmp sgt i64 %503, 0
+  br i1 %506, label %547, label %507
+
+507:                                              ; preds = %501
+  %508 = select i1 %535, i64 %225, i64 0
+  %509 = getelementptr i64, ptr %226, i64 %498
+  %510 = getelementptr i64, ptr %509, i64 %508
+  store i64 %505, ptr %510, align 8, !noalias !42
+  %511 = fcmp ueq double %504, 0.000000e+00
+  br i1 %511, label %763, label %512
+
+512:                                              ; preds = %507
+  %513 = icmp eq i64 %505, %498
+  br i1 %513, label %518, label %514
+
+514:                                              ; preds = %512, %562
+  %515 = phi i64 [ %564, %562 ], [ 0, %512 ]
+  %516 = phi i64 [ %563, %562 ], [ %496, %512 ]
+  %517 = icmp sgt i64 %516, 0
+  br i1 %517, label %562, label %518
+
+518:                                              ; preds = %514, %512
+  %519 = load double, ptr %542, align 8, !noalias !42
+  %520 = fdiv double 1.000000e+00, %519
+  br label %521
+
+521:                                              ; preds = %531, %518
+  %522 = phi i64 [ %534, %518 ], [ %580, %531 ]
+  %523 = phi i64 [ %546, %518 ], [ %579, %531 ]
+  %524 = icmp sgt i64 %523, 0
+  br i1 %524, label %578, label %497
+
+525:                                              ; preds = %578
+  %526 = fmul double %588, %520
+  store double %526, ptr %587, align 8, !noalias !42
+  br label %527
+
+527:                                              ; preds = %590, %525
+  %528 = phi i64 [ %534, %525 ], [ %592, %590 ]
+  %529 = phi i64 [ %546, %525 ], [ %591, %590 ]
+  %530 = icmp sgt i64 %529, 0
+  br i1 %530, label %590, label %531
+
+531:                                              ; preds = %578, %527
+  br label %521
+
+532:                                              ; preds = %497
+  %533 = add nsw i64 %499, -1
+  %534 = add i64 %498, 1
+  %535 = icmp slt i64 %498, 0
+  %536 = select i1 %535, i64 %211, i64 0
+  %537 = add i64 %498, %536
+  %538 = select i1 %535, i64 %213, i64 0
+  %539 = mul i64 %537, %213
+  %540 = getelementptr double, ptr %214, i64 %539
+  %541 = getelementptr double, ptr %540, i64 %498
+  %542 = getelementptr double, ptr %541, i64 %538
+  %543 = load double, ptr %542, align 8, !noalias !42
+  %544 = call double @llvm.fabs.f64(double %543)
+  %545 = sub i64 %211, %534
+  %546 = call i64 @llvm.smax.i64(i64 %545, i64 0)
+  br label %501
+
+547:                                              ; preds = %501
+  %548 = add nsw i64 %503, -1
+  %549 = add i64 %502, 1
+  %550 = icmp slt i64 %502, 0
+  %551 = select i1 %550, i64 %211, i64 0
+  %552 = add i64 %502, %551
+  %553 = mul i64 %552, %213
+  %554 = getelementptr double, ptr %214, i64 %553
+  %555 = getelementptr double, ptr %554, i64 %498
+  %556 = getelementptr double, ptr %555, i64 %538
+  %557 = load double, ptr %556, align 8, !noalias !42
+  %558 = call double @llvm.fabs.f64(double %557)
+  %559 = fcmp ogt double %558, %504
+  %560 = select i1 %559, double %558, double %504
+  %561 = select i1 %559, i64 %502, i64 %505
+  br label %501
+
+562:                                              ; preds = %514
+  %563 = add nsw i64 %516, -1
+  %564 = add i64 %515, 1
+  %565 = icmp slt i64 %505, 0
+  %566 = select i1 %565, i64 %211, i64 0
+  %567 = add i64 %505, %566
+  %568 = icmp slt i64 %515, 0
+  %569 = select i1 %568, i64 %213, i64 0
+  %570 = mul i64 %567, %213
+  %571 = getelementptr double, ptr %214, i64 %570
+  %572 = getelementptr double, ptr %571, i64 %515
+  %573 = getelementptr double, ptr %572, i64 %569
+  %574 = load double, ptr %573, align 8, !noalias !42
+  %575 = getelementptr double, ptr %540, i64 %515
+  %576 = getelementptr double, ptr %575, i64 %569
+  %577 = load double, ptr %576, align 8, !noalias !42
+  store double %574, ptr %576, align 8, !noalias !42
+  store double %577, ptr %573, align 8, !noalias !42
+  br label %514
+
+578:                                              ; preds = %521
+  %579 = add nsw i64 %523, -1
+  %580 = add i64 %522, 1
+  %581 = icmp slt i64 %522, 0
+  %582 = select i1 %581, i64 %211, i64 0
+  %583 = add i64 %522, %582
+  %584 = mul i64 %583, %213
+  %585 = getelementptr double, ptr %214, i64 %584
+  %586 = getelementptr double, ptr %585, i64 %498
+  %587 = getelementptr double, ptr %586, i64 %538
+  %588 = load double, ptr %587, align 8, !noalias !42
+  %589 = fcmp une double %588, 0.000000e+00
+  br i1 %589, label %525, label %531
+
+590:                                              ; preds = %527
+  %591 = add nsw i64 %529, -1
+  %592 = add i64 %528, 1
+  %593 = icmp slt i64 %528, 0
+  %594 = select i1 %593, i64 %213, i64 0
+  %595 = getelementptr double, ptr %585, i64 %528
+  %596 = getelementptr double, ptr %595, i64 %594
+  %597 = load double, ptr %596, align 8, !noalias !42
+  %598 = getelementptr double, ptr %540, i64 %528
+  %599 = getelementptr double, ptr %598, i64 %594
+  %600 = load double, ptr %599, align 8, !noalias !42
+  %601 = fmul double %526, %600
+  %602 = fsub double %597, %601
+  store double %602, ptr %596, align 8, !noalias !42
+  br label %527
+
+603:                                              ; preds = %497
+  %604 = call i64 @llvm.smax.i64(i64 %218, i64 0)
+  br label %605
+
+605:                                              ; preds = %653, %603
+  %606 = phi i64 [ 0, %603 ], [ %671, %653 ]
+  %607 = phi i64 [ %604, %603 ], [ %670, %653 ]
+  %608 = icmp sgt i64 %607, 0
+  br i1 %608, label %669, label %762
+
+609:                                              ; preds = %686, %669
+  %610 = phi i64 [ %671, %669 ], [ %698, %686 ]
+  %611 = phi i64 [ %685, %669 ], [ %699, %686 ]
+  %612 = phi double [ %683, %669 ], [ %701, %686 ]
+  %613 = phi i64 [ %606, %669 ], [ %702, %686 ]
+  %614 = icmp sgt i64 %611, 0
+  br i1 %614, label %686, label %615
+
+615:                                              ; preds = %609
+  %616 = select i1 %672, i64 %230, i64 0
+  %617 = getelementptr i64, ptr %231, i64 %606
+  %618 = getelementptr i64, ptr %617, i64 %616
+  store i64 %613, ptr %618, align 8, !noalias !45
+  %619 = fcmp ueq double %612, 0.000000e+00
+  br i1 %619, label %763, label %620
+
+620:                                              ; preds = %615
+  %621 = icmp eq i64 %613, %606
+  br i1 %621, label %626, label %622
+
+622:                                              ; preds = %620, %703
+  %623 = phi i64 [ %705, %703 ], [ 0, %620 ]
+  %624 = phi i64 [ %704, %703 ], [ %604, %620 ]
+  %625 = icmp sgt i64 %624, 0
+  br i1 %625, label %703, label %626
+
+626:                                              ; preds = %622, %620
+  %627 = load double, ptr %679, align 8, !noalias !45
+  %628 = load double, ptr %681, align 8, !noalias !45
+  %629 = call double @llvm.fabs.f64(double %627)
+  %630 = call double @llvm.fabs.f64(double %628)
+  %631 = fcmp ult double %629, %630
+  br i1 %631, label %641, label %632
+
+632:                                              ; preds = %626
+  %633 = fdiv double %628, %627
+  %634 = fmul double %628, %633
+  %635 = fadd double %627, %634
+  %636 = fmul double %633, 0.000000e+00
+  %637 = fadd double %636, 1.000000e+00
+  %638 = fdiv double %637, %635
+  %639 = fsub double 0.000000e+00, %633
+  %640 = fdiv double %639, %635
+  br label %650
+
+641:                                              ; preds = %626
+  %642 = fdiv double %627, %628
+  %643 = fmul double %627, %642
+  %644 = fadd double %643, %628
+  %645 = fadd double %642, 0.000000e+00
+  %646 = fdiv double %645, %644
+  %647 = fmul double %642, 0.000000e+00
+  %648 = fadd double %647, -1.000000e+00
+  %649 = fdiv double %648, %644
+  br label %650
+
+650:                                              ; preds = %641, %632
+  %651 = phi double [ %640, %632 ], [ %649, %641 ]
+  %652 = phi double [ %638, %632 ], [ %646, %641 ]
+  br label %653
+
+653:                                              ; preds = %668, %650
+  %654 = phi i64 [ %671, %650 ], [ %725, %668 ]
+  %655 = phi i64 [ %685, %650 ], [ %724, %668 ]
+  %656 = icmp sgt i64 %655, 0
+  br i1 %656, label %723, label %605
+
+657:                                              ; preds = %723
+  %658 = fmul double %733, %651
+  %659 = fmul double %735, %652
+  %660 = fadd double %658, %659
+  %661 = fmul double %733, %652
+  %662 = fmul double %735, %651
+  %663 = fsub double %661, %662
+  store double %663, ptr %732, align 8, !noalias !45
+  store double %660, ptr %734, align 8, !noalias !45
+  br label %664
+
+664:                                              ; preds = %739, %657
+  %665 = phi i64 [ %671, %657 ], [ %758, %739 ]
+  %666 = phi i64 [ %685, %657 ], [ %759, %739 ]
+  %667 = icmp sgt i64 %666, 0
+  br i1 %667, label %739, label %668
+
+668:                                              ; preds = %723, %664
+  br label %653
+
+669:                                              ; preds = %605
+  %670 = add nsw i64 %607, -1
+  %671 = add i64 %606, 1
+  %672 = icmp slt i64 %606, 0
+  %673 = select i1 %672, i64 %218, i64 0
+  %674 = add i64 %606, %673
+  %675 = select i1 %672, i64 %220, i64 0
+  %676 = mul i64 %674, %220
+  %677 = getelementptr { double, double }, ptr %221, i64 %676
+  %678 = getelementptr { double, double }, ptr %677, i64 %606
+  %679 = getelementptr { double, double }, ptr %678, i64 %675
+  %680 = load double, ptr %679, align 8, !noalias !45
+  %681 = getelementptr inbounds nuw i8, ptr %679, i64 8
+  %682 = load double, ptr %681, align 8, !noalias !45
+  %683 = call double @hypot(double %680, double %682) #3, !noalias !49
+  %684 = sub i64 %218, %671
+  %685 = call i64 @llvm.smax.i64(i64 %684, i64 0)
+  br label %609
+
+686:                                              ; preds = %609
+  %687 = icmp slt i64 %610, 0
+  %688 = select i1 %687, i64 %218, i64 0
+  %689 = add i64 %610, %688
+  %690 = mul i64 %689, %220
+  %691 = getelementptr { double, double }, ptr %221, i64 %690
+  %692 = getelementptr { double, double }, ptr %691, i64 %606
+  %693 = getelementptr { double, double }, ptr %692, i64 %675
+  %694 = load double, ptr %693, align 8, !noalias !45
+  %695 = getelementptr inbounds nuw i8, ptr %693, i64 8
+  %696 = load double, ptr %695, align 8, !noalias !45
+  %697 = call double @hypot(double %694, double %696) #3, !noalias !55
+  %698 = add i64 %610, 1
+  %699 = add nsw i64 %611, -1
+  %700 = fcmp ogt double %697, %612
+  %701 = select i1 %700, double %697, double %612
+  %702 = select i1 %700, i64 %610, i64 %613
+  br label %609
+
+703:                                              ; preds = %622
+  %704 = add nsw i64 %624, -1
+  %705 = add i64 %623, 1
+  %706 = icmp slt i64 %613, 0
+  %707 = select i1 %706, i64 %218, i64 0
+  %708 = add i64 %613, %707
+  %709 = icmp slt i64 %623, 0
+  %710 = select i1 %709, i64 %220, i64 0
+  %711 = mul i64 %708, %220
+  %712 = getelementptr { double, double }, ptr %221, i64 %711
+  %713 = getelementptr { double, double }, ptr %712, i64 %623
+  %714 = getelementptr { double, double }, ptr %713, i64 %710
+  %715 = load double, ptr %714, align 8, !noalias !45
+  %716 = getelementptr inbounds nuw i8, ptr %714, i64 8
+  %717 = load double, ptr %716, align 8, !noalias !45
+  %718 = getelementptr { double, double }, ptr %677, i64 %623
+  %719 = getelementptr { double, double }, ptr %718, i64 %710
+  %720 = load double, ptr %719, align 8, !noalias !45
+  %721 = getelementptr inbounds nuw i8, ptr %719, i64 8
+  %722 = load double, ptr %721, align 8, !noalias !45
+  store double %715, ptr %719, align 8, !noalias !45
+  store double %717, ptr %721, align 8, !noalias !45
+  store double %720, ptr %714, align 8, !noalias !45
+  store double %722, ptr %716, align 8, !noalias !45
+  br label %622
+
+723:                                              ; preds = %653
+  %724 = add nsw i64 %655, -1
+  %725 = add i64 %654, 1
+  %726 = icmp slt i64 %654, 0
+  %727 = select i1 %726, i64 %218, i64 0
+  %728 = add i64 %654, %727
+  %729 = mul i64 %728, %220
+  %730 = getelementptr { double, double }, ptr %221, i64 %729
+  %731 = getelementptr { double, double }, ptr %730, i64 %606
+  %732 = getelementptr { double, double }, ptr %731, i64 %675
+  %733 = load double, ptr %732, align 8, !noalias !45
+  %734 = getelementptr inbounds nuw i8, ptr %732, i64 8
+  %735 = load double, ptr %734, align 8, !noalias !45
+  %736 = fcmp une double %733, 0.000000e+00
+  %737 = fcmp une double %735, 0.000000e+00
+  %738 = or i1 %736, %737
+  br i1 %738, label %657, label %668
+
+739:                                              ; preds = %664
+  %740 = icmp slt i64 %665, 0
+  %741 = select i1 %740, i64 %220, i64 0
+  %742 = getelementptr { double, double }, ptr %730, i64 %665
+  %743 = getelementptr { double, double }, ptr %742, i64 %741
+  %744 = load double, ptr %743, align 8, !noalias !45
+  %745 = getelementptr inbounds nuw i8, ptr %743, i64 8
+  %746 = load double, ptr %745, align 8, !noalias !45
+  %747 = getelementptr { double, double }, ptr %677, i64 %665
+  %748 = getelementptr { double, double }, ptr %747, i64 %741
+  %749 = load double, ptr %748, align 8, !noalias !45
+  %750 = getelementptr inbounds nuw i8, ptr %748, i64 8
+  %751 = load double, ptr %750, align 8, !noalias !45
+  %752 = fmul double %663, %751
+  %753 = fmul double %660, %749
+  %754 = fadd double %752, %753
+  %755 = fmul double %663, %749
+  %756 = fmul double %660, %751
+  %757 = fsub double %755, %756
+  %758 = add i64 %665, 1
+  %759 = add nsw i64 %666, -1
+  %760 = fsub double %744, %757
+  %761 = fsub double %746, %754
+  store double %760, ptr %743, align 8, !noalias !45
+  store double %761, ptr %745, align 8, !noalias !45
+  br label %664
+
+762:                                              ; preds = %605
+  store i64 1, ptr %450, align 8, !noalias !12
+  store double %391, ptr %199, align 8, !noalias !12
+  br label %771
+
+763:                                              ; preds = %507, %615
+  %764 = load i64, ptr %374, align 8, !noalias !12
+  %765 = add nsw i64 %764, 1
+  %766 = fmul double %391, 5.000000e-01
+  %767 = getelementptr i8, ptr %110, i64 72
+  store i64 4, ptr %767, align 8, !noalias !12
+  store i64 %765, ptr %374, align 8, !noalias !12
+  %768 = getelementptr i8, ptr %196, i64 16
+  %769 = load i64, ptr %768, align 8, !noalias !12
+  %770 = sub nsw i64 1, %769
+  store i64 %770, ptr %399, align 8, !noalias !12
+  store i64 0, ptr %450, align 8, !noalias !12
+  br label %2361
+
+771:                                              ; preds = %762, %453
+  %772 = getelementptr i8, ptr %199, i64 8
+  %773 = load double, ptr %772, align 8, !noalias !12
+  br label %774
+
+774:                                              ; preds = %789, %771
+  %775 = phi i64 [ 0, %771 ], [ %2501, %789 ]
+  %776 = phi i64 [ 3, %771 ], [ %2500, %789 ]
+  %777 = icmp sgt i64 %776, 0
+  br i1 %777, label %2499, label %843
+
+778:                                              ; preds = %2499
+  %779 = icmp slt i64 %775, 0
+  %780 = add i64 %775, 3
+  %781 = select i1 %779, i64 %780, i64 %775
+  %782 = getelementptr double, ptr @0, i64 %781
+  %783 = load double, ptr %782, align 8, !noalias !12
+  %784 = fmul double %783, %391
+  %785 = fdiv double %784, %773
+  %786 = fadd double %785, 1.000000e+00
+  br label %787
+
+787:                                              ; preds = %2499, %778
+  %788 = phi double [ %786, %778 ], [ 0.000000e+00, %2499 ]
+  br label %789
+
+789:                                              ; preds = %787, %833, %793
+  %790 = phi i64 [ 0, %787 ], [ %2505, %793 ], [ %2505, %833 ]
+  %791 = phi i64 [ %282, %787 ], [ %2504, %793 ], [ %2504, %833 ]
+  %792 = icmp sgt i64 %791, 0
+  br i1 %792, label %2503, label %774
+
+793:                                              ; preds = %2503
+  %794 = fsub double 1.000000e+00, %788
+  %795 = icmp slt i64 %790, 0
+  %796 = select i1 %795, i64 %256, i64 0
+  %797 = shl i64 %256, 4
+  %798 = getelementptr i8, ptr %257, i64 %797
+  %799 = getelementptr double, ptr %798, i64 %790
+  %800 = getelementptr double, ptr %799, i64 %796
+  %801 = load double, ptr %800, align 8, !noalias !12
+  %802 = mul i64 %256, 24
+  %803 = getelementptr i8, ptr %257, i64 %802
+  %804 = getelementptr double, ptr %803, i64 %790
+  %805 = getelementptr double, ptr %804, i64 %796
+  %806 = load double, ptr %805, align 8, !noalias !12
+  %807 = fmul double %788, %806
+  %808 = fadd double %801, %807
+  %809 = fmul double %794, %808
+  %810 = getelementptr double, ptr %257, i64 %790
+  %811 = getelementptr double, ptr %810, i64 %796
+  %812 = load double, ptr %811, align 8, !noalias !12
+  %813 = getelementptr double, ptr %257, i64 %256
+  %814 = getelementptr double, ptr %813, i64 %790
+  %815 = getelementptr double, ptr %814, i64 %796
+  %816 = load double, ptr %815, align 8, !noalias !12
+  %817 = fadd double %816, %809
+  %818 = fmul double %788, %817
+  %819 = fadd double %812, %818
+  %820 = select i1 %795, i64 %64, i64 0
+  %821 = getelementptr double, ptr %65, i64 %790
+  %822 = getelementptr double, ptr %821, i64 %820
+  %823 = load double, ptr %822, align 8, !noalias !12
+  %824 = fsub double %819, %823
+  %825 = icmp slt i64 %775, 0
+  %826 = select i1 %825, i64 %235, i64 0
+  %827 = add i64 %775, %826
+  %828 = select i1 %795, i64 %237, i64 0
+  %829 = mul i64 %827, %237
+  %830 = getelementptr double, ptr %238, i64 %829
+  %831 = getelementptr double, ptr %830, i64 %790
+  %832 = getelementptr double, ptr %831, i64 %828
+  store double %824, ptr %832, align 8, !noalias !12
+  br label %789
+
+833:                                              ; preds = %2503
+  %834 = icmp slt i64 %775, 0
+  %835 = select i1 %834, i64 %235, i64 0
+  %836 = add i64 %775, %835
+  %837 = icmp slt i64 %790, 0
+  %838 = select i1 %837, i64 %237, i64 0
+  %839 = mul i64 %836, %237
+  %840 = getelementptr double, ptr %238, i64 %839
+  %841 = getelementptr double, ptr %840, i64 %790
+  %842 = getelementptr double, ptr %841, i64 %838
+  store double 0.000000e+00, ptr %842, align 8, !noalias !12
+  br label %789
+
+843:                                              ; preds = %774, %847
+  %844 = phi i64 [ %2508, %847 ], [ 0, %774 ]
+  %845 = phi i64 [ %2507, %847 ], [ 3, %774 ]
+  %846 = icmp sgt i64 %845, 0
+  br i1 %846, label %2506, label %851
+
+847:                                              ; preds = %2506, %2509
+  %848 = phi i64 [ 0, %2506 ], [ %2511, %2509 ]
+  %849 = phi i64 [ %282, %2506 ], [ %2510, %2509 ]
+  %850 = icmp sgt i64 %849, 0
+  br i1 %850, label %2509, label %843
+
+851:                                              ; preds = %843
+  %852 = fmul double %296, %286
+  store ptr null, ptr %12, align 8, !noalias !61
+  %853 = load i64, ptr %116, align 8, !noalias !61
+  %854 = getelementptr i8, ptr %196, i64 40
+  %855 = load i64, ptr %854, align 8, !noalias !61
+  %856 = icmp sgt i64 %855, 0
+  %857 = select i1 %856, i64 10, i64 6
+  br label %858
+
+858:                                              ; preds = %1319, %851
+  %859 = phi i64 [ 0, %851 ], [ %1329, %1319 ]
+  %860 = phi i64 [ %857, %851 ], [ %1330, %1319 ]
+  %861 = phi double [ -1.000000e+00, %851 ], [ %1174, %1319 ]
+  %862 = phi double [ 0.000000e+00, %851 ], [ %1219, %1319 ]
+  %863 = phi i64 [ 0, %851 ], [ %1238, %1319 ]
+  %864 = icmp sgt i64 %860, 0
+  br i1 %864, label %1325, label %1328
+
+865:                                              ; preds = %1328
+  %866 = icmp sgt i64 %1332, 5
+  %867 = icmp eq i64 %863, 0
+  %868 = and i1 %866, %867
+  br i1 %868, label %1320, label %869
+
+869:                                              ; preds = %1358, %865
+  %870 = phi i64 [ %1335, %1358 ], [ 0, %865 ]
+  %871 = phi i64 [ %1334, %1358 ], [ 3, %865 ]
+  %872 = icmp sgt i64 %871, 0
+  br i1 %872, label %1333, label %907
+
+873:                                              ; preds = %1337, %1333
+  %874 = phi i64 [ 0, %1333 ], [ %1339, %1337 ]
+  %875 = phi i64 [ %1336, %1333 ], [ %1338, %1337 ]
+  %876 = icmp sgt i64 %875, 0
+  br i1 %876, label %1337, label %877
+
+877:                                              ; preds = %873
+  %878 = getelementptr i8, ptr %110, i64 24
+  %879 = load i64, ptr %878, align 8, !noalias !61
+  %880 = add nsw i64 %879, 1
+  store i64 %880, ptr %878, align 8, !noalias !61
+  %881 = icmp slt i64 %870, 0
+  %882 = add i64 %870, 3
+  %883 = select i1 %881, i64 %882, i64 %870
+  %884 = getelementptr double, ptr @4, i64 %883
+  %885 = load double, ptr %884, align 8, !noalias !61
+  %886 = fmul double %391, %885
+  %887 = fadd double %366, %886
+  %888 = mul nsw i64 %870, %853
+  %889 = shl i64 %888, 3
+  %890 = add i64 %889, %247
+  store ptr null, ptr %10, align 8, !noalias !65
+  store ptr null, ptr %11, align 8, !noalias !65
+  store double %887, ptr %33, align 8, !noalias !65
+  %891 = icmp sgt i64 %45, 0
+  br i1 %891, label %892, label %895
+
+892:                                              ; preds = %877
+  store ptr null, ptr %10, align 8, !noalias !65
+  %893 = call fastcc i32 @_sample(ptr nonnull %10, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %887) #3
+  switch i32 %893, label %894 [
+    i32 -2, label %895
+    i32 0, label %895
   ], !prof !32
 
-2385:                                             ; preds = %2383, %2383
-  %2386 = load i64, ptr %30, align 8, !noalias !144
-  %2387 = inttoptr i64 %2386 to ptr
-  %2388 = call i32 %2387(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !144
-  br label %2389
+894:                                              ; preds = %892
+  br label %895
 
-2389:                                             ; preds = %2383, %2385
-  %2390 = phi i32 [ %2388, %2385 ], [ 0, %2383 ]
-  %2391 = phi i32 [ 0, %2385 ], [ %2384, %2383 ]
-  switch i32 %2391, label %2394 [
-    i32 -2, label %2392
-    i32 0, label %2392
+895:                                              ; preds = %892, %892, %877, %894
+  %896 = phi i32 [ %893, %894 ], [ 0, %877 ], [ 0, %892 ], [ 0, %892 ]
+  switch i32 %896, label %902 [
+    i32 -2, label %897
+    i32 0, label %897
   ], !prof !32
 
-2392:                                             ; preds = %2389, %2389
-  %2393 = icmp eq i32 %2390, 0
-  br i1 %2393, label %428, label %426
+897:                                              ; preds = %895, %895
+  %898 = load i64, ptr %30, align 8, !noalias !72
+  %899 = inttoptr i64 %898 to ptr
+  %900 = inttoptr i64 %890 to ptr
+  %901 = call i32 %899(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %900) #3, !noalias !72
+  br label %902
 
-2394:                                             ; preds = %2389
-  br label %2632
+902:                                              ; preds = %895, %897
+  %903 = phi i32 [ %901, %897 ], [ 0, %895 ]
+  %904 = phi i32 [ 0, %897 ], [ %896, %895 ]
+  switch i32 %904, label %1877 [
+    i32 -2, label %1358
+    i32 0, label %1358
+  ], !prof !32
 
-2395:                                             ; preds = %428
-  %2396 = add nsw i64 %430, -1
-  %2397 = add i64 %429, 1
-  %2398 = icmp slt i64 %429, 0
-  %2399 = select i1 %2398, i64 %69, i64 0
-  %2400 = getelementptr double, ptr %70, i64 %429
-  %2401 = getelementptr double, ptr %2400, i64 %2399
-  %2402 = load double, ptr %2401, align 8, !noalias !12
-  %2403 = select i1 %2398, i64 %84, i64 0
-  %2404 = getelementptr double, ptr %85, i64 %429
-  %2405 = getelementptr double, ptr %2404, i64 %2403
-  %2406 = load double, ptr %2405, align 8, !noalias !12
-  %2407 = fsub double %2402, %2406
-  %2408 = fdiv double %2407, %2372
-  %2409 = mul nsw i64 %429, %403
-  %2410 = add nsw i64 %2409, %423
-  %2411 = icmp slt i64 %2410, 0
-  %2412 = select i1 %2411, i64 %206, i64 0
-  %2413 = getelementptr double, ptr %207, i64 %2410
-  %2414 = getelementptr double, ptr %2413, i64 %2412
-  store double %2408, ptr %2414, align 8, !noalias !12
+905:                                              ; preds = %1358
+  %906 = sext i32 %903 to i64
+  br label %1877
+
+907:                                              ; preds = %869
+  %908 = call i64 @llvm.smax.i64(i64 %853, i64 0)
+  br label %909
+
+909:                                              ; preds = %914, %907
+  %910 = phi i64 [ 0, %907 ], [ %915, %914 ]
+  %911 = phi i64 [ %908, %907 ], [ %916, %914 ]
+  %912 = phi double [ 0.000000e+00, %907 ], [ %992, %914 ]
+  %913 = icmp sgt i64 %911, 0
+  br i1 %913, label %1360, label %993
+
+914:                                              ; preds = %1360
+  %915 = add i64 %910, 1
+  %916 = add nsw i64 %911, -1
+  %917 = fmul double %1365, 0x4010B70201A79C46
+  %918 = fmul double %1369, 0x3FD4F8C15DA84E86
+  %919 = fadd double %917, %918
+  %920 = fmul double %1375, 0x3FE0BF7FF59D56EF
+  %921 = fadd double %919, %920
+  %922 = fdiv double 0x400D1A48D83E731D, %391
+  %923 = select i1 %1361, i64 %244, i64 0
+  %924 = getelementptr double, ptr %245, i64 %910
+  %925 = getelementptr double, ptr %924, i64 %923
+  %926 = load double, ptr %925, align 8, !noalias !61
+  %927 = fmul double %922, %926
+  %928 = fsub double %921, %927
+  %929 = select i1 %1361, i64 %261, i64 0
+  %930 = getelementptr double, ptr %262, i64 %910
+  %931 = getelementptr double, ptr %930, i64 %929
+  store double %928, ptr %931, align 8, !noalias !61
+  %932 = load double, ptr %1364, align 8, !noalias !61
+  %933 = fmul double %932, 0xC010B70201A79C46
+  %934 = load double, ptr %1368, align 8, !noalias !61
+  %935 = fmul double %934, 0xBFD4F8C15DA84E86
+  %936 = fadd double %933, %935
+  %937 = load double, ptr %1374, align 8, !noalias !61
+  %938 = fmul double %937, 0x3FDE810014C55221
+  %939 = fadd double %936, %938
+  %940 = fmul double %932, 0x3FE017885A24A7F2
+  %941 = fmul double %934, 0xC004934E6FCAA598
+  %942 = fadd double %940, %941
+  %943 = fmul double %937, 0x3FE312C0CF7BDFD1
+  %944 = fadd double %942, %943
+  %945 = fdiv double 0x400572DB93E0C672, %391
+  %946 = fdiv double 0xC0086747F2C3FCB6, %391
+  %947 = getelementptr double, ptr %245, i64 %244
+  %948 = getelementptr double, ptr %947, i64 %910
+  %949 = getelementptr double, ptr %948, i64 %923
+  %950 = load double, ptr %949, align 8, !noalias !61
+  %951 = shl i64 %244, 4
+  %952 = getelementptr i8, ptr %245, i64 %951
+  %953 = getelementptr double, ptr %952, i64 %910
+  %954 = getelementptr double, ptr %953, i64 %923
+  %955 = load double, ptr %954, align 8, !noalias !61
+  %956 = fmul double %945, %955
+  %957 = fmul double %946, %950
+  %958 = fadd double %956, %957
+  %959 = fmul double %945, %950
+  %960 = fmul double %946, %955
+  %961 = fsub double %959, %960
+  %962 = fsub double %939, %961
+  %963 = fsub double %944, %958
+  %964 = select i1 %1361, i64 %266, i64 0
+  %965 = getelementptr { double, double }, ptr %267, i64 %910
+  %966 = getelementptr { double, double }, ptr %965, i64 %964
+  store double %962, ptr %966, align 8, !noalias !61
+  %967 = getelementptr inbounds nuw i8, ptr %966, i64 8
+  store double %963, ptr %967, align 8, !noalias !61
+  %968 = load double, ptr %931, align 8, !noalias !61
+  %969 = call double @llvm.fabs.f64(double %968)
+  %970 = call double @llvm.fabs.f64(double %962)
+  %971 = fadd double %969, %970
+  %972 = call double @llvm.fabs.f64(double %963)
+  %973 = fadd double %971, %972
+  %974 = fmul double %391, %973
+  %975 = select i1 %1361, i64 %64, i64 0
+  %976 = getelementptr double, ptr %65, i64 %910
+  %977 = getelementptr double, ptr %976, i64 %975
+  %978 = load double, ptr %977, align 8, !noalias !61
+  %979 = select i1 %1361, i64 %99, i64 0
+  %980 = getelementptr double, ptr %100, i64 %910
+  %981 = getelementptr double, ptr %980, i64 %979
+  %982 = load double, ptr %981, align 8, !noalias !73
+  %983 = select i1 %1361, i64 %94, i64 0
+  %984 = getelementptr double, ptr %95, i64 %910
+  %985 = getelementptr double, ptr %984, i64 %983
+  %986 = load double, ptr %985, align 8, !noalias !73
+  %987 = call double @llvm.fabs.f64(double %978)
+  %988 = fmul double %986, %987
+  %989 = fadd double %982, %988
+  %990 = fdiv double %974, %989
+  %991 = fmul double %990, %990
+  %992 = fadd double %912, %991
+  br label %909
+
+993:                                              ; preds = %909
+  store ptr null, ptr %12, align 8, !noalias !61
+  %994 = call fastcc i32 @solve(ptr nonnull %12, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !61
+  switch i32 %994, label %1877 [
+    i32 -2, label %1379
+    i32 0, label %1379
+  ], !prof !32
+
+995:                                              ; preds = %1549
+  %996 = call i64 @llvm.smax.i64(i64 %211, i64 0)
+  br label %997
+
+997:                                              ; preds = %1010, %995
+  %998 = phi i64 [ 0, %995 ], [ %1056, %1010 ]
+  %999 = phi i64 [ %996, %995 ], [ %1055, %1010 ]
+  %1000 = icmp sgt i64 %999, 0
+  br i1 %1000, label %1054, label %1011
+
+1001:                                             ; preds = %1054
+  %1002 = mul nsw i64 %998, %855
+  %1003 = add nsw i64 %211, %1002
+  %1004 = mul nsw i64 %1061, %855
+  %1005 = add nsw i64 %211, %1004
+  br label %1006
+
+1006:                                             ; preds = %1063, %1001
+  %1007 = phi i64 [ 0, %1001 ], [ %1065, %1063 ]
+  %1008 = phi i64 [ %855, %1001 ], [ %1064, %1063 ]
+  %1009 = icmp sgt i64 %1008, 0
+  br i1 %1009, label %1063, label %1010
+
+1010:                                             ; preds = %1054, %1006
+  br label %997
+
+1011:                                             ; preds = %997, %1015
+  %1012 = phi i64 [ %1080, %1015 ], [ 0, %997 ]
+  %1013 = phi i64 [ %1079, %1015 ], [ %996, %997 ]
+  %1014 = icmp sgt i64 %1013, 0
+  br i1 %1014, label %1078, label %1023
+
+1015:                                             ; preds = %1078, %1019
+  %1016 = phi i64 [ 0, %1078 ], [ %1084, %1019 ]
+  %1017 = phi i64 [ %1081, %1078 ], [ %1083, %1019 ]
+  %1018 = icmp sgt i64 %1017, 0
+  br i1 %1018, label %1082, label %1011
+
+1019:                                             ; preds = %1099, %1082
+  %1020 = phi i64 [ 0, %1082 ], [ %1101, %1099 ]
+  %1021 = phi i64 [ %855, %1082 ], [ %1100, %1099 ]
+  %1022 = icmp sgt i64 %1021, 0
+  br i1 %1022, label %1099, label %1015
+
+1023:                                             ; preds = %1011
+  %1024 = icmp ugt i64 %211, -9223372036854775808
+  %1025 = select i1 %1024, i64 0, i64 %211
+  br label %1026
+
+1026:                                             ; preds = %1050, %1023
+  %1027 = phi i64 [ %211, %1023 ], [ %1029, %1050 ]
+  %1028 = phi i64 [ %1025, %1023 ], [ %1117, %1050 ]
+  %1029 = add i64 %1027, -1
+  %1030 = icmp sgt i64 %1028, 0
+  br i1 %1030, label %1116, label %1550
+
+1031:                                             ; preds = %1116, %1035
+  %1032 = phi i64 [ %1027, %1116 ], [ %1124, %1035 ]
+  %1033 = phi i64 [ %1121, %1116 ], [ %1123, %1035 ]
+  %1034 = icmp sgt i64 %1033, 0
+  br i1 %1034, label %1122, label %1039
+
+1035:                                             ; preds = %1137, %1122
+  %1036 = phi i64 [ 0, %1122 ], [ %1139, %1137 ]
+  %1037 = phi i64 [ %855, %1122 ], [ %1138, %1137 ]
+  %1038 = icmp sgt i64 %1037, 0
+  br i1 %1038, label %1137, label %1031
+
+1039:                                             ; preds = %1031
+  %1040 = icmp slt i64 %1029, 0
+  %1041 = select i1 %1040, i64 %211, i64 0
+  %1042 = add i64 %1029, %1041
+  %1043 = select i1 %1040, i64 %213, i64 0
+  %1044 = mul i64 %1042, %213
+  %1045 = getelementptr double, ptr %214, i64 %1044
+  %1046 = getelementptr double, ptr %1045, i64 %1029
+  %1047 = getelementptr double, ptr %1046, i64 %1043
+  %1048 = load double, ptr %1047, align 8, !noalias !76
+  %1049 = fdiv double 1.000000e+00, %1048
+  br label %1050
+
+1050:                                             ; preds = %1154, %1039
+  %1051 = phi i64 [ 0, %1039 ], [ %1156, %1154 ]
+  %1052 = phi i64 [ %855, %1039 ], [ %1155, %1154 ]
+  %1053 = icmp sgt i64 %1052, 0
+  br i1 %1053, label %1154, label %1026
+
+1054:                                             ; preds = %997
+  %1055 = add nsw i64 %999, -1
+  %1056 = add i64 %998, 1
+  %1057 = icmp slt i64 %998, 0
+  %1058 = select i1 %1057, i64 %225, i64 0
+  %1059 = getelementptr i64, ptr %226, i64 %998
+  %1060 = getelementptr i64, ptr %1059, i64 %1058
+  %1061 = load i64, ptr %1060, align 8, !noalias !76
+  %1062 = icmp eq i64 %1061, %998
+  br i1 %1062, label %1010, label %1001
+
+1063:                                             ; preds = %1006
+  %1064 = add nsw i64 %1008, -1
+  %1065 = add i64 %1007, 1
+  %1066 = add nsw i64 %1005, %1007
+  %1067 = icmp slt i64 %1066, 0
+  %1068 = select i1 %1067, i64 %261, i64 0
+  %1069 = getelementptr double, ptr %262, i64 %1066
+  %1070 = getelementptr double, ptr %1069, i64 %1068
+  %1071 = load double, ptr %1070, align 8, !noalias !76
+  %1072 = add nsw i64 %1003, %1007
+  %1073 = icmp slt i64 %1072, 0
+  %1074 = select i1 %1073, i64 %261, i64 0
+  %1075 = getelementptr double, ptr %262, i64 %1072
+  %1076 = getelementptr double, ptr %1075, i64 %1074
+  %1077 = load double, ptr %1076, align 8, !noalias !76
+  store double %1071, ptr %1076, align 8, !noalias !76
+  store double %1077, ptr %1070, align 8, !noalias !76
+  br label %1006
+
+1078:                                             ; preds = %1011
+  %1079 = add nsw i64 %1013, -1
+  %1080 = add i64 %1012, 1
+  %1081 = call i64 @llvm.smax.i64(i64 %1012, i64 0)
+  br label %1015
+
+1082:                                             ; preds = %1015
+  %1083 = add nsw i64 %1017, -1
+  %1084 = add i64 %1016, 1
+  %1085 = icmp slt i64 %1012, 0
+  %1086 = select i1 %1085, i64 %211, i64 0
+  %1087 = add i64 %1012, %1086
+  %1088 = icmp slt i64 %1016, 0
+  %1089 = select i1 %1088, i64 %213, i64 0
+  %1090 = mul i64 %1087, %213
+  %1091 = getelementptr double, ptr %214, i64 %1090
+  %1092 = getelementptr double, ptr %1091, i64 %1016
+  %1093 = getelementptr double, ptr %1092, i64 %1089
+  %1094 = load double, ptr %1093, align 8, !noalias !76
+  %1095 = mul nsw i64 %1012, %855
+  %1096 = add nsw i64 %211, %1095
+  %1097 = mul nsw i64 %1016, %855
+  %1098 = add nsw i64 %211, %1097
+  br label %1019
+
+1099:                                             ; preds = %1019
+  %1100 = add nsw i64 %1021, -1
+  %1101 = add i64 %1020, 1
+  %1102 = add nsw i64 %1096, %1020
+  %1103 = icmp slt i64 %1102, 0
+  %1104 = select i1 %1103, i64 %261, i64 0
+  %1105 = getelementptr double, ptr %262, i64 %1102
+  %1106 = getelementptr double, ptr %1105, i64 %1104
+  %1107 = load double, ptr %1106, align 8, !noalias !76
+  %1108 = add nsw i64 %1098, %1020
+  %1109 = icmp slt i64 %1108, 0
+  %1110 = select i1 %1109, i64 %261, i64 0
+  %1111 = getelementptr double, ptr %262, i64 %1108
+  %1112 = getelementptr double, ptr %1111, i64 %1110
+  %1113 = load double, ptr %1112, align 8, !noalias !76
+  %1114 = fmul double %1094, %1113
+  %1115 = fsub double %1107, %1114
+  store double %1115, ptr %1106, align 8, !noalias !76
+  br label %1019
+
+1116:                                             ; preds = %1026
+  %1117 = add nsw i64 %1028, -1
+  %1118 = mul nsw i64 %1029, %855
+  %1119 = add nsw i64 %211, %1118
+  %1120 = sub i64 %211, %1027
+  %1121 = call i64 @llvm.smax.i64(i64 %1120, i64 0)
+  br label %1031
+
+1122:                                             ; preds = %1031
+  %1123 = add nsw i64 %1033, -1
+  %1124 = add i64 %1032, 1
+  %1125 = icmp slt i64 %1029, 0
+  %1126 = select i1 %1125, i64 %211, i64 0
+  %1127 = add i64 %1029, %1126
+  %1128 = icmp slt i64 %1032, 0
+  %1129 = select i1 %1128, i64 %213, i64 0
+  %1130 = mul i64 %1127, %213
+  %1131 = getelementptr double, ptr %214, i64 %1130
+  %1132 = getelementptr double, ptr %1131, i64 %1032
+  %1133 = getelementptr double, ptr %1132, i64 %1129
+  %1134 = load double, ptr %1133, align 8, !noalias !76
+  %1135 = mul nsw i64 %1032, %855
+  %1136 = add nsw i64 %211, %1135
+  br label %1035
+
+1137:                                             ; preds = %1035
+  %1138 = add nsw i64 %1037, -1
+  %1139 = add i64 %1036, 1
+  %1140 = add nsw i64 %1119, %1036
+  %1141 = icmp slt i64 %1140, 0
+  %1142 = select i1 %1141, i64 %261, i64 0
+  %1143 = getelementptr double, ptr %262, i64 %1140
+  %1144 = getelementptr double, ptr %1143, i64 %1142
+  %1145 = load double, ptr %1144, align 8, !noalias !76
+  %1146 = add nsw i64 %1136, %1036
+  %1147 = icmp slt i64 %1146, 0
+  %1148 = select i1 %1147, i64 %261, i64 0
+  %1149 = getelementptr double, ptr %262, i64 %1146
+  %1150 = getelementptr double, ptr %1149, i64 %1148
+  %1151 = load double, ptr %1150, align 8, !noalias !76
+  %1152 = fmul double %1134, %1151
+  %1153 = fsub double %1145, %1152
+  store double %1153, ptr %1144, align 8, !noalias !76
+  br label %1035
+
+1154:                                             ; preds = %1050
+  %1155 = add nsw i64 %1052, -1
+  %1156 = add i64 %1051, 1
+  %1157 = add nsw i64 %1119, %1051
+  %1158 = icmp slt i64 %1157, 0
+  %1159 = select i1 %1158, i64 %261, i64 0
+  %1160 = getelementptr double, ptr %262, i64 %1157
+  %1161 = getelementptr double, ptr %1160, i64 %1159
+  %1162 = load double, ptr %1161, align 8, !noalias !76
+  %1163 = fmul double %1162, %1049
+  store double %1163, ptr %1161, align 8, !noalias !76
+  br label %1050
+
+1164:                                             ; preds = %1576, %1549
+  br label %1165
+
+1165:                                             ; preds = %1774, %1164
+  %1166 = phi i64 [ 0, %1164 ], [ %1776, %1774 ]
+  %1167 = phi i64 [ %908, %1164 ], [ %1775, %1774 ]
+  %1168 = phi double [ 0.000000e+00, %1164 ], [ %1811, %1774 ]
+  %1169 = icmp sgt i64 %1167, 0
+  br i1 %1169, label %1774, label %1170
+
+1170:                                             ; preds = %1165
+  %1171 = mul nsw i64 %853, 3
+  %1172 = sitofp i64 %1171 to double
+  %1173 = fdiv double %1168, %1172
+  %1174 = call double @sqrt(double %1173), !noalias !61
+  %1175 = fcmp oeq double %1174, 0.000000e+00
+  %1176 = fcmp ogt double %912, 0.000000e+00
+  %1177 = select i1 %1175, i1 %1176, i1 false
+  br i1 %1177, label %1877, label %1178
+
+1178:                                             ; preds = %1170
+  %1179 = fcmp ogt double %861, 0.000000e+00
+  %1180 = and i1 %1179, %867
+  br i1 %1180, label %1181, label %1218
+
+1181:                                             ; preds = %1178
+  %1182 = fdiv double %1174, %861
+  %1183 = sub nsw i64 5, %1332
+  %1184 = add nsw i64 %1332, -5
+  %1185 = select i1 %866, i64 %1184, i64 %1183
+  %1186 = icmp samesign ugt i64 %1185, 65536
+  br i1 %1186, label %1187, label %1190
+
+1187:                                             ; preds = %1181
+  %1188 = sitofp i64 %1183 to double
+  %1189 = call double @llvm.pow.f64(double %1182, double %1188)
+  br label %1209
+
+1190:                                             ; preds = %1181
+  %1191 = icmp eq i64 %1185, 0
+  br i1 %1191, label %1203, label %1192
+
+1192:                                             ; preds = %1192, %1190
+  %1193 = phi double [ %1199, %1192 ], [ 1.000000e+00, %1190 ]
+  %1194 = phi double [ %1201, %1192 ], [ %1182, %1190 ]
+  %1195 = phi i64 [ %1200, %1192 ], [ %1185, %1190 ]
+  %1196 = and i64 %1195, 1
+  %1197 = icmp eq i64 %1196, 0
+  %1198 = fmul double %1193, %1194
+  %1199 = select i1 %1197, double %1193, double %1198
+  %1200 = lshr i64 %1195, 1
+  %1201 = fmul double %1194, %1194
+  %1202 = icmp eq i64 %1200, 0
+  br i1 %1202, label %1203, label %1192
+
+1203:                                             ; preds = %1192, %1190
+  %1204 = phi double [ %1199, %1192 ], [ 1.000000e+00, %1190 ]
+  br i1 %866, label %1205, label %1209
+
+1205:                                             ; preds = %1203
+  %1206 = fcmp oeq double %1204, 0.000000e+00
+  br i1 %1206, label %1209, label %1207, !prof !4
+
+1207:                                             ; preds = %1205
+  %1208 = fdiv double 1.000000e+00, %1204
+  br label %1209
+
+1209:                                             ; preds = %1205, %1203, %1187, %1207
+  %1210 = phi double [ 0.000000e+00, %1205 ], [ %1189, %1187 ], [ %1204, %1203 ], [ %1208, %1207 ]
+  %1211 = phi i1 [ false, %1205 ], [ true, %1187 ], [ true, %1203 ], [ true, %1207 ]
+  %1212 = phi i32 [ 1, %1205 ], [ 0, %1187 ], [ 0, %1203 ], [ 0, %1207 ]
+  br i1 %1211, label %1812, label %1877, !prof !79
+
+1213:                                             ; preds = %1812
+  %1214 = fsub double 1.000000e+00, %1182
+  %1215 = fdiv double %1210, %1214
+  %1216 = fmul double %1215, %1174
+  %1217 = fcmp ogt double %1216, %296
+  br i1 %1217, label %1877, label %1218
+
+1218:                                             ; preds = %1213, %1178
+  %1219 = phi double [ %1182, %1213 ], [ %862, %1178 ]
+  br label %1220
+
+1220:                                             ; preds = %1224, %1218
+  %1221 = phi i64 [ 0, %1218 ], [ %1816, %1224 ]
+  %1222 = phi i64 [ %908, %1218 ], [ %1815, %1224 ]
+  %1223 = icmp sgt i64 %1222, 0
+  br i1 %1223, label %1814, label %1228
+
+1224:                                             ; preds = %1844, %1814
+  %1225 = phi i64 [ 0, %1814 ], [ %1846, %1844 ]
+  %1226 = phi i64 [ 3, %1814 ], [ %1845, %1844 ]
+  %1227 = icmp sgt i64 %1226, 0
+  br i1 %1227, label %1844, label %1220
+
+1228:                                             ; preds = %1220
+  br i1 %867, label %1229, label %1237
+
+1229:                                             ; preds = %1228
+  br i1 %1175, label %1236, label %1230
+
+1230:                                             ; preds = %1229
+  br i1 %1179, label %1231, label %1237
+
+1231:                                             ; preds = %1230
+  %1232 = fsub double 1.000000e+00, %1219
+  %1233 = fdiv double %1219, %1232
+  %1234 = fmul double %1233, %1174
+  %1235 = fcmp olt double %1234, %296
+  br i1 %1235, label %1236, label %1237
+
+1236:                                             ; preds = %1231, %1229
+  br label %1237
+
+1237:                                             ; preds = %1236, %1231, %1230, %1228
+  %1238 = phi i64 [ %1331, %1236 ], [ 0, %1231 ], [ 0, %1230 ], [ %863, %1228 ]
+  %1239 = icmp sgt i64 %1238, 0
+  br i1 %1239, label %1240, label %1319
+
+1240:                                             ; preds = %1237
+  %1241 = icmp eq i64 %855, 0
+  br i1 %1241, label %1320, label %1242
+
+1242:                                             ; preds = %1240
+  %1243 = load i64, ptr %854, align 8, !noalias !80
+  %1244 = call i64 @llvm.smax.i64(i64 %1243, i64 0)
+  br label %1245
+
+1245:                                             ; preds = %1263, %1242
+  %1246 = phi i64 [ 0, %1242 ], [ %1267, %1263 ]
+  %1247 = phi i64 [ %1244, %1242 ], [ %1266, %1263 ]
+  %1248 = phi double [ 0.000000e+00, %1242 ], [ %1264, %1263 ]
+  %1249 = icmp sgt i64 %1247, 0
+  br i1 %1249, label %1265, label %1874
+
+1250:                                             ; preds = %1269, %1265
+  %1251 = phi i64 [ 0, %1265 ], [ %1271, %1269 ]
+  %1252 = phi i64 [ %1268, %1265 ], [ %1270, %1269 ]
+  %1253 = phi double [ 0.000000e+00, %1265 ], [ %1293, %1269 ]
+  %1254 = phi double [ 0.000000e+00, %1265 ], [ %1318, %1269 ]
+  %1255 = icmp sgt i64 %1252, 0
+  br i1 %1255, label %1269, label %1256
+
+1256:                                             ; preds = %1250
+  %1257 = fmul double %1248, %1254
+  %1258 = fcmp ogt double %1253, %1257
+  br i1 %1258, label %1259, label %1263
+
+1259:                                             ; preds = %1256
+  %1260 = fcmp ogt double %1254, 0.000000e+00
+  %1261 = fdiv double %1253, %1254
+  %1262 = select i1 %1260, double %1261, double 1.000000e+00
+  br label %1263
+
+1263:                                             ; preds = %1259, %1256
+  %1264 = phi double [ %1262, %1259 ], [ %1248, %1256 ]
+  br label %1245
+
+1265:                                             ; preds = %1245
+  %1266 = add nsw i64 %1247, -1
+  %1267 = add i64 %1246, 1
+  %1268 = call i64 @llvm.smax.i64(i64 %225, i64 0)
+  br label %1250
+
+1269:                                             ; preds = %1250
+  %1270 = add nsw i64 %1252, -1
+  %1271 = add i64 %1251, 1
+  %1272 = mul nsw i64 %1251, %1243
+  %1273 = add nsw i64 %225, %1272
+  %1274 = add nsw i64 %1273, %1246
+  %1275 = icmp slt i64 %1274, 0
+  %1276 = select i1 %1275, i64 %261, i64 0
+  %1277 = getelementptr double, ptr %262, i64 %1274
+  %1278 = getelementptr double, ptr %1277, i64 %1276
+  %1279 = load double, ptr %1278, align 8, !noalias !80
+  %1280 = fmul double %1279, %1279
+  %1281 = select i1 %1275, i64 %266, i64 0
+  %1282 = getelementptr { double, double }, ptr %267, i64 %1274
+  %1283 = getelementptr { double, double }, ptr %1282, i64 %1281
+  %1284 = load double, ptr %1283, align 8, !noalias !80
+  %1285 = getelementptr inbounds nuw i8, ptr %1283, i64 8
+  %1286 = load double, ptr %1285, align 8, !noalias !80
+  %1287 = call double @hypot(double %1284, double %1286) #3, !noalias !84
+  %1288 = load double, ptr %1283, align 8, !noalias !80
+  %1289 = load double, ptr %1285, align 8, !noalias !80
+  %1290 = call double @hypot(double %1288, double %1289) #3, !noalias !90
+  %1291 = fmul double %1287, %1290
+  %1292 = fadd double %1280, %1291
+  %1293 = fadd double %1253, %1292
+  %1294 = select i1 %1275, i64 %64, i64 0
+  %1295 = getelementptr double, ptr %65, i64 %1274
+  %1296 = getelementptr double, ptr %1295, i64 %1294
+  %1297 = load double, ptr %1296, align 8, !noalias !80
+  %1298 = fmul double %1297, %1297
+  %1299 = fadd double %1254, %1298
+  %1300 = select i1 %1275, i64 %244, i64 0
+  %1301 = getelementptr double, ptr %245, i64 %1274
+  %1302 = getelementptr double, ptr %1301, i64 %1300
+  %1303 = load double, ptr %1302, align 8, !noalias !80
+  %1304 = fmul double %1303, %1303
+  %1305 = getelementptr double, ptr %245, i64 %244
+  %1306 = getelementptr double, ptr %1305, i64 %1274
+  %1307 = getelementptr double, ptr %1306, i64 %1300
+  %1308 = load double, ptr %1307, align 8, !noalias !80
+  %1309 = fmul double %1308, %1308
+  %1310 = fadd double %1304, %1309
+  %1311 = shl i64 %244, 4
+  %1312 = getelementptr i8, ptr %245, i64 %1311
+  %1313 = getelementptr double, ptr %1312, i64 %1274
+  %1314 = getelementptr double, ptr %1313, i64 %1300
+  %1315 = load double, ptr %1314, align 8, !noalias !80
+  %1316 = fmul double %1315, %1315
+  %1317 = fadd double %1310, %1316
+  %1318 = fadd double %1299, %1317
+  br label %1250
+
+1319:                                             ; preds = %1874, %1237
+  br label %858
+
+1320:                                             ; preds = %1874, %1328, %1240, %865
+  %1321 = phi double [ %862, %1328 ], [ %862, %865 ], [ %1219, %1874 ], [ %1219, %1240 ]
+  %1322 = phi i64 [ %863, %1328 ], [ 0, %865 ], [ %1238, %1874 ], [ %1238, %1240 ]
+  %1323 = icmp slt i64 %1322, 1
+  %1324 = select i1 %1323, i64 6, i64 %1322
+  br label %1877
+
+1325:                                             ; preds = %858
+  %1326 = add nsw i64 %860, -1
+  %1327 = add i64 %859, 1
+  br label %1328
+
+1328:                                             ; preds = %1325, %858
+  %1329 = phi i64 [ %1327, %1325 ], [ %859, %858 ]
+  %1330 = phi i64 [ %1326, %1325 ], [ %860, %858 ]
+  %1331 = phi i64 [ %1327, %1325 ], [ 1, %858 ]
+  %1332 = phi i64 [ %859, %1325 ], [ 0, %858 ]
+  br i1 %864, label %865, label %1320
+
+1333:                                             ; preds = %869
+  %1334 = add nsw i64 %871, -1
+  %1335 = add i64 %870, 1
+  %1336 = call i64 @llvm.smax.i64(i64 %853, i64 0)
+  br label %873
+
+1337:                                             ; preds = %873
+  %1338 = add nsw i64 %875, -1
+  %1339 = add i64 %874, 1
+  %1340 = icmp slt i64 %874, 0
+  %1341 = select i1 %1340, i64 %64, i64 0
+  %1342 = getelementptr double, ptr %65, i64 %874
+  %1343 = getelementptr double, ptr %1342, i64 %1341
+  %1344 = load double, ptr %1343, align 8, !noalias !61
+  %1345 = icmp slt i64 %870, 0
+  %1346 = select i1 %1345, i64 %235, i64 0
+  %1347 = add i64 %870, %1346
+  %1348 = select i1 %1340, i64 %237, i64 0
+  %1349 = mul i64 %1347, %237
+  %1350 = getelementptr double, ptr %238, i64 %1349
+  %1351 = getelementptr double, ptr %1350, i64 %874
+  %1352 = getelementptr double, ptr %1351, i64 %1348
+  %1353 = load double, ptr %1352, align 8, !noalias !61
+  %1354 = fadd double %1344, %1353
+  %1355 = select i1 %1340, i64 %74, i64 0
+  %1356 = getelementptr double, ptr %75, i64 %874
+  %1357 = getelementptr double, ptr %1356, i64 %1355
+  store double %1354, ptr %1357, align 8, !noalias !61
+  br label %873
+
+1358:                                             ; preds = %902, %902
+  %1359 = icmp eq i32 %903, 0
+  br i1 %1359, label %869, label %905
+
+1360:                                             ; preds = %909
+  %1361 = icmp slt i64 %910, 0
+  %1362 = select i1 %1361, i64 %249, i64 0
+  %1363 = getelementptr double, ptr %250, i64 %910
+  %1364 = getelementptr double, ptr %1363, i64 %1362
+  %1365 = load double, ptr %1364, align 8, !noalias !61
+  %1366 = getelementptr double, ptr %250, i64 %249
+  %1367 = getelementptr double, ptr %1366, i64 %910
+  %1368 = getelementptr double, ptr %1367, i64 %1362
+  %1369 = load double, ptr %1368, align 8, !noalias !61
+  %1370 = fadd double %1365, %1369
+  %1371 = shl i64 %249, 4
+  %1372 = getelementptr i8, ptr %250, i64 %1371
+  %1373 = getelementptr double, ptr %1372, i64 %910
+  %1374 = getelementptr double, ptr %1373, i64 %1362
+  %1375 = load double, ptr %1374, align 8, !noalias !61
+  %1376 = fadd double %1370, %1375
+  %1377 = fsub double %1376, %1376
+  %1378 = fcmp ord double %1377, 0.000000e+00
+  br i1 %1378, label %914, label %1877
+
+1379:                                             ; preds = %993, %993
+  %1380 = call i64 @llvm.smax.i64(i64 %218, i64 0)
+  br label %1381
+
+1381:                                             ; preds = %1399, %1379
+  %1382 = phi i64 [ 0, %1379 ], [ %1464, %1399 ]
+  %1383 = phi i64 [ %1380, %1379 ], [ %1463, %1399 ]
+  %1384 = icmp sgt i64 %1383, 0
+  br i1 %1384, label %1462, label %1400
+
+1385:                                             ; preds = %1462
+  %1386 = icmp slt i64 %1469, 0
+  %1387 = select i1 %1386, i64 %266, i64 0
+  %1388 = getelementptr { double, double }, ptr %267, i64 %1469
+  %1389 = getelementptr { double, double }, ptr %1388, i64 %1387
+  %1390 = load double, ptr %1389, align 8, !noalias !96
+  %1391 = getelementptr inbounds nuw i8, ptr %1389, i64 8
+  %1392 = load double, ptr %1391, align 8, !noalias !96
+  %1393 = select i1 %1465, i64 %266, i64 0
+  %1394 = getelementptr { double, double }, ptr %267, i64 %1382
+  %1395 = getelementptr { double, double }, ptr %1394, i64 %1393
+  %1396 = load double, ptr %1395, align 8, !noalias !96
+  %1397 = getelementptr inbounds nuw i8, ptr %1395, i64 8
+  %1398 = load double, ptr %1397, align 8, !noalias !96
+  store double %1390, ptr %1395, align 8, !noalias !96
+  store double %1392, ptr %1397, align 8, !noalias !96
+  store double %1396, ptr %1389, align 8, !noalias !96
+  store double %1398, ptr %1391, align 8, !noalias !96
+  br label %1399
+
+1399:                                             ; preds = %1462, %1385
+  br label %1381
+
+1400:                                             ; preds = %1381, %1410
+  %1401 = phi i64 [ %1473, %1410 ], [ 0, %1381 ]
+  %1402 = phi i64 [ %1472, %1410 ], [ %1380, %1381 ]
+  %1403 = icmp sgt i64 %1402, 0
+  br i1 %1403, label %1471, label %1411
+
+1404:                                             ; preds = %1482, %1471
+  %1405 = phi i64 [ 0, %1471 ], [ %1506, %1482 ]
+  %1406 = phi i64 [ %1481, %1471 ], [ %1507, %1482 ]
+  %1407 = phi double [ %1480, %1471 ], [ %1509, %1482 ]
+  %1408 = phi double [ %1478, %1471 ], [ %1508, %1482 ]
+  %1409 = icmp sgt i64 %1406, 0
+  br i1 %1409, label %1482, label %1410
+
+1410:                                             ; preds = %1404
+  store double %1408, ptr %1477, align 8, !noalias !96
+  store double %1407, ptr %1479, align 8, !noalias !96
+  br label %1400
+
+1411:                                             ; preds = %1400
+  %1412 = icmp ugt i64 %218, -9223372036854775808
+  %1413 = select i1 %1412, i64 0, i64 %218
+  br label %1414
+
+1414:                                             ; preds = %1459, %1411
+  %1415 = phi i64 [ %218, %1411 ], [ %1417, %1459 ]
+  %1416 = phi i64 [ %1413, %1411 ], [ %1511, %1459 ]
+  %1417 = add i64 %1415, -1
+  %1418 = icmp sgt i64 %1416, 0
+  br i1 %1418, label %1510, label %1549
+
+1419:                                             ; preds = %1521, %1510
+  %1420 = phi i64 [ %1415, %1510 ], [ %1545, %1521 ]
+  %1421 = phi i64 [ %1520, %1510 ], [ %1546, %1521 ]
+  %1422 = phi double [ %1518, %1510 ], [ %1548, %1521 ]
+  %1423 = phi double [ %1516, %1510 ], [ %1547, %1521 ]
+  %1424 = icmp sgt i64 %1421, 0
+  br i1 %1424, label %1521, label %1425
+
+1425:                                             ; preds = %1419
+  %1426 = select i1 %1512, i64 %218, i64 0
+  %1427 = add i64 %1417, %1426
+  %1428 = select i1 %1512, i64 %220, i64 0
+  %1429 = mul i64 %1427, %220
+  %1430 = getelementptr { double, double }, ptr %221, i64 %1429
+  %1431 = getelementptr { double, double }, ptr %1430, i64 %1417
+  %1432 = getelementptr { double, double }, ptr %1431, i64 %1428
+  %1433 = load double, ptr %1432, align 8, !noalias !96
+  %1434 = getelementptr inbounds nuw i8, ptr %1432, i64 8
+  %1435 = load double, ptr %1434, align 8, !noalias !96
+  %1436 = call double @llvm.fabs.f64(double %1433)
+  %1437 = call double @llvm.fabs.f64(double %1435)
+  %1438 = fcmp ult double %1436, %1437
+  br i1 %1438, label %1449, label %1439
+
+1439:                                             ; preds = %1425
+  %1440 = fdiv double %1435, %1433
+  %1441 = fmul double %1435, %1440
+  %1442 = fadd double %1433, %1441
+  %1443 = fmul double %1422, %1440
+  %1444 = fadd double %1423, %1443
+  %1445 = fdiv double %1444, %1442
+  %1446 = fmul double %1423, %1440
+  %1447 = fsub double %1422, %1446
+  %1448 = fdiv double %1447, %1442
+  br label %1459
+
+1449:                                             ; preds = %1425
+  %1450 = fdiv double %1433, %1435
+  %1451 = fmul double %1433, %1450
+  %1452 = fadd double %1451, %1435
+  %1453 = fmul double %1423, %1450
+  %1454 = fadd double %1453, %1422
+  %1455 = fdiv double %1454, %1452
+  %1456 = fmul double %1422, %1450
+  %1457 = fsub double %1456, %1423
+  %1458 = fdiv double %1457, %1452
+  br label %1459
+
+1459:                                             ; preds = %1449, %1439
+  %1460 = phi double [ %1448, %1439 ], [ %1458, %1449 ]
+  %1461 = phi double [ %1445, %1439 ], [ %1455, %1449 ]
+  store double %1461, ptr %1515, align 8, !noalias !96
+  store double %1460, ptr %1517, align 8, !noalias !96
+  br label %1414
+
+1462:                                             ; preds = %1381
+  %1463 = add nsw i64 %1383, -1
+  %1464 = add i64 %1382, 1
+  %1465 = icmp slt i64 %1382, 0
+  %1466 = select i1 %1465, i64 %230, i64 0
+  %1467 = getelementptr i64, ptr %231, i64 %1382
+  %1468 = getelementptr i64, ptr %1467, i64 %1466
+  %1469 = load i64, ptr %1468, align 8, !noalias !96
+  %1470 = icmp eq i64 %1469, %1382
+  br i1 %1470, label %1399, label %1385
+
+1471:                                             ; preds = %1400
+  %1472 = add nsw i64 %1402, -1
+  %1473 = add i64 %1401, 1
+  %1474 = icmp slt i64 %1401, 0
+  %1475 = select i1 %1474, i64 %266, i64 0
+  %1476 = getelementptr { double, double }, ptr %267, i64 %1401
+  %1477 = getelementptr { double, double }, ptr %1476, i64 %1475
+  %1478 = load double, ptr %1477, align 8, !noalias !96
+  %1479 = getelementptr inbounds nuw i8, ptr %1477, i64 8
+  %1480 = load double, ptr %1479, align 8, !noalias !96
+  %1481 = call i64 @llvm.smax.i64(i64 %1401, i64 0)
+  br label %1404
+
+1482:                                             ; preds = %1404
+  %1483 = select i1 %1474, i64 %218, i64 0
+  %1484 = add i64 %1401, %1483
+  %1485 = icmp slt i64 %1405, 0
+  %1486 = select i1 %1485, i64 %220, i64 0
+  %1487 = mul i64 %1484, %220
+  %1488 = getelementptr { double, double }, ptr %221, i64 %1487
+  %1489 = getelementptr { double, double }, ptr %1488, i64 %1405
+  %1490 = getelementptr { double, double }, ptr %1489, i64 %1486
+  %1491 = load double, ptr %1490, align 8, !noalias !96
+  %1492 = getelementptr inbounds nuw i8, ptr %1490, i64 8
+  %1493 = load double, ptr %1492, align 8, !noalias !96
+  %1494 = select i1 %1485, i64 %266, i64 0
+  %1495 = getelementptr { double, double }, ptr %267, i64 %1405
+  %1496 = getelementptr { double, double }, ptr %1495, i64 %1494
+  %1497 = load double, ptr %1496, align 8, !noalias !96
+  %1498 = getelementptr inbounds nuw i8, ptr %1496, i64 8
+  %1499 = load double, ptr %1498, align 8, !noalias !96
+  %1500 = fmul double %1491, %1499
+  %1501 = fmul double %1493, %1497
+  %1502 = fadd double %1500, %1501
+  %1503 = fmul double %1491, %1497
+  %1504 = fmul double %1493, %1499
+  %1505 = fsub double %1503, %1504
+  %1506 = add i64 %1405, 1
+  %1507 = add nsw i64 %1406, -1
+  %1508 = fsub double %1408, %1505
+  %1509 = fsub double %1407, %1502
+  br label %1404
+
+1510:                                             ; preds = %1414
+  %1511 = add nsw i64 %1416, -1
+  %1512 = icmp slt i64 %1417, 0
+  %1513 = select i1 %1512, i64 %266, i64 0
+  %1514 = getelementptr { double, double }, ptr %267, i64 %1417
+  %1515 = getelementptr { double, double }, ptr %1514, i64 %1513
+  %1516 = load double, ptr %1515, align 8, !noalias !96
+  %1517 = getelementptr inbounds nuw i8, ptr %1515, i64 8
+  %1518 = load double, ptr %1517, align 8, !noalias !96
+  %1519 = sub i64 %218, %1415
+  %1520 = call i64 @llvm.smax.i64(i64 %1519, i64 0)
+  br label %1419
+
+1521:                                             ; preds = %1419
+  %1522 = select i1 %1512, i64 %218, i64 0
+  %1523 = add i64 %1417, %1522
+  %1524 = icmp slt i64 %1420, 0
+  %1525 = select i1 %1524, i64 %220, i64 0
+  %1526 = mul i64 %1523, %220
+  %1527 = getelementptr { double, double }, ptr %221, i64 %1526
+  %1528 = getelementptr { double, double }, ptr %1527, i64 %1420
+  %1529 = getelementptr { double, double }, ptr %1528, i64 %1525
+  %1530 = load double, ptr %1529, align 8, !noalias !96
+  %1531 = getelementptr inbounds nuw i8, ptr %1529, i64 8
+  %1532 = load double, ptr %1531, align 8, !noalias !96
+  %1533 = select i1 %1524, i64 %266, i64 0
+  %1534 = getelementptr { double, double }, ptr %267, i64 %1420
+  %1535 = getelementptr { double, double }, ptr %1534, i64 %1533
+  %1536 = load double, ptr %1535, align 8, !noalias !96
+  %1537 = getelementptr inbounds nuw i8, ptr %1535, i64 8
+  %1538 = load double, ptr %1537, align 8, !noalias !96
+  %1539 = fmul double %1530, %1538
+  %1540 = fmul double %1532, %1536
+  %1541 = fadd double %1539, %1540
+  %1542 = fmul double %1530, %1536
+  %1543 = fmul double %1532, %1538
+  %1544 = fsub double %1542, %1543
+  %1545 = add i64 %1420, 1
+  %1546 = add nsw i64 %1421, -1
+  %1547 = fsub double %1423, %1544
+  %1548 = fsub double %1422, %1541
+  br label %1419
+
+1549:                                             ; preds = %1414
+  br i1 %856, label %995, label %1164
+
+1550:                                             ; preds = %1026, %1563
+  %1551 = phi i64 [ %1631, %1563 ], [ 0, %1026 ]
+  %1552 = phi i64 [ %1630, %1563 ], [ %1380, %1026 ]
+  %1553 = icmp sgt i64 %1552, 0
+  br i1 %1553, label %1629, label %1564
+
+1554:                                             ; preds = %1629
+  %1555 = mul nsw i64 %1551, %855
+  %1556 = add nsw i64 %218, %1555
+  %1557 = mul nsw i64 %1636, %855
+  %1558 = add nsw i64 %218, %1557
+  br label %1559
+
+1559:                                             ; preds = %1638, %1554
+  %1560 = phi i64 [ 0, %1554 ], [ %1640, %1638 ]
+  %1561 = phi i64 [ %855, %1554 ], [ %1639, %1638 ]
+  %1562 = icmp sgt i64 %1561, 0
+  br i1 %1562, label %1638, label %1563
+
+1563:                                             ; preds = %1629, %1559
+  br label %1550
+
+1564:                                             ; preds = %1550, %1568
+  %1565 = phi i64 [ %1659, %1568 ], [ 0, %1550 ]
+  %1566 = phi i64 [ %1658, %1568 ], [ %1380, %1550 ]
+  %1567 = icmp sgt i64 %1566, 0
+  br i1 %1567, label %1657, label %1576
+
+1568:                                             ; preds = %1657, %1572
+  %1569 = phi i64 [ 0, %1657 ], [ %1663, %1572 ]
+  %1570 = phi i64 [ %1660, %1657 ], [ %1662, %1572 ]
+  %1571 = icmp sgt i64 %1570, 0
+  br i1 %1571, label %1661, label %1564
+
+1572:                                             ; preds = %1680, %1661
+  %1573 = phi i64 [ 0, %1661 ], [ %1703, %1680 ]
+  %1574 = phi i64 [ %855, %1661 ], [ %1704, %1680 ]
+  %1575 = icmp sgt i64 %1574, 0
+  br i1 %1575, label %1680, label %1568
+
+1576:                                             ; preds = %1564, %1625
+  %1577 = phi i64 [ %1579, %1625 ], [ %218, %1564 ]
+  %1578 = phi i64 [ %1708, %1625 ], [ %1413, %1564 ]
+  %1579 = add i64 %1577, -1
+  %1580 = icmp sgt i64 %1578, 0
+  br i1 %1580, label %1707, label %1164
+
+1581:                                             ; preds = %1707, %1585
+  %1582 = phi i64 [ %1577, %1707 ], [ %1715, %1585 ]
+  %1583 = phi i64 [ %1712, %1707 ], [ %1714, %1585 ]
+  %1584 = icmp sgt i64 %1583, 0
+  br i1 %1584, label %1713, label %1589
+
+1585:                                             ; preds = %1730, %1713
+  %1586 = phi i64 [ 0, %1713 ], [ %1753, %1730 ]
+  %1587 = phi i64 [ %855, %1713 ], [ %1754, %1730 ]
+  %1588 = icmp sgt i64 %1587, 0
+  br i1 %1588, label %1730, label %1581
+
+1589:                                             ; preds = %1581
+  %1590 = icmp slt i64 %1579, 0
+  %1591 = select i1 %1590, i64 %218, i64 0
+  %1592 = add i64 %1579, %1591
+  %1593 = select i1 %1590, i64 %220, i64 0
+  %1594 = mul i64 %1592, %220
+  %1595 = getelementptr { double, double }, ptr %221, i64 %1594
+  %1596 = getelementptr { double, double }, ptr %1595, i64 %1579
+  %1597 = getelementptr { double, double }, ptr %1596, i64 %1593
+  %1598 = load double, ptr %1597, align 8, !noalias !100
+  %1599 = getelementptr inbounds nuw i8, ptr %1597, i64 8
+  %1600 = load double, ptr %1599, align 8, !noalias !100
+  %1601 = call double @llvm.fabs.f64(double %1598)
+  %1602 = call double @llvm.fabs.f64(double %1600)
+  %1603 = fcmp ult double %1601, %1602
+  br i1 %1603, label %1613, label %1604
+
+1604:                                             ; preds = %1589
+  %1605 = fdiv double %1600, %1598
+  %1606 = fmul double %1600, %1605
+  %1607 = fadd double %1598, %1606
+  %1608 = fmul double %1605, 0.000000e+00
+  %1609 = fadd double %1608, 1.000000e+00
+  %1610 = fdiv double %1609, %1607
+  %1611 = fsub double 0.000000e+00, %1605
+  %1612 = fdiv double %1611, %1607
+  br label %1622
+
+1613:                                             ; preds = %1589
+  %1614 = fdiv double %1598, %1600
+  %1615 = fmul double %1598, %1614
+  %1616 = fadd double %1615, %1600
+  %1617 = fadd double %1614, 0.000000e+00
+  %1618 = fdiv double %1617, %1616
+  %1619 = fmul double %1614, 0.000000e+00
+  %1620 = fadd double %1619, -1.000000e+00
+  %1621 = fdiv double %1620, %1616
+  br label %1622
+
+1622:                                             ; preds = %1613, %1604
+  %1623 = phi double [ %1612, %1604 ], [ %1621, %1613 ]
+  %1624 = phi double [ %1610, %1604 ], [ %1618, %1613 ]
+  br label %1625
+
+1625:                                             ; preds = %1757, %1622
+  %1626 = phi i64 [ 0, %1622 ], [ %1772, %1757 ]
+  %1627 = phi i64 [ %855, %1622 ], [ %1773, %1757 ]
+  %1628 = icmp sgt i64 %1627, 0
+  br i1 %1628, label %1757, label %1576
+
+1629:                                             ; preds = %1550
+  %1630 = add nsw i64 %1552, -1
+  %1631 = add i64 %1551, 1
+  %1632 = icmp slt i64 %1551, 0
+  %1633 = select i1 %1632, i64 %230, i64 0
+  %1634 = getelementptr i64, ptr %231, i64 %1551
+  %1635 = getelementptr i64, ptr %1634, i64 %1633
+  %1636 = load i64, ptr %1635, align 8, !noalias !100
+  %1637 = icmp eq i64 %1636, %1551
+  br i1 %1637, label %1563, label %1554
+
+1638:                                             ; preds = %1559
+  %1639 = add nsw i64 %1561, -1
+  %1640 = add i64 %1560, 1
+  %1641 = add nsw i64 %1558, %1560
+  %1642 = icmp slt i64 %1641, 0
+  %1643 = select i1 %1642, i64 %266, i64 0
+  %1644 = getelementptr { double, double }, ptr %267, i64 %1641
+  %1645 = getelementptr { double, double }, ptr %1644, i64 %1643
+  %1646 = load double, ptr %1645, align 8, !noalias !100
+  %1647 = getelementptr inbounds nuw i8, ptr %1645, i64 8
+  %1648 = load double, ptr %1647, align 8, !noalias !100
+  %1649 = add nsw i64 %1556, %1560
+  %1650 = icmp slt i64 %1649, 0
+  %1651 = select i1 %1650, i64 %266, i64 0
+  %1652 = getelementptr { double, double }, ptr %267, i64 %1649
+  %1653 = getelementptr { double, double }, ptr %1652, i64 %1651
+  %1654 = load double, ptr %1653, align 8, !noalias !100
+  %1655 = getelementptr inbounds nuw i8, ptr %1653, i64 8
+  %1656 = load double, ptr %1655, align 8, !noalias !100
+  store double %1646, ptr %1653, align 8, !noalias !100
+  store double %1648, ptr %1655, align 8, !noalias !100
+  store double %1654, ptr %1645, align 8, !noalias !100
+  store double %1656, ptr %1647, align 8, !noalias !100
+  br label %1559
+
+1657:                                             ; preds = %1564
+  %1658 = add nsw i64 %1566, -1
+  %1659 = add i64 %1565, 1
+  %1660 = call i64 @llvm.smax.i64(i64 %1565, i64 0)
+  br label %1568
+
+1661:                                             ; preds = %1568
+  %1662 = add nsw i64 %1570, -1
+  %1663 = add i64 %1569, 1
+  %1664 = icmp slt i64 %1565, 0
+  %1665 = select i1 %1664, i64 %218, i64 0
+  %1666 = add i64 %1565, %1665
+  %1667 = icmp slt i64 %1569, 0
+  %1668 = select i1 %1667, i64 %220, i64 0
+  %1669 = mul i64 %1666, %220
+  %1670 = getelementptr { double, double }, ptr %221, i64 %1669
+  %1671 = getelementptr { double, double }, ptr %1670, i64 %1569
+  %1672 = getelementptr { double, double }, ptr %1671, i64 %1668
+  %1673 = load double, ptr %1672, align 8, !noalias !100
+  %1674 = getelementptr inbounds nuw i8, ptr %1672, i64 8
+  %1675 = load double, ptr %1674, align 8, !noalias !100
+  %1676 = mul nsw i64 %1565, %855
+  %1677 = add nsw i64 %218, %1676
+  %1678 = mul nsw i64 %1569, %855
+  %1679 = add nsw i64 %218, %1678
+  br label %1572
+
+1680:                                             ; preds = %1572
+  %1681 = add nsw i64 %1677, %1573
+  %1682 = icmp slt i64 %1681, 0
+  %1683 = select i1 %1682, i64 %266, i64 0
+  %1684 = getelementptr { double, double }, ptr %267, i64 %1681
+  %1685 = getelementptr { double, double }, ptr %1684, i64 %1683
+  %1686 = load double, ptr %1685, align 8, !noalias !100
+  %1687 = getelementptr inbounds nuw i8, ptr %1685, i64 8
+  %1688 = load double, ptr %1687, align 8, !noalias !100
+  %1689 = add nsw i64 %1679, %1573
+  %1690 = icmp slt i64 %1689, 0
+  %1691 = select i1 %1690, i64 %266, i64 0
+  %1692 = getelementptr { double, double }, ptr %267, i64 %1689
+  %1693 = getelementptr { double, double }, ptr %1692, i64 %1691
+  %1694 = load double, ptr %1693, align 8, !noalias !100
+  %1695 = getelementptr inbounds nuw i8, ptr %1693, i64 8
+  %1696 = load double, ptr %1695, align 8, !noalias !100
+  %1697 = fmul double %1673, %1696
+  %1698 = fmul double %1675, %1694
+  %1699 = fadd double %1697, %1698
+  %1700 = fmul double %1673, %1694
+  %1701 = fmul double %1675, %1696
+  %1702 = fsub double %1700, %1701
+  %1703 = add i64 %1573, 1
+  %1704 = add nsw i64 %1574, -1
+  %1705 = fsub double %1686, %1702
+  %1706 = fsub double %1688, %1699
+  store double %1705, ptr %1685, align 8, !noalias !100
+  store double %1706, ptr %1687, align 8, !noalias !100
+  br label %1572
+
+1707:                                             ; preds = %1576
+  %1708 = add nsw i64 %1578, -1
+  %1709 = mul nsw i64 %1579, %855
+  %1710 = add nsw i64 %218, %1709
+  %1711 = sub i64 %218, %1577
+  %1712 = call i64 @llvm.smax.i64(i64 %1711, i64 0)
+  br label %1581
+
+1713:                                             ; preds = %1581
+  %1714 = add nsw i64 %1583, -1
+  %1715 = add i64 %1582, 1
+  %1716 = icmp slt i64 %1579, 0
+  %1717 = select i1 %1716, i64 %218, i64 0
+  %1718 = add i64 %1579, %1717
+  %1719 = icmp slt i64 %1582, 0
+  %1720 = select i1 %1719, i64 %220, i64 0
+  %1721 = mul i64 %1718, %220
+  %1722 = getelementptr { double, double }, ptr %221, i64 %1721
+  %1723 = getelementptr { double, double }, ptr %1722, i64 %1582
+  %1724 = getelementptr { double, double }, ptr %1723, i64 %1720
+  %1725 = load double, ptr %1724, align 8, !noalias !100
+  %1726 = getelementptr inbounds nuw i8, ptr %1724, i64 8
+  %1727 = load double, ptr %1726, align 8, !noalias !100
+  %1728 = mul nsw i64 %1582, %855
+  %1729 = add nsw i64 %218, %1728
+  br label %1585
+
+1730:                                             ; preds = %1585
+  %1731 = add nsw i64 %1710, %1586
+  %1732 = icmp slt i64 %1731, 0
+  %1733 = select i1 %1732, i64 %266, i64 0
+  %1734 = getelementptr { double, double }, ptr %267, i64 %1731
+  %1735 = getelementptr { double, double }, ptr %1734, i64 %1733
+  %1736 = load double, ptr %1735, align 8, !noalias !100
+  %1737 = getelementptr inbounds nuw i8, ptr %1735, i64 8
+  %1738 = load double, ptr %1737, align 8, !noalias !100
+  %1739 = add nsw i64 %1729, %1586
+  %1740 = icmp slt i64 %1739, 0
+  %1741 = select i1 %1740, i64 %266, i64 0
+  %1742 = getelementptr { double, double }, ptr %267, i64 %1739
+  %1743 = getelementptr { double, double }, ptr %1742, i64 %1741
+  %1744 = load double, ptr %1743, align 8, !noalias !100
+  %1745 = getelementptr inbounds nuw i8, ptr %1743, i64 8
+  %1746 = load double, ptr %1745, align 8, !noalias !100
+  %1747 = fmul double %1725, %1746
+  %1748 = fmul double %1727, %1744
+  %1749 = fadd double %1747, %1748
+  %1750 = fmul double %1725, %1744
+  %1751 = fmul double %1727, %1746
+  %1752 = fsub double %1750, %1751
+  %1753 = add i64 %1586, 1
+  %1754 = add nsw i64 %1587, -1
+  %1755 = fsub double %1736, %1752
+  %1756 = fsub double %1738, %1749
+  store double %1755, ptr %1735, align 8, !noalias !100
+  store double %1756, ptr %1737, align 8, !noalias !100
+  br label %1585
+
+1757:                                             ; preds = %1625
+  %1758 = add nsw i64 %1710, %1626
+  %1759 = icmp slt i64 %1758, 0
+  %1760 = select i1 %1759, i64 %266, i64 0
+  %1761 = getelementptr { double, double }, ptr %267, i64 %1758
+  %1762 = getelementptr { double, double }, ptr %1761, i64 %1760
+  %1763 = load double, ptr %1762, align 8, !noalias !100
+  %1764 = getelementptr inbounds nuw i8, ptr %1762, i64 8
+  %1765 = load double, ptr %1764, align 8, !noalias !100
+  %1766 = fmul double %1763, %1623
+  %1767 = fmul double %1765, %1624
+  %1768 = fadd double %1766, %1767
+  %1769 = fmul double %1763, %1624
+  %1770 = fmul double %1765, %1623
+  %1771 = fsub double %1769, %1770
+  %1772 = add i64 %1626, 1
+  %1773 = add nsw i64 %1627, -1
+  store double %1771, ptr %1762, align 8, !noalias !100
+  store double %1768, ptr %1764, align 8, !noalias !100
+  br label %1625
+
+1774:                                             ; preds = %1165
+  %1775 = add nsw i64 %1167, -1
+  %1776 = add i64 %1166, 1
+  %1777 = icmp slt i64 %1166, 0
+  %1778 = select i1 %1777, i64 %64, i64 0
+  %1779 = getelementptr double, ptr %65, i64 %1166
+  %1780 = getelementptr double, ptr %1779, i64 %1778
+  %1781 = load double, ptr %1780, align 8, !noalias !61
+  %1782 = select i1 %1777, i64 %99, i64 0
+  %1783 = getelementptr double, ptr %100, i64 %1166
+  %1784 = getelementptr double, ptr %1783, i64 %1782
+  %1785 = load double, ptr %1784, align 8, !noalias !104
+  %1786 = select i1 %1777, i64 %94, i64 0
+  %1787 = getelementptr double, ptr %95, i64 %1166
+  %1788 = getelementptr double, ptr %1787, i64 %1786
+  %1789 = load double, ptr %1788, align 8, !noalias !104
+  %1790 = call double @llvm.fabs.f64(double %1781)
+  %1791 = fmul double %1789, %1790
+  %1792 = fadd double %1785, %1791
+  %1793 = select i1 %1777, i64 %261, i64 0
+  %1794 = getelementptr double, ptr %262, i64 %1166
+  %1795 = getelementptr double, ptr %1794, i64 %1793
+  %1796 = load double, ptr %1795, align 8, !noalias !61
+  %1797 = fdiv double %1796, %1792
+  %1798 = select i1 %1777, i64 %266, i64 0
+  %1799 = getelementptr { double, double }, ptr %267, i64 %1166
+  %1800 = getelementptr { double, double }, ptr %1799, i64 %1798
+  %1801 = load double, ptr %1800, align 8, !noalias !61
+  %1802 = fdiv double %1801, %1792
+  %1803 = getelementptr inbounds nuw i8, ptr %1800, i64 8
+  %1804 = load double, ptr %1803, align 8, !noalias !61
+  %1805 = fdiv double %1804, %1792
+  %1806 = fmul double %1797, %1797
+  %1807 = fmul double %1802, %1802
+  %1808 = fadd double %1806, %1807
+  %1809 = fmul double %1805, %1805
+  %1810 = fadd double %1808, %1809
+  %1811 = fadd double %1168, %1810
+  br label %1165
+
+1812:                                             ; preds = %1209
+  %1813 = fcmp ult double %1182, 1.000000e+00
+  br i1 %1813, label %1213, label %1877
+
+1814:                                             ; preds = %1220
+  %1815 = add nsw i64 %1222, -1
+  %1816 = add i64 %1221, 1
+  %1817 = icmp slt i64 %1221, 0
+  %1818 = select i1 %1817, i64 %244, i64 0
+  %1819 = getelementptr double, ptr %245, i64 %1221
+  %1820 = getelementptr double, ptr %1819, i64 %1818
+  %1821 = load double, ptr %1820, align 8, !noalias !61
+  %1822 = select i1 %1817, i64 %261, i64 0
+  %1823 = getelementptr double, ptr %262, i64 %1221
+  %1824 = getelementptr double, ptr %1823, i64 %1822
+  %1825 = load double, ptr %1824, align 8, !noalias !61
+  %1826 = fadd double %1821, %1825
+  store double %1826, ptr %1820, align 8, !noalias !61
+  %1827 = getelementptr double, ptr %245, i64 %244
+  %1828 = getelementptr double, ptr %1827, i64 %1221
+  %1829 = getelementptr double, ptr %1828, i64 %1818
+  %1830 = load double, ptr %1829, align 8, !noalias !61
+  %1831 = select i1 %1817, i64 %266, i64 0
+  %1832 = getelementptr { double, double }, ptr %267, i64 %1221
+  %1833 = getelementptr { double, double }, ptr %1832, i64 %1831
+  %1834 = load double, ptr %1833, align 8, !noalias !61
+  %1835 = fadd double %1830, %1834
+  store double %1835, ptr %1829, align 8, !noalias !61
+  %1836 = shl i64 %244, 4
+  %1837 = getelementptr i8, ptr %245, i64 %1836
+  %1838 = getelementptr double, ptr %1837, i64 %1221
+  %1839 = getelementptr double, ptr %1838, i64 %1818
+  %1840 = load double, ptr %1839, align 8, !noalias !61
+  %1841 = getelementptr inbounds nuw i8, ptr %1833, i64 8
+  %1842 = load double, ptr %1841, align 8, !noalias !61
+  %1843 = fadd double %1840, %1842
+  store double %1843, ptr %1839, align 8, !noalias !61
+  br label %1224
+
+1844:                                             ; preds = %1224
+  %1845 = add nsw i64 %1226, -1
+  %1846 = add i64 %1225, 1
+  %1847 = icmp slt i64 %1225, 0
+  %1848 = add i64 %1225, 3
+  %1849 = select i1 %1847, i64 %1848, i64 %1225
+  %1850 = mul i64 %1849, 24
+  %1851 = getelementptr i8, ptr @5, i64 %1850
+  %1852 = load double, ptr %1851, align 8, !noalias !61
+  %1853 = load double, ptr %1820, align 8, !noalias !61
+  %1854 = fmul double %1852, %1853
+  %1855 = getelementptr i8, ptr @6, i64 %1850
+  %1856 = getelementptr i8, ptr %1855, i64 8
+  %1857 = load double, ptr %1856, align 8, !noalias !61
+  %1858 = load double, ptr %1829, align 8, !noalias !61
+  %1859 = fmul double %1857, %1858
+  %1860 = fadd double %1854, %1859
+  %1861 = getelementptr i8, ptr @7, i64 %1850
+  %1862 = getelementptr i8, ptr %1861, i64 16
+  %1863 = load double, ptr %1862, align 8, !noalias !61
+  %1864 = load double, ptr %1839, align 8, !noalias !61
+  %1865 = fmul double %1863, %1864
+  %1866 = fadd double %1860, %1865
+  %1867 = select i1 %1847, i64 %235, i64 0
+  %1868 = add i64 %1225, %1867
+  %1869 = select i1 %1817, i64 %237, i64 0
+  %1870 = mul i64 %1868, %237
+  %1871 = getelementptr double, ptr %238, i64 %1870
+  %1872 = getelementptr double, ptr %1871, i64 %1221
+  %1873 = getelementptr double, ptr %1872, i64 %1869
+  store double %1866, ptr %1873, align 8, !noalias !61
+  br label %1224
+
+1874:                                             ; preds = %1245
+  %1875 = fmul double %852, %852
+  %1876 = fcmp ugt double %1248, %1875
+  br i1 %1876, label %1319, label %1320
+
+1877:                                             ; preds = %1209, %993, %902, %1213, %1812, %1170, %1360, %905, %1320
+  %1878 = phi double [ %1321, %1320 ], [ %1182, %1213 ], [ 0.000000e+00, %905 ], [ 0.000000e+00, %993 ], [ 0.000000e+00, %902 ], [ 0x7FF0000000000000, %1360 ], [ %862, %1170 ], [ %1182, %1812 ], [ 0.000000e+00, %1209 ]
+  %1879 = phi i64 [ %1324, %1320 ], [ %1331, %1213 ], [ %1332, %905 ], [ 0, %993 ], [ 0, %902 ], [ %1332, %1360 ], [ %1331, %1170 ], [ %1331, %1812 ], [ 0, %1209 ]
+  %1880 = phi i1 [ %1323, %1320 ], [ true, %1213 ], [ true, %905 ], [ true, %993 ], [ true, %902 ], [ true, %1360 ], [ true, %1170 ], [ true, %1812 ], [ true, %1209 ]
+  %1881 = phi i64 [ 0, %1320 ], [ 0, %1213 ], [ %906, %905 ], [ 0, %993 ], [ 0, %902 ], [ 0, %1360 ], [ 0, %1170 ], [ 0, %1812 ], [ 0, %1209 ]
+  %1882 = phi i32 [ 0, %1320 ], [ 0, %1213 ], [ 0, %905 ], [ %994, %993 ], [ %904, %902 ], [ 0, %1360 ], [ 0, %1170 ], [ 0, %1812 ], [ %1212, %1209 ]
+  switch i32 %1882, label %2552 [
+    i32 -2, label %2550
+    i32 0, label %2550
+  ], !prof !32
+
+1883:                                             ; preds = %2550
+  br label %2683
+
+1884:                                             ; preds = %2550
+  br i1 %1880, label %2304, label %1885
+
+1885:                                             ; preds = %1884, %2553
+  %1886 = phi i64 [ %2555, %2553 ], [ 0, %1884 ]
+  %1887 = phi i64 [ %2554, %2553 ], [ %282, %1884 ]
+  %1888 = icmp sgt i64 %1887, 0
+  br i1 %1888, label %2553, label %1889
+
+1889:                                             ; preds = %1885
+  %1890 = getelementptr i8, ptr %196, i64 32
+  %1891 = load i64, ptr %1890, align 8, !noalias !12
+  %1892 = icmp ne i64 %1891, 1
+  store ptr null, ptr %6, align 8, !noalias !107
+  store double 0.000000e+00, ptr %7, align 8, !noalias !107
+  store ptr null, ptr %8, align 8, !noalias !107
+  store double 0.000000e+00, ptr %9, align 8, !noalias !107
+  %1893 = load i64, ptr %116, align 8, !noalias !107
+  %1894 = call i64 @llvm.smax.i64(i64 %1893, i64 0)
+  br label %1895
+
+1895:                                             ; preds = %1930, %1889
+  %1896 = phi i64 [ 0, %1889 ], [ %1932, %1930 ]
+  %1897 = phi i64 [ %1894, %1889 ], [ %1931, %1930 ]
+  %1898 = icmp sgt i64 %1897, 0
+  br i1 %1898, label %1930, label %1899
+
+1899:                                             ; preds = %1895
+  store ptr null, ptr %6, align 8, !noalias !107
+  %1900 = call fastcc i32 @solve(ptr nonnull %6, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !107
+  switch i32 %1900, label %2008 [
+    i32 -2, label %1964
+    i32 0, label %1964
+  ], !prof !32
+
+1901:                                             ; preds = %1967, %1970
+  %1902 = phi i64 [ %1972, %1970 ], [ 0, %1967 ]
+  %1903 = phi i64 [ %1971, %1970 ], [ %1894, %1967 ]
+  %1904 = icmp sgt i64 %1903, 0
+  br i1 %1904, label %1970, label %1905
+
+1905:                                             ; preds = %1901
+  %1906 = getelementptr i8, ptr %110, i64 24
+  %1907 = load i64, ptr %1906, align 8, !noalias !107
+  %1908 = add nsw i64 %1907, 1
+  store i64 %1908, ptr %1906, align 8, !noalias !107
+  store ptr null, ptr %4, align 8, !noalias !111
+  store ptr null, ptr %5, align 8, !noalias !111
+  store double %366, ptr %33, align 8, !noalias !111
+  %1909 = icmp sgt i64 %45, 0
+  br i1 %1909, label %1910, label %1913
+
+1910:                                             ; preds = %1905
+  store ptr null, ptr %4, align 8, !noalias !111
+  %1911 = call fastcc i32 @_sample(ptr nonnull %4, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
+  switch i32 %1911, label %1912 [
+    i32 -2, label %1913
+    i32 0, label %1913
+  ], !prof !32
+
+1912:                                             ; preds = %1910
+  br label %1913
+
+1913:                                             ; preds = %1910, %1910, %1905, %1912
+  %1914 = phi i32 [ %1911, %1912 ], [ 0, %1905 ], [ 0, %1910 ], [ 0, %1910 ]
+  switch i32 %1914, label %1919 [
+    i32 -2, label %1915
+    i32 0, label %1915
+  ], !prof !32
+
+1915:                                             ; preds = %1913, %1913
+  %1916 = load i64, ptr %30, align 8, !noalias !118
+  %1917 = inttoptr i64 %1916 to ptr
+  %1918 = call i32 %1917(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %250) #3, !noalias !118
+  br label %1919
+
+1919:                                             ; preds = %1913, %1915
+  %1920 = phi i32 [ %1918, %1915 ], [ 0, %1913 ]
+  %1921 = phi i32 [ 0, %1915 ], [ %1914, %1913 ]
+  switch i32 %1921, label %2008 [
+    i32 -2, label %1986
+    i32 0, label %1986
+  ], !prof !32
+
+1922:                                             ; preds = %1986
+  %1923 = sext i32 %1920 to i64
+  br label %2008
+
+1924:                                             ; preds = %1986, %1988
+  %1925 = phi i64 [ %1990, %1988 ], [ 0, %1986 ]
+  %1926 = phi i64 [ %1989, %1988 ], [ %1894, %1986 ]
+  %1927 = icmp sgt i64 %1926, 0
+  br i1 %1927, label %1988, label %1928
+
+1928:                                             ; preds = %1924
+  store ptr null, ptr %8, align 8, !noalias !107
+  %1929 = call fastcc i32 @solve(ptr nonnull %8, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !107
+  switch i32 %1929, label %2008 [
+    i32 -2, label %2004
+    i32 0, label %2004
+  ], !prof !32
+
+1930:                                             ; preds = %1895
+  %1931 = add nsw i64 %1897, -1
+  %1932 = add i64 %1896, 1
+  %1933 = icmp slt i64 %1896, 0
+  %1934 = select i1 %1933, i64 %237, i64 0
+  %1935 = getelementptr double, ptr %238, i64 %1896
+  %1936 = getelementptr double, ptr %1935, i64 %1934
+  %1937 = load double, ptr %1936, align 8, !noalias !107
+  %1938 = fmul double %1937, 0xC02418FD8BAFFE05
+  %1939 = getelementptr double, ptr %238, i64 %237
+  %1940 = getelementptr double, ptr %1939, i64 %1896
+  %1941 = getelementptr double, ptr %1940, i64 %1934
+  %1942 = load double, ptr %1941, align 8, !noalias !107
+  %1943 = fmul double %1942, 0x3FF61D41B2D54580
+  %1944 = fadd double %1938, %1943
+  %1945 = shl i64 %237, 4
+  %1946 = getelementptr i8, ptr %238, i64 %1945
+  %1947 = getelementptr double, ptr %1946, i64 %1896
+  %1948 = getelementptr double, ptr %1947, i64 %1934
+  %1949 = load double, ptr %1948, align 8, !noalias !107
+  %1950 = fmul double %1949, 0xBFD5555555555555
+  %1951 = fadd double %1944, %1950
+  %1952 = fdiv double %1951, %391
+  %1953 = select i1 %1933, i64 %271, i64 0
+  %1954 = getelementptr double, ptr %272, i64 %1896
+  %1955 = getelementptr double, ptr %1954, i64 %1953
+  store double %1952, ptr %1955, align 8, !noalias !107
+  %1956 = select i1 %1933, i64 %84, i64 0
+  %1957 = getelementptr double, ptr %85, i64 %1896
+  %1958 = getelementptr double, ptr %1957, i64 %1956
+  %1959 = load double, ptr %1958, align 8, !noalias !107
+  %1960 = fadd double %1959, %1952
+  %1961 = select i1 %1933, i64 %261, i64 0
+  %1962 = getelementptr double, ptr %262, i64 %1896
+  %1963 = getelementptr double, ptr %1962, i64 %1961
+  store double %1960, ptr %1963, align 8, !noalias !107
+  br label %1895
+
+1964:                                             ; preds = %1899, %1899
+  store double 0.000000e+00, ptr %7, align 8, !noalias !107
+  %1965 = call fastcc i32 @norm(ptr nonnull %7, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1893) #3, !noalias !107
+  %1966 = load double, ptr %7, align 8, !noalias !107
+  switch i32 %1965, label %2008 [
+    i32 -2, label %1967
+    i32 0, label %1967
+  ], !prof !32
+
+1967:                                             ; preds = %1964, %1964
+  %1968 = fcmp olt double %1966, 1.000000e+00
+  %1969 = select i1 %1968, i1 true, i1 %1892
+  br i1 %1969, label %2008, label %1901
+
+1970:                                             ; preds = %1901
+  %1971 = add nsw i64 %1903, -1
+  %1972 = add i64 %1902, 1
+  %1973 = icmp slt i64 %1902, 0
+  %1974 = select i1 %1973, i64 %64, i64 0
+  %1975 = getelementptr double, ptr %65, i64 %1902
+  %1976 = getelementptr double, ptr %1975, i64 %1974
+  %1977 = load double, ptr %1976, align 8, !noalias !107
+  %1978 = select i1 %1973, i64 %261, i64 0
+  %1979 = getelementptr double, ptr %262, i64 %1902
+  %1980 = getelementptr double, ptr %1979, i64 %1978
+  %1981 = load double, ptr %1980, align 8, !noalias !107
+  %1982 = fadd double %1977, %1981
+  %1983 = select i1 %1973, i64 %74, i64 0
+  %1984 = getelementptr double, ptr %75, i64 %1902
+  %1985 = getelementptr double, ptr %1984, i64 %1983
+  store double %1982, ptr %1985, align 8, !noalias !107
+  br label %1901
+
+1986:                                             ; preds = %1919, %1919
+  %1987 = icmp eq i32 %1920, 0
+  br i1 %1987, label %1924, label %1922
+
+1988:                                             ; preds = %1924
+  %1989 = add nsw i64 %1926, -1
+  %1990 = add i64 %1925, 1
+  %1991 = icmp slt i64 %1925, 0
+  %1992 = select i1 %1991, i64 %249, i64 0
+  %1993 = getelementptr double, ptr %250, i64 %1925
+  %1994 = getelementptr double, ptr %1993, i64 %1992
+  %1995 = load double, ptr %1994, align 8, !noalias !107
+  %1996 = select i1 %1991, i64 %271, i64 0
+  %1997 = getelementptr double, ptr %272, i64 %1925
+  %1998 = getelementptr double, ptr %1997, i64 %1996
+  %1999 = load double, ptr %1998, align 8, !noalias !107
+  %2000 = fadd double %1995, %1999
+  %2001 = select i1 %1991, i64 %261, i64 0
+  %2002 = getelementptr double, ptr %262, i64 %1925
+  %2003 = getelementptr double, ptr %2002, i64 %2001
+  store double %2000, ptr %2003, align 8, !noalias !107
+  br label %1924
+
+2004:                                             ; preds = %1928, %1928
+  store double 0.000000e+00, ptr %9, align 8, !noalias !107
+  %2005 = call fastcc i32 @norm(ptr nonnull %9, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1893) #3, !noalias !107
+  switch i32 %2005, label %2008 [
+    i32 -2, label %2006
+    i32 0, label %2006
+  ], !prof !32
+
+2006:                                             ; preds = %2004, %2004
+  %2007 = load double, ptr %9, align 8, !noalias !107
+  br label %2008
+
+2008:                                             ; preds = %2004, %1928, %1919, %1964, %1899, %1967, %1922, %2006
+  %2009 = phi double [ %1966, %1967 ], [ 0.000000e+00, %1899 ], [ %1966, %1922 ], [ 0.000000e+00, %1964 ], [ 0.000000e+00, %1919 ], [ 0.000000e+00, %1928 ], [ %2007, %2006 ], [ 0.000000e+00, %2004 ]
+  %2010 = phi i64 [ 0, %1967 ], [ 0, %1899 ], [ %1923, %1922 ], [ 0, %1964 ], [ 0, %1919 ], [ 0, %1928 ], [ 0, %2006 ], [ 0, %2004 ]
+  %2011 = phi i32 [ 0, %1967 ], [ %1900, %1899 ], [ 0, %1922 ], [ %1965, %1964 ], [ %1921, %1919 ], [ %1929, %1928 ], [ 0, %2006 ], [ %2005, %2004 ]
+  switch i32 %2011, label %2573 [
+    i32 -2, label %2571
+    i32 0, label %2571
+  ], !prof !32
+
+2012:                                             ; preds = %2571
+  br label %2683
+
+2013:                                             ; preds = %2571
+  %2014 = add nsw i64 %1879, 12
+  %2015 = sitofp i64 %2014 to double
+  %2016 = fdiv double 0x4027666666666667, %2015
+  %2017 = fcmp olt double %2009, 1.000000e-10
+  %2018 = select i1 %2017, double 1.000000e-10, double %2009
+  %2019 = call double @llvm.pow.f64(double %2018, double -2.500000e-01)
+  %2020 = icmp eq i64 %2010, 0
+  %2021 = fcmp olt double %2009, 1.000000e+00
+  %2022 = select i1 %2020, i1 %2021, i1 false
+  br i1 %2022, label %2023, label %2287
+
+2023:                                             ; preds = %2013
+  br i1 %275, label %2024, label %2038
+
+2024:                                             ; preds = %2023
+  %2025 = getelementptr i8, ptr %157, i64 56
+  %2026 = load i64, ptr %2025, align 8, !noalias !12
+  %2027 = inttoptr i64 %2026 to ptr
+  %2028 = call i64 %2027(i64 %0, double %392, i64 %67) #3, !noalias !12
+  %2029 = icmp eq i64 %2028, 0
+  br i1 %2029, label %2038, label %2030
+
+2030:                                             ; preds = %2024
+  %2031 = load i64, ptr %374, align 8, !noalias !12
+  %2032 = add nsw i64 %2031, 1
+  store i64 %2032, ptr %374, align 8, !noalias !12
+  %2033 = fmul double %391, 2.500000e-01
+  %2034 = getelementptr i8, ptr %110, i64 72
+  store i64 6, ptr %2034, align 8, !noalias !12
+  %2035 = getelementptr i8, ptr %196, i64 16
+  %2036 = load i64, ptr %2035, align 8, !noalias !12
+  %2037 = sub nsw i64 1, %2036
+  store i64 1, ptr %1890, align 8, !noalias !12
+  store i64 %2037, ptr %399, align 8, !noalias !12
+  br label %2361
+
+2038:                                             ; preds = %2024, %2023
+  %2039 = load i64, ptr %372, align 8, !noalias !12
+  %2040 = add nsw i64 %2039, 1
+  store i64 %2040, ptr %372, align 8, !noalias !12
+  %2041 = getelementptr i8, ptr %105, i64 24
+  %2042 = load double, ptr %2041, align 8, !noalias !12
+  %2043 = fcmp ogt double %2042, 0.000000e+00
+  br i1 %2043, label %2044, label %2054
+
+2044:                                             ; preds = %2038
+  %2045 = getelementptr i8, ptr %105, i64 32
+  %2046 = load double, ptr %2045, align 8, !noalias !12
+  %2047 = fdiv double %391, %2046
+  %2048 = fdiv double %2042, %2018
+  %2049 = call double @llvm.pow.f64(double %2048, double 2.500000e-01)
+  %2050 = fmul double %2047, %2049
+  %2051 = fcmp olt double %2050, 1.000000e+00
+  %2052 = select i1 %2051, double %2050, double 1.000000e+00
+  %2053 = fmul double %2019, %2052
+  br label %2054
+
+2054:                                             ; preds = %2044, %2038
+  %2055 = phi double [ %2053, %2044 ], [ %2019, %2038 ]
+  %2056 = fmul double %2016, %2055
+  %2057 = fcmp olt double %2056, 1.000000e+01
+  %2058 = select i1 %2057, double %2056, double 1.000000e+01
+  store double %392, ptr %105, align 8, !noalias !12
+  %2059 = getelementptr i8, ptr %105, i64 32
+  store double %391, ptr %2059, align 8, !noalias !12
+  store double %2018, ptr %2041, align 8, !noalias !12
+  br label %2060
+
+2060:                                             ; preds = %2064, %2054
+  %2061 = phi i64 [ 0, %2054 ], [ %2576, %2064 ]
+  %2062 = phi i64 [ %282, %2054 ], [ %2575, %2064 ]
+  %2063 = icmp sgt i64 %2062, 0
+  br i1 %2063, label %2574, label %2068
+
+2064:                                             ; preds = %2574, %2631
+  %2065 = phi i64 [ 0, %2574 ], [ %2633, %2631 ]
+  %2066 = phi i64 [ 3, %2574 ], [ %2632, %2631 ]
+  %2067 = icmp sgt i64 %2066, 0
+  br i1 %2067, label %2631, label %2060
+
+2068:                                             ; preds = %2060
+  store double %391, ptr %772, align 8, !noalias !12
+  %2069 = getelementptr i8, ptr %160, i64 8
+  %2070 = load i64, ptr %2069, align 8, !noalias !12
+  %2071 = icmp sgt i64 %2070, 0
+  br i1 %2071, label %2081, label %2072
+
+2072:                                             ; preds = %2068
+  %2073 = getelementptr i8, ptr %110, i64 48
+  %2074 = load i64, ptr %2073, align 8, !noalias !12
+  %2075 = icmp slt i64 %2074, 0
+  %2076 = select i1 %2075, i64 %114, i64 0
+  %2077 = getelementptr double, ptr %115, i64 %2074
+  %2078 = getelementptr double, ptr %2077, i64 %2076
+  %2079 = load double, ptr %2078, align 8, !noalias !12
+  %2080 = fcmp ugt double %2079, %392
+  br i1 %2080, label %2242, label %2088
+
+2081:                                             ; preds = %2068
+  %2082 = getelementptr i8, ptr %160, i64 16
+  %2083 = load i64, ptr %2082, align 8, !noalias !12
+  %2084 = inttoptr i64 %2083 to ptr
+  %2085 = call i64 %2084(i64 %0, double %366, double %391) #3, !noalias !12
+  %2086 = getelementptr i8, ptr %105, i64 48
+  %2087 = load double, ptr %2086, align 8, !noalias !12
+  br label %2088
+
+2088:                                             ; preds = %2072, %2081
+  %2089 = phi double [ %2087, %2081 ], [ 1.000000e+00, %2072 ]
+  %2090 = phi i64 [ %2085, %2081 ], [ 0, %2072 ]
+  %2091 = fcmp oeq double %2089, 1.000000e+00
+  br i1 %2091, label %2092, label %2094
+
+2092:                                             ; preds = %2088
+  %2093 = load double, ptr %105, align 8, !noalias !12
+  br label %2097
+
+2094:                                             ; preds = %2088
+  %2095 = fmul double %2089, %391
+  %2096 = fadd double %366, %2095
+  br label %2097
+
+2097:                                             ; preds = %2094, %2092
+  %2098 = phi double [ %2093, %2092 ], [ %2096, %2094 ]
+  %2099 = icmp eq i64 %2090, -4
+  %2100 = select i1 %2099, i64 -4, i64 0
+  br i1 %2099, label %2154, label %2101
+
+2101:                                             ; preds = %2097
+  %2102 = fcmp uge double %2089, 1.000000e+00
+  %2103 = load i64, ptr %116, align 8, !noalias !12
+  %2104 = load i64, ptr %157, align 8, !noalias !12
+  %2105 = icmp eq i64 %2104, 1
+  %2106 = getelementptr i8, ptr %110, i64 48
+  %2107 = load i64, ptr %2106, align 8, !noalias !12
+  %2108 = icmp slt i64 %2107, %114
+  br i1 %2108, label %2109, label %2152
+
+2109:                                             ; preds = %2101
+  %2110 = icmp slt i64 %2107, 0
+  %2111 = select i1 %2110, i64 %114, i64 0
+  %2112 = getelementptr double, ptr %115, i64 %2107
+  %2113 = getelementptr double, ptr %2112, i64 %2111
+  %2114 = load double, ptr %2113, align 8, !noalias !12
+  %2115 = fcmp uge double %2114, %2098
+  %2116 = fcmp une double %2114, %2098
+  %2117 = or i1 %2116, %2102
+  %2118 = and i1 %2115, %2117
+  br i1 %2118, label %2152, label %2119
+
+2119:                                             ; preds = %2142, %2109
+  %2120 = phi i64 [ %2107, %2109 ], [ %2140, %2142 ]
+  %2121 = icmp slt i64 %2120, 0
+  %2122 = select i1 %2121, i64 %114, i64 0
+  %2123 = getelementptr double, ptr %115, i64 %2120
+  %2124 = getelementptr double, ptr %2123, i64 %2122
+  %2125 = load double, ptr %2124, align 8, !noalias !12
+  %2126 = fsub double %2125, %366
+  %2127 = fdiv double %2126, %391
+  %2128 = mul nsw i64 %2120, %2103
+  %2129 = shl i64 %2128, 3
+  %2130 = add i64 %2129, %1
+  %2131 = call i64 @llvm.smax.i64(i64 %79, i64 0)
+  br label %2648
+
+2132:                                             ; preds = %2652
+  %2133 = getelementptr i8, ptr %157, i64 56
+  %2134 = load i64, ptr %2133, align 8, !noalias !12
+  %2135 = load double, ptr %2124, align 8, !noalias !12
+  %2136 = inttoptr i64 %2134 to ptr
+  %2137 = call i64 %2136(i64 %0, double %2135, i64 %2130) #3, !noalias !12
+  %2138 = icmp eq i64 %2137, 0
+  br i1 %2138, label %2139, label %2154
+
+2139:                                             ; preds = %2652, %2132
+  %2140 = add nsw i64 %2120, 1
+  %2141 = icmp slt i64 %2140, %114
+  br i1 %2141, label %2142, label %2152
+
+2142:                                             ; preds = %2139
+  %2143 = icmp slt i64 %2120, -1
+  %2144 = select i1 %2143, i64 %114, i64 0
+  %2145 = getelementptr double, ptr %115, i64 %2140
+  %2146 = getelementptr double, ptr %2145, i64 %2144
+  %2147 = load double, ptr %2146, align 8, !noalias !12
+  %2148 = fcmp uge double %2147, %2098
+  %2149 = fcmp une double %2147, %2098
+  %2150 = or i1 %2149, %2102
+  %2151 = and i1 %2148, %2150
+  br i1 %2151, label %2152, label %2119
+
+2152:                                             ; preds = %2142, %2109, %2139, %2101
+  %2153 = phi i64 [ %2107, %2109 ], [ %2140, %2142 ], [ %2140, %2139 ], [ %2107, %2101 ]
+  store i64 %2153, ptr %2106, align 8, !noalias !12
+  br label %2154
+
+2154:                                             ; preds = %2132, %2152, %2097
+  %2155 = phi i64 [ %2100, %2097 ], [ 0, %2152 ], [ %2137, %2132 ]
+  %2156 = icmp eq i64 %2155, 0
+  %2157 = icmp ne i64 %2090, 0
+  %2158 = select i1 %2156, i1 %2157, i1 false
+  %2159 = fcmp olt double %2089, 1.000000e+00
+  %2160 = and i1 %2158, %2159
+  br i1 %2160, label %2161, label %2200
+
+2161:                                             ; preds = %2154
+  %2162 = call i64 @llvm.smax.i64(i64 %79, i64 0)
+  br label %2163
+
+2163:                                             ; preds = %2161, %2188
+  %2164 = phi i64 [ 0, %2161 ], [ %2190, %2188 ]
+  %2165 = phi i64 [ %2162, %2161 ], [ %2189, %2188 ]
+  %2166 = icmp sgt i64 %2165, 0
+  br i1 %2166, label %2188, label %2167
+
+2167:                                             ; preds = %2163
+  %2168 = getelementptr i8, ptr %27, i64 24
+  %2169 = load i64, ptr %2168, align 8, !noalias !119
+  %2170 = getelementptr i8, ptr %30, i64 16
+  %2171 = load i64, ptr %2170, align 8, !noalias !119
+  call fastcc void @pydy_nested(i64 %72, i64 %62, i64 %87, i64 %64, i64 %2169, i64 %77, i64 %2171) #3, !noalias !119
+  %2172 = call i64 @llvm.smax.i64(i64 %69, i64 0)
+  br label %2173
+
+2173:                                             ; preds = %2177, %2167
+  %2174 = phi i64 [ 0, %2167 ], [ %2179, %2177 ]
+  %2175 = phi i64 [ %2172, %2167 ], [ %2178, %2177 ]
+  %2176 = icmp sgt i64 %2175, 0
+  br i1 %2176, label %2177, label %2664
+
+2177:                                             ; preds = %2173
+  %2178 = add nsw i64 %2175, -1
+  %2179 = add i64 %2174, 1
+  %2180 = icmp slt i64 %2174, 0
+  %2181 = select i1 %2180, i64 %74, i64 0
+  %2182 = getelementptr double, ptr %75, i64 %2174
+  %2183 = getelementptr double, ptr %2182, i64 %2181
+  %2184 = load double, ptr %2183, align 8, !noalias !123
+  %2185 = select i1 %2180, i64 %69, i64 0
+  %2186 = getelementptr double, ptr %70, i64 %2174
+  %2187 = getelementptr double, ptr %2186, i64 %2185
+  store double %2184, ptr %2187, align 8, !noalias !123
+  br label %2173
+
+2188:                                             ; preds = %2163
+  %2189 = add nsw i64 %2165, -1
+  %2190 = add i64 %2164, 1
+  %2191 = icmp slt i64 %2164, 0
+  %2192 = select i1 %2191, i64 %79, i64 0
+  %2193 = getelementptr double, ptr %80, i64 %2164
+  %2194 = getelementptr double, ptr %2193, i64 %2192
+  store double %2089, ptr %2194, align 8, !noalias !119
+  br label %2163
+
+2195:                                             ; preds = %2664
+  %2196 = getelementptr i8, ptr %157, i64 56
+  %2197 = load i64, ptr %2196, align 8, !noalias !12
+  %2198 = inttoptr i64 %2197 to ptr
+  %2199 = call i64 %2198(i64 %0, double %2098, i64 %67) #3, !noalias !12
+  br label %2200
+
+2200:                                             ; preds = %2664, %2195, %2154
+  %2201 = phi i64 [ %2199, %2195 ], [ 0, %2664 ], [ %2155, %2154 ]
+  %2202 = icmp eq i64 %2201, 0
+  br i1 %2202, label %2204, label %2203
+
+2203:                                             ; preds = %2200
+  store double %366, ptr %105, align 8, !noalias !12
+  store double %391, ptr %298, align 8, !noalias !12
+  br label %2226
+
+2204:                                             ; preds = %2200
+  br i1 %2091, label %2205, label %2207
+
+2205:                                             ; preds = %2204
+  store i8 0, ptr %24, align 1, !noalias !12
+  %2206 = call fastcc i32 @write_reached(ptr nonnull %24, ptr %30, ptr %70, i64 %69, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
+  switch i32 %2206, label %2667 [
+    i32 -2, label %2207
+    i32 0, label %2207
+  ], !prof !32
+
+2207:                                             ; preds = %2205, %2205, %2204
+  %2208 = icmp eq i64 %2090, 0
+  br i1 %2208, label %2226, label %2209
+
+2209:                                             ; preds = %2207
+  %2210 = call i64 @llvm.smax.i64(i64 %64, i64 0)
+  br label %2211
+
+2211:                                             ; preds = %2215, %2209
+  %2212 = phi i64 [ 0, %2209 ], [ %2217, %2215 ]
+  %2213 = phi i64 [ %2210, %2209 ], [ %2216, %2215 ]
+  %2214 = icmp sgt i64 %2213, 0
+  br i1 %2214, label %2215, label %2668
+
+2215:                                             ; preds = %2211
+  %2216 = add nsw i64 %2213, -1
+  %2217 = add i64 %2212, 1
+  %2218 = icmp slt i64 %2212, 0
+  %2219 = select i1 %2218, i64 %69, i64 0
+  %2220 = getelementptr double, ptr %70, i64 %2212
+  %2221 = getelementptr double, ptr %2220, i64 %2219
+  %2222 = load double, ptr %2221, align 8, !noalias !126
+  %2223 = select i1 %2218, i64 %64, i64 0
+  %2224 = getelementptr double, ptr %65, i64 %2212
+  %2225 = getelementptr double, ptr %2224, i64 %2223
+  store double %2222, ptr %2225, align 8, !noalias !126
+  br label %2211
+
+2226:                                             ; preds = %2207, %2668, %2203
+  %2227 = phi i64 [ %2201, %2203 ], [ %2090, %2668 ], [ 0, %2207 ]
+  switch i64 %2227, label %2241 [
+    i64 6, label %2228
+    i64 0, label %2242
+  ]
+
+2228:                                             ; preds = %2226
+  %2229 = load i64, ptr %2069, align 8, !noalias !12
+  %2230 = icmp eq i64 %2229, 0
+  br i1 %2230, label %2231, label %2241
+
+2231:                                             ; preds = %2228
+  %2232 = load i64, ptr %372, align 8, !noalias !12
+  %2233 = add nsw i64 %2232, -1
+  store i64 %2233, ptr %372, align 8, !noalias !12
+  %2234 = load i64, ptr %374, align 8, !noalias !12
+  %2235 = add nsw i64 %2234, 1
+  store i64 %2235, ptr %374, align 8, !noalias !12
+  %2236 = fmul double %391, 2.500000e-01
+  %2237 = getelementptr i8, ptr %110, i64 72
+  store i64 6, ptr %2237, align 8, !noalias !12
+  %2238 = getelementptr i8, ptr %196, i64 16
+  %2239 = load i64, ptr %2238, align 8, !noalias !12
+  %2240 = sub nsw i64 1, %2239
+  store i64 1, ptr %1890, align 8, !noalias !12
+  store i64 %2240, ptr %399, align 8, !noalias !12
+  store double 0.000000e+00, ptr %772, align 8, !noalias !12
+  br label %2361
+
+2241:                                             ; preds = %2228, %2226
+  br label %2683
+
+2242:                                             ; preds = %2226, %2072
+  br label %2243
+
+2243:                                             ; preds = %2242, %2669
+  %2244 = phi i64 [ 0, %2242 ], [ %2671, %2669 ]
+  %2245 = phi i64 [ %282, %2242 ], [ %2670, %2669 ]
+  %2246 = icmp sgt i64 %2245, 0
+  br i1 %2246, label %2669, label %2247
+
+2247:                                             ; preds = %2243
+  %2248 = getelementptr i8, ptr %110, i64 24
+  %2249 = load i64, ptr %2248, align 8, !noalias !12
+  %2250 = add nsw i64 %2249, 1
+  store i64 %2250, ptr %2248, align 8, !noalias !12
+  store ptr null, ptr %15, align 8, !noalias !129
+  store ptr null, ptr %16, align 8, !noalias !129
+  store double %392, ptr %33, align 8, !noalias !129
+  %2251 = icmp sgt i64 %45, 0
+  br i1 %2251, label %2252, label %2255
+
+2252:                                             ; preds = %2247
+  store ptr null, ptr %15, align 8, !noalias !129
+  %2253 = call fastcc i32 @_sample(ptr nonnull %15, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %392) #3
+  switch i32 %2253, label %2254 [
+    i32 -2, label %2255
+    i32 0, label %2255
+  ], !prof !32
+
+2254:                                             ; preds = %2252
+  br label %2255
+
+2255:                                             ; preds = %2252, %2252, %2247, %2254
+  %2256 = phi i32 [ %2253, %2254 ], [ 0, %2247 ], [ 0, %2252 ], [ 0, %2252 ]
+  switch i32 %2256, label %2261 [
+    i32 -2, label %2257
+    i32 0, label %2257
+  ], !prof !32
+
+2257:                                             ; preds = %2255, %2255
+  %2258 = load i64, ptr %30, align 8, !noalias !136
+  %2259 = inttoptr i64 %2258 to ptr
+  %2260 = call i32 %2259(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !136
+  br label %2261
+
+2261:                                             ; preds = %2255, %2257
+  %2262 = phi i32 [ %2260, %2257 ], [ 0, %2255 ]
+  %2263 = phi i32 [ 0, %2257 ], [ %2256, %2255 ]
+  switch i32 %2263, label %2682 [
+    i32 -2, label %2680
+    i32 0, label %2680
+  ], !prof !32
+
+2264:                                             ; preds = %2680
+  %2265 = getelementptr i8, ptr %110, i64 72
+  store i64 3, ptr %2265, align 8, !noalias !12
+  store double %391, ptr %298, align 8, !noalias !12
+  %2266 = icmp slt i32 %2262, 0
+  %2267 = select i1 %2266, i64 -4, i64 2
+  br label %2683
+
+2268:                                             ; preds = %2680
+  %2269 = icmp sgt i64 %1879, 2
+  %2270 = fcmp ogt double %1878, 1.000000e-03
+  %2271 = select i1 %2269, i1 %2270, i1 false
+  %2272 = zext i1 %2271 to i64
+  store i64 %2272, ptr %399, align 8, !noalias !12
+  %2273 = getelementptr i8, ptr %196, i64 16
+  store i64 0, ptr %2273, align 8, !noalias !12
+  store i64 0, ptr %1890, align 8, !noalias !12
+  %2274 = fcmp ule double %2058, 1.000000e+00
+  %2275 = fcmp uge double %2058, 1.200000e+00
+  %2276 = or i1 %2274, %2275
+  %2277 = select i1 %2276, i1 true, i1 %2271
+  br i1 %2277, label %2278, label %2282
+
+2278:                                             ; preds = %2268
+  %2279 = fcmp ogt double %2058, 2.000000e-01
+  %2280 = select i1 %2279, double %2058, double 2.000000e-01
+  %2281 = fmul double %391, %2280
+  br label %2282
+
+2282:                                             ; preds = %2268, %2278
+  %2283 = phi double [ %2281, %2278 ], [ %391, %2268 ]
+  %2284 = getelementptr i8, ptr %110, i64 48
+  %2285 = load i64, ptr %2284, align 8, !noalias !12
+  %2286 = icmp eq i64 %2285, %114
+  br i1 %2286, label %2364, label %364
+
+2287:                                             ; preds = %2013
+  %2288 = load i64, ptr %374, align 8, !noalias !12
+  %2289 = add nsw i64 %2288, 1
+  store i64 %2289, ptr %374, align 8, !noalias !12
+  %2290 = select i1 %2020, i64 2, i64 3
+  %2291 = getelementptr i8, ptr %110, i64 72
+  store i64 %2290, ptr %2291, align 8, !noalias !12
+  %2292 = fsub double %2009, %2009
+  %2293 = fcmp ord double %2292, 0.000000e+00
+  br i1 %2293, label %2294, label %2298
+
+2294:                                             ; preds = %2287
+  %2295 = fmul double %2016, %2019
+  %2296 = fcmp ogt double %2295, 2.000000e-01
+  %2297 = select i1 %2296, double %2295, double 2.000000e-01
+  br label %2298
+
+2298:                                             ; preds = %2294, %2287
+  %2299 = phi double [ 2.500000e-01, %2287 ], [ %2297, %2294 ]
+  %2300 = fmul double %391, %2299
+  %2301 = getelementptr i8, ptr %196, i64 16
+  %2302 = load i64, ptr %2301, align 8, !noalias !12
+  %2303 = sub nsw i64 1, %2302
+  store i64 1, ptr %1890, align 8, !noalias !12
+  store i64 %2303, ptr %399, align 8, !noalias !12
+  br label %2361
+
+2304:                                             ; preds = %1884
+  %2305 = load i64, ptr %374, align 8, !noalias !12
+  %2306 = add nsw i64 %2305, 1
+  store i64 %2306, ptr %374, align 8, !noalias !12
+  %2307 = icmp eq i64 %1881, 0
+  br i1 %2307, label %2310, label %2308
+
+2308:                                             ; preds = %2304
+  %2309 = getelementptr i8, ptr %110, i64 72
+  store i64 3, ptr %2309, align 8, !noalias !12
+  br label %2317
+
+2310:                                             ; preds = %2304
+  %2311 = fsub double %1878, %1878
+  %2312 = fcmp ord double %2311, 0.000000e+00
+  br i1 %2312, label %2313, label %2315
+
+2313:                                             ; preds = %2310
+  %2314 = getelementptr i8, ptr %110, i64 72
+  store i64 7, ptr %2314, align 8, !noalias !12
+  br label %2317
+
+2315:                                             ; preds = %2310
+  %2316 = getelementptr i8, ptr %110, i64 72
+  store i64 4, ptr %2316, align 8, !noalias !12
+  br label %2317
+
+2317:                                             ; preds = %2315, %2313, %2308
+  %2318 = getelementptr i8, ptr %196, i64 16
+  %2319 = load i64, ptr %2318, align 8, !noalias !12
+  %2320 = icmp eq i64 %2319, 1
+  %2321 = and i1 %2320, %2307
+  br i1 %2321, label %2322, label %2349
+
+2322:                                             ; preds = %2317
+  %2323 = call i64 @llvm.smax.i64(i64 %206, i64 0)
+  br label %2324
+
+2324:                                             ; preds = %2336, %2322
+  %2325 = phi i64 [ 0, %2322 ], [ %2344, %2336 ]
+  %2326 = phi i64 [ %2323, %2322 ], [ %2343, %2336 ]
+  %2327 = phi i1 [ false, %2322 ], [ %2337, %2336 ]
+  %2328 = icmp sgt i64 %2326, 0
+  br i1 %2328, label %2342, label %2345
+
+2329:                                             ; preds = %2342
+  %2330 = icmp slt i64 %2325, 0
+  %2331 = select i1 %2330, i64 %206, i64 0
+  %2332 = getelementptr double, ptr %207, i64 %2325
+  %2333 = getelementptr double, ptr %2332, i64 %2331
+  %2334 = load double, ptr %2333, align 8, !noalias !137
+  %2335 = fcmp une double %2334, 0.000000e+00
+  br label %2336
+
+2336:                                             ; preds = %2342, %2329
+  %2337 = phi i1 [ true, %2342 ], [ %2335, %2329 ]
+  %2338 = icmp slt i64 %2325, 0
+  %2339 = select i1 %2338, i64 %206, i64 0
+  %2340 = getelementptr double, ptr %207, i64 %2325
+  %2341 = getelementptr double, ptr %2340, i64 %2339
+  store double 0.000000e+00, ptr %2341, align 8, !noalias !137
+  br label %2324
+
+2342:                                             ; preds = %2324
+  %2343 = add nsw i64 %2326, -1
+  %2344 = add i64 %2325, 1
+  br i1 %2327, label %2336, label %2329
+
+2345:                                             ; preds = %2324
+  br i1 %2327, label %2346, label %2347
+
+2346:                                             ; preds = %2345
+  store i64 0, ptr %450, align 8, !noalias !12
+  br label %2361
+
+2347:                                             ; preds = %2345
+  store i64 0, ptr %2318, align 8, !noalias !12
+  %2348 = fmul double %391, 5.000000e-01
+  br label %2349
+
+2349:                                             ; preds = %2347, %2317
+  %2350 = phi double [ %2348, %2347 ], [ %365, %2317 ]
+  %2351 = load i64, ptr %2318, align 8, !noalias !12
+  %2352 = icmp ne i64 %2351, 1
+  %2353 = and i1 %2352, %2307
+  br i1 %2353, label %2357, label %2354
+
+2354:                                             ; preds = %2349
+  %2355 = select i1 %2307, double 5.000000e-01, double 2.500000e-01
+  %2356 = fmul double %391, %2355
+  store double 0.000000e+00, ptr %772, align 8, !noalias !12
+  br label %2357
+
+2357:                                             ; preds = %2349, %2354
+  %2358 = phi double [ %2356, %2354 ], [ %2350, %2349 ]
+  %2359 = load i64, ptr %2318, align 8, !noalias !12
+  %2360 = sub nsw i64 1, %2359
+  store i64 %2360, ptr %399, align 8, !noalias !12
+  br label %2361
+
+2361:                                             ; preds = %2357, %2346, %2298, %2231, %2030, %763
+  %2362 = phi double [ %2300, %2298 ], [ %2033, %2030 ], [ %2236, %2231 ], [ %365, %2346 ], [ %2358, %2357 ], [ %766, %763 ]
+  br label %361
+
+2363:                                             ; preds = %381
+  store double %391, ptr %298, align 8, !noalias !12
+  br label %2683
+
+2364:                                             ; preds = %2282
+  store double %2283, ptr %298, align 8, !noalias !12
+  br label %2683
+
+2365:                                             ; preds = %283
+  %2366 = icmp slt i64 %284, 0
+  %2367 = select i1 %2366, i64 %94, i64 0
+  %2368 = getelementptr double, ptr %95, i64 %284
+  %2369 = getelementptr double, ptr %2368, i64 %2367
+  %2370 = load double, ptr %2369, align 8, !noalias !12
+  %2371 = fcmp olt double %2370, %286
+  %2372 = select i1 %2371, double %2370, double %286
+  %2373 = add i64 %284, 1
+  %2374 = add nsw i64 %285, -1
+  br label %283
+
+2375:                                             ; preds = %316, %316
+  %2376 = icmp eq i32 %317, 0
+  br i1 %2376, label %323, label %319
+
+2377:                                             ; preds = %316
+  br label %2683
+
+2378:                                             ; preds = %323, %323
+  %2379 = load i8, ptr %23, align 1, !noalias !12
+  %2380 = icmp eq i8 %2379, 0
+  br i1 %2380, label %330, label %329
+
+2381:                                             ; preds = %323
+  br label %2683
+
+2382:                                             ; preds = %337, %332
+  br label %2683
+
+2383:                                             ; preds = %414, %414
+  %2384 = load i64, ptr %196, align 8, !noalias !12
+  %2385 = inttoptr i64 %2384 to ptr
+  %2386 = call i32 %2385(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !12
+  %2387 = sext i32 %2386 to i64
+  br label %434
+
+2388:                                             ; preds = %414
+  br label %2683
+
+2389:                                             ; preds = %418
+  %2390 = add nsw i64 %420, -1
+  %2391 = add i64 %419, 1
+  %2392 = icmp slt i64 %419, 0
+  %2393 = select i1 %2392, i64 %64, i64 0
+  %2394 = getelementptr double, ptr %65, i64 %419
+  %2395 = getelementptr double, ptr %2394, i64 %2393
+  %2396 = load double, ptr %2395, align 8, !noalias !12
+  %2397 = select i1 %2392, i64 %74, i64 0
+  %2398 = getelementptr double, ptr %75, i64 %419
+  %2399 = getelementptr double, ptr %2398, i64 %2397
+  store double %2396, ptr %2399, align 8, !noalias !12
+  br label %418
+
+2400:                                             ; preds = %422
+  %2401 = add nsw i64 %424, -1
+  %2402 = add i64 %423, 1
+  %2403 = icmp slt i64 %423, 0
+  %2404 = select i1 %2403, i64 %64, i64 0
+  %2405 = getelementptr double, ptr %65, i64 %423
+  %2406 = getelementptr double, ptr %2405, i64 %2404
+  %2407 = load double, ptr %2406, align 8, !noalias !12
+  %2408 = call double @llvm.fabs.f64(double %2407)
+  %2409 = fcmp olt double %2408, 1.000000e-05
+  %2410 = select i1 %2409, double 1.000000e-05, double %2408
+  %2411 = fmul double %2410, 1.500000e-08
+  %2412 = fadd double %2407, %2411
+  %2413 = fsub double %2412, %2407
+  %2414 = select i1 %2403, i64 %74, i64 0
+  %2415 = getelementptr double, ptr %75, i64 %423
+  %2416 = getelementptr double, ptr %2415, i64 %2414
+  store double %2412, ptr %2416, align 8, !noalias !12
+  %2417 = getelementptr i8, ptr %110, i64 24
+  %2418 = load i64, ptr %2417, align 8, !noalias !12
+  %2419 = add nsw i64 %2418, 1
+  store i64 %2419, ptr %2417, align 8, !noalias !12
+  store ptr null, ptr %17, align 8, !noalias !140
+  store ptr null, ptr %18, align 8, !noalias !140
+  store double %366, ptr %33, align 8, !noalias !140
+  %2420 = icmp sgt i64 %45, 0
+  br i1 %2420, label %2421, label %2424
+
+2421:                                             ; preds = %2400
+  store ptr null, ptr %17, align 8, !noalias !140
+  %2422 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
+  switch i32 %2422, label %2423 [
+    i32 -2, label %2424
+    i32 0, label %2424
+  ], !prof !32
+
+2423:                                             ; preds = %2421
+  br label %2424
+
+2424:                                             ; preds = %2421, %2421, %2400, %2423
+  %2425 = phi i32 [ %2422, %2423 ], [ 0, %2400 ], [ 0, %2421 ], [ 0, %2421 ]
+  switch i32 %2425, label %2430 [
+    i32 -2, label %2426
+    i32 0, label %2426
+  ], !prof !32
+
+2426:                                             ; preds = %2424, %2424
+  %2427 = load i64, ptr %30, align 8, !noalias !147
+  %2428 = inttoptr i64 %2427 to ptr
+  %2429 = call i32 %2428(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !147
+  br label %2430
+
+2430:                                             ; preds = %2424, %2426
+  %2431 = phi i32 [ %2429, %2426 ], [ 0, %2424 ]
+  %2432 = phi i32 [ 0, %2426 ], [ %2425, %2424 ]
+  switch i32 %2432, label %2435 [
+    i32 -2, label %2433
+    i32 0, label %2433
+  ], !prof !32
+
+2433:                                             ; preds = %2430, %2430
+  %2434 = icmp eq i32 %2431, 0
+  br i1 %2434, label %428, label %426
+
+2435:                                             ; preds = %2430
+  br label %2683
+
+2436:                                             ; preds = %428
+  %2437 = add nsw i64 %430, -1
+  %2438 = add i64 %429, 1
+  %2439 = icmp slt i64 %429, 0
+  %2440 = select i1 %2439, i64 %69, i64 0
+  %2441 = getelementptr double, ptr %70, i64 %429
+  %2442 = getelementptr double, ptr %2441, i64 %2440
+  %2443 = load double, ptr %2442, align 8, !noalias !12
+  %2444 = select i1 %2439, i64 %84, i64 0
+  %2445 = getelementptr double, ptr %85, i64 %429
+  %2446 = getelementptr double, ptr %2445, i64 %2444
+  %2447 = load double, ptr %2446, align 8, !noalias !12
+  %2448 = fsub double %2443, %2447
+  %2449 = fdiv double %2448, %2413
+  %2450 = mul nsw i64 %429, %406
+  %2451 = add nsw i64 %2450, %423
+  %2452 = icmp slt i64 %2451, 0
+  %2453 = select i1 %2452, i64 %206, i64 0
+  %2454 = getelementptr double, ptr %207, i64 %2451
+  %2455 = getelementptr double, ptr %2454, i64 %2453
+  store double %2449, ptr %2455, align 8, !noalias !12
   br label %428
 
-2415:                                             ; preds = %453
-  %2416 = add nsw i64 %455, -1
-  %2417 = add i64 %454, 1
-  br label %457
+2456:                                             ; preds = %437
+  %2457 = add nsw i64 %439, -1
+  %2458 = add i64 %438, 1
+  %2459 = icmp slt i64 %438, 0
+  %2460 = select i1 %2459, i64 %206, i64 0
+  %2461 = getelementptr double, ptr %207, i64 %438
+  %2462 = getelementptr double, ptr %2461, i64 %2460
+  %2463 = load double, ptr %2462, align 8, !noalias !12
+  %2464 = fsub double %2463, %2463
+  %2465 = fcmp ord double %2464, 0.000000e+00
+  br i1 %2465, label %442, label %441
 
-2418:                                             ; preds = %457
-  %2419 = add nsw i64 %459, -1
-  %2420 = add i64 %458, 1
-  %2421 = mul nsw i64 %454, %225
-  %2422 = add nsw i64 %2421, %458
-  %2423 = icmp slt i64 %2422, 0
-  %2424 = select i1 %2423, i64 %206, i64 0
-  %2425 = getelementptr double, ptr %207, i64 %2422
-  %2426 = getelementptr double, ptr %2425, i64 %2424
-  %2427 = load double, ptr %2426, align 8, !noalias !12
-  %2428 = fneg double %2427
-  %2429 = icmp slt i64 %454, 0
-  %2430 = select i1 %2429, i64 %211, i64 0
-  %2431 = add i64 %454, %2430
-  %2432 = icmp slt i64 %458, 0
-  %2433 = select i1 %2432, i64 %213, i64 0
-  %2434 = mul i64 %2431, %213
-  %2435 = getelementptr double, ptr %214, i64 %2434
-  %2436 = getelementptr double, ptr %2435, i64 %458
-  %2437 = getelementptr double, ptr %2436, i64 %2433
-  store double %2428, ptr %2437, align 8, !noalias !12
-  %2438 = load double, ptr %2426, align 8, !noalias !12
-  %2439 = fneg double %2438
-  %2440 = select i1 %2429, i64 %218, i64 0
-  %2441 = add i64 %454, %2440
-  %2442 = select i1 %2432, i64 %220, i64 0
-  %2443 = mul i64 %2441, %220
-  %2444 = getelementptr { double, double }, ptr %221, i64 %2443
-  %2445 = getelementptr { double, double }, ptr %2444, i64 %458
-  %2446 = getelementptr { double, double }, ptr %2445, i64 %2442
-  store double %2439, ptr %2446, align 8, !noalias !12
-  %2447 = getelementptr inbounds nuw i8, ptr %2446, i64 8
-  store double 0.000000e+00, ptr %2447, align 8, !noalias !12
-  br label %457
+2466:                                             ; preds = %461
+  %2467 = add nsw i64 %463, -1
+  %2468 = add i64 %462, 1
+  br label %465
 
-2448:                                             ; preds = %766
-  %2449 = add nsw i64 %768, -1
-  %2450 = add i64 %767, 1
-  %2451 = fcmp ogt double %765, 0.000000e+00
-  br i1 %2451, label %770, label %779
+2469:                                             ; preds = %465
+  %2470 = add nsw i64 %467, -1
+  %2471 = add i64 %466, 1
+  %2472 = mul nsw i64 %462, %225
+  %2473 = add nsw i64 %2472, %466
+  %2474 = icmp slt i64 %2473, 0
+  %2475 = select i1 %2474, i64 %206, i64 0
+  %2476 = getelementptr double, ptr %207, i64 %2473
+  %2477 = getelementptr double, ptr %2476, i64 %2475
+  %2478 = load double, ptr %2477, align 8, !noalias !12
+  %2479 = fneg double %2478
+  %2480 = icmp slt i64 %462, 0
+  %2481 = select i1 %2480, i64 %211, i64 0
+  %2482 = add i64 %462, %2481
+  %2483 = icmp slt i64 %466, 0
+  %2484 = select i1 %2483, i64 %213, i64 0
+  %2485 = mul i64 %2482, %213
+  %2486 = getelementptr double, ptr %214, i64 %2485
+  %2487 = getelementptr double, ptr %2486, i64 %466
+  %2488 = getelementptr double, ptr %2487, i64 %2484
+  store double %2479, ptr %2488, align 8, !noalias !12
+  %2489 = load double, ptr %2477, align 8, !noalias !12
+  %2490 = fneg double %2489
+  %2491 = select i1 %2480, i64 %218, i64 0
+  %2492 = add i64 %462, %2491
+  %2493 = select i1 %2483, i64 %220, i64 0
+  %2494 = mul i64 %2492, %220
+  %2495 = getelementptr { double, double }, ptr %221, i64 %2494
+  %2496 = getelementptr { double, double }, ptr %2495, i64 %466
+  %2497 = getelementptr { double, double }, ptr %2496, i64 %2493
+  store double %2490, ptr %2497, align 8, !noalias !12
+  %2498 = getelementptr inbounds nuw i8, ptr %2497, i64 8
+  store double 0.000000e+00, ptr %2498, align 8, !noalias !12
+  br label %465
 
-2452:                                             ; preds = %781
-  %2453 = add nsw i64 %783, -1
-  %2454 = add i64 %782, 1
-  br i1 %2451, label %785, label %825
+2499:                                             ; preds = %774
+  %2500 = add nsw i64 %776, -1
+  %2501 = add i64 %775, 1
+  %2502 = fcmp ogt double %773, 0.000000e+00
+  br i1 %2502, label %778, label %787
 
-2455:                                             ; preds = %835
-  %2456 = add nsw i64 %837, -1
-  %2457 = add i64 %836, 1
-  br label %839
+2503:                                             ; preds = %789
+  %2504 = add nsw i64 %791, -1
+  %2505 = add i64 %790, 1
+  br i1 %2502, label %793, label %833
 
-2458:                                             ; preds = %839
-  %2459 = add nsw i64 %841, -1
-  %2460 = add i64 %840, 1
-  %2461 = icmp slt i64 %836, 0
-  %2462 = add i64 %836, 3
-  %2463 = select i1 %2461, i64 %2462, i64 %836
-  %2464 = mul i64 %2463, 24
-  %2465 = getelementptr i8, ptr @1, i64 %2464
-  %2466 = load double, ptr %2465, align 8, !noalias !12
-  %2467 = icmp slt i64 %840, 0
-  %2468 = select i1 %2467, i64 %237, i64 0
-  %2469 = getelementptr double, ptr %238, i64 %840
-  %2470 = getelementptr double, ptr %2469, i64 %2468
-  %2471 = load double, ptr %2470, align 8, !noalias !12
-  %2472 = fmul double %2466, %2471
-  %2473 = getelementptr i8, ptr @2, i64 %2464
-  %2474 = getelementptr i8, ptr %2473, i64 8
-  %2475 = load double, ptr %2474, align 8, !noalias !12
-  %2476 = getelementptr double, ptr %238, i64 %237
-  %2477 = getelementptr double, ptr %2476, i64 %840
-  %2478 = getelementptr double, ptr %2477, i64 %2468
-  %2479 = load double, ptr %2478, align 8, !noalias !12
-  %2480 = fmul double %2475, %2479
-  %2481 = fadd double %2472, %2480
-  %2482 = getelementptr i8, ptr @3, i64 %2464
-  %2483 = getelementptr i8, ptr %2482, i64 16
-  %2484 = load double, ptr %2483, align 8, !noalias !12
-  %2485 = shl i64 %237, 4
-  %2486 = getelementptr i8, ptr %238, i64 %2485
-  %2487 = getelementptr double, ptr %2486, i64 %840
-  %2488 = getelementptr double, ptr %2487, i64 %2468
-  %2489 = load double, ptr %2488, align 8, !noalias !12
-  %2490 = fmul double %2484, %2489
-  %2491 = fadd double %2481, %2490
-  %2492 = select i1 %2461, i64 %242, i64 0
-  %2493 = add i64 %836, %2492
-  %2494 = select i1 %2467, i64 %244, i64 0
-  %2495 = mul i64 %2493, %244
-  %2496 = getelementptr double, ptr %245, i64 %2495
-  %2497 = getelementptr double, ptr %2496, i64 %840
-  %2498 = getelementptr double, ptr %2497, i64 %2494
-  store double %2491, ptr %2498, align 8, !noalias !12
-  br label %839
+2506:                                             ; preds = %843
+  %2507 = add nsw i64 %845, -1
+  %2508 = add i64 %844, 1
+  br label %847
 
-2499:                                             ; preds = %1840, %1840
-  %2500 = icmp slt i64 %1844, 0
-  br i1 %2500, label %1846, label %1847
-
-2501:                                             ; preds = %1840
-  br label %2632
-
-2502:                                             ; preds = %1848
-  %2503 = add nsw i64 %1850, -1
-  %2504 = add i64 %1849, 1
-  %2505 = icmp slt i64 %1849, 0
-  %2506 = select i1 %2505, i64 %64, i64 0
-  %2507 = getelementptr double, ptr %65, i64 %1849
-  %2508 = getelementptr double, ptr %2507, i64 %2506
-  %2509 = load double, ptr %2508, align 8, !noalias !12
-  %2510 = select i1 %2505, i64 %237, i64 0
-  %2511 = shl i64 %237, 4
-  %2512 = getelementptr i8, ptr %238, i64 %2511
-  %2513 = getelementptr double, ptr %2512, i64 %1849
-  %2514 = getelementptr double, ptr %2513, i64 %2510
-  %2515 = load double, ptr %2514, align 8, !noalias !12
-  %2516 = fadd double %2509, %2515
-  %2517 = select i1 %2505, i64 %69, i64 0
-  %2518 = getelementptr double, ptr %70, i64 %1849
-  %2519 = getelementptr double, ptr %2518, i64 %2517
-  store double %2516, ptr %2519, align 8, !noalias !12
-  br label %1848
-
-2520:                                             ; preds = %1971, %1971
-  %2521 = icmp slt i64 %1973, 0
-  br i1 %2521, label %1975, label %1976
-
-2522:                                             ; preds = %1971
-  br label %2632
-
-2523:                                             ; preds = %2023
-  %2524 = add nsw i64 %2025, -1
-  %2525 = add i64 %2024, 1
-  %2526 = icmp slt i64 %2024, 0
-  %2527 = select i1 %2526, i64 %237, i64 0
-  %2528 = getelementptr double, ptr %238, i64 %2024
-  %2529 = getelementptr double, ptr %2528, i64 %2527
+2509:                                             ; preds = %847
+  %2510 = add nsw i64 %849, -1
+  %2511 = add i64 %848, 1
+  %2512 = icmp slt i64 %844, 0
+  %2513 = add i64 %844, 3
+  %2514 = select i1 %2512, i64 %2513, i64 %844
+  %2515 = mul i64 %2514, 24
+  %2516 = getelementptr i8, ptr @1, i64 %2515
+  %2517 = load double, ptr %2516, align 8, !noalias !12
+  %2518 = icmp slt i64 %848, 0
+  %2519 = select i1 %2518, i64 %237, i64 0
+  %2520 = getelementptr double, ptr %238, i64 %848
+  %2521 = getelementptr double, ptr %2520, i64 %2519
+  %2522 = load double, ptr %2521, align 8, !noalias !12
+  %2523 = fmul double %2517, %2522
+  %2524 = getelementptr i8, ptr @2, i64 %2515
+  %2525 = getelementptr i8, ptr %2524, i64 8
+  %2526 = load double, ptr %2525, align 8, !noalias !12
+  %2527 = getelementptr double, ptr %238, i64 %237
+  %2528 = getelementptr double, ptr %2527, i64 %848
+  %2529 = getelementptr double, ptr %2528, i64 %2519
   %2530 = load double, ptr %2529, align 8, !noalias !12
-  %2531 = fmul double %2530, 0xC039A12CE7B30915
-  %2532 = getelementptr double, ptr %238, i64 %237
-  %2533 = getelementptr double, ptr %2532, i64 %2024
-  %2534 = getelementptr double, ptr %2533, i64 %2527
+  %2531 = fmul double %2526, %2530
+  %2532 = fadd double %2523, %2531
+  %2533 = getelementptr i8, ptr @3, i64 %2515
+  %2534 = getelementptr i8, ptr %2533, i64 16
   %2535 = load double, ptr %2534, align 8, !noalias !12
-  %2536 = fmul double %2535, 0x402497AF24BB677E
-  %2537 = fadd double %2531, %2536
-  %2538 = shl i64 %237, 4
-  %2539 = getelementptr i8, ptr %238, i64 %2538
-  %2540 = getelementptr double, ptr %2539, i64 %2024
-  %2541 = getelementptr double, ptr %2540, i64 %2527
-  %2542 = load double, ptr %2541, align 8, !noalias !12
-  %2543 = fmul double %2542, 0xC005555555555555
-  %2544 = fadd double %2537, %2543
-  %2545 = fmul double %2530, 0x402F295C43B61425
-  %2546 = fmul double %2535, 0xC021D406EE60BECF
-  %2547 = fadd double %2545, %2546
-  %2548 = fmul double %2542, 0x400AAAAAAAAAAAAB
-  %2549 = fadd double %2547, %2548
-  %2550 = select i1 %2526, i64 %69, i64 0
-  %2551 = getelementptr double, ptr %70, i64 %2024
-  %2552 = getelementptr double, ptr %2551, i64 %2550
-  %2553 = load double, ptr %2552, align 8, !noalias !12
-  %2554 = select i1 %2526, i64 %64, i64 0
-  %2555 = getelementptr double, ptr %65, i64 %2024
-  %2556 = getelementptr double, ptr %2555, i64 %2554
-  %2557 = load double, ptr %2556, align 8, !noalias !12
-  %2558 = fsub double %2553, %2557
-  %2559 = select i1 %2526, i64 %89, i64 0
-  %2560 = getelementptr double, ptr %90, i64 %2024
-  %2561 = getelementptr double, ptr %2560, i64 %2559
-  store double %2558, ptr %2561, align 8, !noalias !12
-  %2562 = fneg double %2544
-  %2563 = fsub double %2562, %2549
-  %2564 = add nsw i64 %64, %2024
-  %2565 = icmp slt i64 %2564, 0
-  %2566 = select i1 %2565, i64 %89, i64 0
-  %2567 = getelementptr double, ptr %90, i64 %2564
-  %2568 = getelementptr double, ptr %2567, i64 %2566
-  store double %2563, ptr %2568, align 8, !noalias !12
-  %2569 = fneg double %2549
-  %2570 = shl nsw i64 %64, 1
-  %2571 = add nsw i64 %2570, %2024
-  %2572 = icmp slt i64 %2571, 0
-  %2573 = select i1 %2572, i64 %89, i64 0
-  %2574 = getelementptr double, ptr %90, i64 %2571
-  %2575 = getelementptr double, ptr %2574, i64 %2573
-  store double %2569, ptr %2575, align 8, !noalias !12
-  %2576 = load double, ptr %2556, align 8, !noalias !12
-  %2577 = select i1 %2526, i64 %256, i64 0
-  %2578 = getelementptr double, ptr %257, i64 %2024
-  %2579 = getelementptr double, ptr %2578, i64 %2577
-  store double %2576, ptr %2579, align 8, !noalias !12
-  br label %2027
+  %2536 = shl i64 %237, 4
+  %2537 = getelementptr i8, ptr %238, i64 %2536
+  %2538 = getelementptr double, ptr %2537, i64 %848
+  %2539 = getelementptr double, ptr %2538, i64 %2519
+  %2540 = load double, ptr %2539, align 8, !noalias !12
+  %2541 = fmul double %2535, %2540
+  %2542 = fadd double %2532, %2541
+  %2543 = select i1 %2512, i64 %242, i64 0
+  %2544 = add i64 %844, %2543
+  %2545 = select i1 %2518, i64 %244, i64 0
+  %2546 = mul i64 %2544, %244
+  %2547 = getelementptr double, ptr %245, i64 %2546
+  %2548 = getelementptr double, ptr %2547, i64 %848
+  %2549 = getelementptr double, ptr %2548, i64 %2545
+  store double %2542, ptr %2549, align 8, !noalias !12
+  br label %847
 
-2580:                                             ; preds = %2027
-  %2581 = add nsw i64 %2029, -1
-  %2582 = add i64 %2028, 1
-  %2583 = mul nsw i64 %2028, %64
-  %2584 = add nsw i64 %2583, %2024
-  %2585 = icmp slt i64 %2584, 0
-  %2586 = select i1 %2585, i64 %89, i64 0
-  %2587 = getelementptr double, ptr %90, i64 %2584
-  %2588 = getelementptr double, ptr %2587, i64 %2586
-  %2589 = load double, ptr %2588, align 8, !noalias !12
-  %2590 = icmp slt i64 %2028, -1
-  %2591 = select i1 %2590, i64 %254, i64 0
-  %2592 = add i64 %2582, %2591
-  %2593 = mul i64 %2592, %256
-  %2594 = getelementptr double, ptr %257, i64 %2593
-  %2595 = getelementptr double, ptr %2594, i64 %2024
-  %2596 = getelementptr double, ptr %2595, i64 %2577
-  store double %2589, ptr %2596, align 8, !noalias !12
-  br label %2027
+2550:                                             ; preds = %1877, %1877
+  %2551 = icmp slt i64 %1881, 0
+  br i1 %2551, label %1883, label %1884
 
-2597:                                             ; preds = %2079, %2606
-  %2598 = phi i64 [ 0, %2079 ], [ %2608, %2606 ]
-  %2599 = phi i64 [ %2091, %2079 ], [ %2607, %2606 ]
-  %2600 = icmp sgt i64 %2599, 0
-  br i1 %2600, label %2606, label %2601
+2552:                                             ; preds = %1877
+  br label %2683
 
-2601:                                             ; preds = %2597
-  %2602 = getelementptr i8, ptr %27, i64 24
-  %2603 = load i64, ptr %2602, align 8, !noalias !145
-  %2604 = getelementptr i8, ptr %30, i64 16
-  %2605 = load i64, ptr %2604, align 8, !noalias !145
-  call fastcc void @pydy_nested(i64 %2090, i64 %62, i64 %87, i64 %64, i64 %2603, i64 %77, i64 %2605) #3, !noalias !145
-  br i1 %2065, label %2092, label %2099
+2553:                                             ; preds = %1885
+  %2554 = add nsw i64 %1887, -1
+  %2555 = add i64 %1886, 1
+  %2556 = icmp slt i64 %1886, 0
+  %2557 = select i1 %2556, i64 %64, i64 0
+  %2558 = getelementptr double, ptr %65, i64 %1886
+  %2559 = getelementptr double, ptr %2558, i64 %2557
+  %2560 = load double, ptr %2559, align 8, !noalias !12
+  %2561 = select i1 %2556, i64 %237, i64 0
+  %2562 = shl i64 %237, 4
+  %2563 = getelementptr i8, ptr %238, i64 %2562
+  %2564 = getelementptr double, ptr %2563, i64 %1886
+  %2565 = getelementptr double, ptr %2564, i64 %2561
+  %2566 = load double, ptr %2565, align 8, !noalias !12
+  %2567 = fadd double %2560, %2566
+  %2568 = select i1 %2556, i64 %69, i64 0
+  %2569 = getelementptr double, ptr %70, i64 %1886
+  %2570 = getelementptr double, ptr %2569, i64 %2568
+  store double %2567, ptr %2570, align 8, !noalias !12
+  br label %1885
 
-2606:                                             ; preds = %2597
-  %2607 = add nsw i64 %2599, -1
-  %2608 = add i64 %2598, 1
-  %2609 = icmp slt i64 %2598, 0
-  %2610 = select i1 %2609, i64 %79, i64 0
-  %2611 = getelementptr double, ptr %80, i64 %2598
+2571:                                             ; preds = %2008, %2008
+  %2572 = icmp slt i64 %2010, 0
+  br i1 %2572, label %2012, label %2013
+
+2573:                                             ; preds = %2008
+  br label %2683
+
+2574:                                             ; preds = %2060
+  %2575 = add nsw i64 %2062, -1
+  %2576 = add i64 %2061, 1
+  %2577 = icmp slt i64 %2061, 0
+  %2578 = select i1 %2577, i64 %237, i64 0
+  %2579 = getelementptr double, ptr %238, i64 %2061
+  %2580 = getelementptr double, ptr %2579, i64 %2578
+  %2581 = load double, ptr %2580, align 8, !noalias !12
+  %2582 = fmul double %2581, 0xC039A12CE7B30915
+  %2583 = getelementptr double, ptr %238, i64 %237
+  %2584 = getelementptr double, ptr %2583, i64 %2061
+  %2585 = getelementptr double, ptr %2584, i64 %2578
+  %2586 = load double, ptr %2585, align 8, !noalias !12
+  %2587 = fmul double %2586, 0x402497AF24BB677E
+  %2588 = fadd double %2582, %2587
+  %2589 = shl i64 %237, 4
+  %2590 = getelementptr i8, ptr %238, i64 %2589
+  %2591 = getelementptr double, ptr %2590, i64 %2061
+  %2592 = getelementptr double, ptr %2591, i64 %2578
+  %2593 = load double, ptr %2592, align 8, !noalias !12
+  %2594 = fmul double %2593, 0xC005555555555555
+  %2595 = fadd double %2588, %2594
+  %2596 = fmul double %2581, 0x402F295C43B61425
+  %2597 = fmul double %2586, 0xC021D406EE60BECF
+  %2598 = fadd double %2596, %2597
+  %2599 = fmul double %2593, 0x400AAAAAAAAAAAAB
+  %2600 = fadd double %2598, %2599
+  %2601 = select i1 %2577, i64 %69, i64 0
+  %2602 = getelementptr double, ptr %70, i64 %2061
+  %2603 = getelementptr double, ptr %2602, i64 %2601
+  %2604 = load double, ptr %2603, align 8, !noalias !12
+  %2605 = select i1 %2577, i64 %64, i64 0
+  %2606 = getelementptr double, ptr %65, i64 %2061
+  %2607 = getelementptr double, ptr %2606, i64 %2605
+  %2608 = load double, ptr %2607, align 8, !noalias !12
+  %2609 = fsub double %2604, %2608
+  %2610 = select i1 %2577, i64 %89, i64 0
+  %2611 = getelementptr double, ptr %90, i64 %2061
   %2612 = getelementptr double, ptr %2611, i64 %2610
-  store double %2087, ptr %2612, align 8, !noalias !145
-  br label %2597
+  store double %2609, ptr %2612, align 8, !noalias !12
+  %2613 = fneg double %2595
+  %2614 = fsub double %2613, %2600
+  %2615 = add nsw i64 %64, %2061
+  %2616 = icmp slt i64 %2615, 0
+  %2617 = select i1 %2616, i64 %89, i64 0
+  %2618 = getelementptr double, ptr %90, i64 %2615
+  %2619 = getelementptr double, ptr %2618, i64 %2617
+  store double %2614, ptr %2619, align 8, !noalias !12
+  %2620 = fneg double %2600
+  %2621 = shl nsw i64 %64, 1
+  %2622 = add nsw i64 %2621, %2061
+  %2623 = icmp slt i64 %2622, 0
+  %2624 = select i1 %2623, i64 %89, i64 0
+  %2625 = getelementptr double, ptr %90, i64 %2622
+  %2626 = getelementptr double, ptr %2625, i64 %2624
+  store double %2620, ptr %2626, align 8, !noalias !12
+  %2627 = load double, ptr %2607, align 8, !noalias !12
+  %2628 = select i1 %2577, i64 %256, i64 0
+  %2629 = getelementptr double, ptr %257, i64 %2061
+  %2630 = getelementptr double, ptr %2629, i64 %2628
+  store double %2627, ptr %2630, align 8, !noalias !12
+  br label %2064
 
-2613:                                             ; preds = %2132
-  %2614 = load i64, ptr %157, align 8, !noalias !12
-  %2615 = icmp eq i64 %2614, 1
-  br i1 %2615, label %2154, label %2159
+2631:                                             ; preds = %2064
+  %2632 = add nsw i64 %2066, -1
+  %2633 = add i64 %2065, 1
+  %2634 = mul nsw i64 %2065, %64
+  %2635 = add nsw i64 %2634, %2061
+  %2636 = icmp slt i64 %2635, 0
+  %2637 = select i1 %2636, i64 %89, i64 0
+  %2638 = getelementptr double, ptr %90, i64 %2635
+  %2639 = getelementptr double, ptr %2638, i64 %2637
+  %2640 = load double, ptr %2639, align 8, !noalias !12
+  %2641 = icmp slt i64 %2065, -1
+  %2642 = select i1 %2641, i64 %254, i64 0
+  %2643 = add i64 %2633, %2642
+  %2644 = mul i64 %2643, %256
+  %2645 = getelementptr double, ptr %257, i64 %2644
+  %2646 = getelementptr double, ptr %2645, i64 %2061
+  %2647 = getelementptr double, ptr %2646, i64 %2628
+  store double %2640, ptr %2647, align 8, !noalias !12
+  br label %2064
 
-2616:                                             ; preds = %2164
-  br label %2632
+2648:                                             ; preds = %2119, %2657
+  %2649 = phi i64 [ 0, %2119 ], [ %2659, %2657 ]
+  %2650 = phi i64 [ %2131, %2119 ], [ %2658, %2657 ]
+  %2651 = icmp sgt i64 %2650, 0
+  br i1 %2651, label %2657, label %2652
 
-2617:                                             ; preds = %2170
-  store double %2061, ptr %105, align 8, !noalias !12
+2652:                                             ; preds = %2648
+  %2653 = getelementptr i8, ptr %27, i64 24
+  %2654 = load i64, ptr %2653, align 8, !noalias !148
+  %2655 = getelementptr i8, ptr %30, i64 16
+  %2656 = load i64, ptr %2655, align 8, !noalias !148
+  call fastcc void @pydy_nested(i64 %2130, i64 %62, i64 %87, i64 %64, i64 %2654, i64 %77, i64 %2656) #3, !noalias !148
+  br i1 %2105, label %2132, label %2139
+
+2657:                                             ; preds = %2648
+  %2658 = add nsw i64 %2650, -1
+  %2659 = add i64 %2649, 1
+  %2660 = icmp slt i64 %2649, 0
+  %2661 = select i1 %2660, i64 %79, i64 0
+  %2662 = getelementptr double, ptr %80, i64 %2649
+  %2663 = getelementptr double, ptr %2662, i64 %2661
+  store double %2127, ptr %2663, align 8, !noalias !148
+  br label %2648
+
+2664:                                             ; preds = %2173
+  %2665 = load i64, ptr %157, align 8, !noalias !12
+  %2666 = icmp eq i64 %2665, 1
+  br i1 %2666, label %2195, label %2200
+
+2667:                                             ; preds = %2205
+  br label %2683
+
+2668:                                             ; preds = %2211
+  store double %2098, ptr %105, align 8, !noalias !12
   store double 0.000000e+00, ptr %298, align 8, !noalias !12
   store i64 0, ptr %110, align 8, !noalias !12
-  br label %2185
+  br label %2226
 
-2618:                                             ; preds = %2202
-  %2619 = add nsw i64 %2204, -1
-  %2620 = add i64 %2203, 1
-  %2621 = icmp slt i64 %2203, 0
-  %2622 = select i1 %2621, i64 %69, i64 0
-  %2623 = getelementptr double, ptr %70, i64 %2203
-  %2624 = getelementptr double, ptr %2623, i64 %2622
-  %2625 = load double, ptr %2624, align 8, !noalias !12
-  %2626 = select i1 %2621, i64 %64, i64 0
-  %2627 = getelementptr double, ptr %65, i64 %2203
-  %2628 = getelementptr double, ptr %2627, i64 %2626
-  store double %2625, ptr %2628, align 8, !noalias !12
-  br label %2202
+2669:                                             ; preds = %2243
+  %2670 = add nsw i64 %2245, -1
+  %2671 = add i64 %2244, 1
+  %2672 = icmp slt i64 %2244, 0
+  %2673 = select i1 %2672, i64 %69, i64 0
+  %2674 = getelementptr double, ptr %70, i64 %2244
+  %2675 = getelementptr double, ptr %2674, i64 %2673
+  %2676 = load double, ptr %2675, align 8, !noalias !12
+  %2677 = select i1 %2672, i64 %64, i64 0
+  %2678 = getelementptr double, ptr %65, i64 %2244
+  %2679 = getelementptr double, ptr %2678, i64 %2677
+  store double %2676, ptr %2679, align 8, !noalias !12
+  br label %2243
 
-2629:                                             ; preds = %2220, %2220
-  %2630 = icmp eq i32 %2221, 0
-  br i1 %2630, label %2227, label %2223
+2680:                                             ; preds = %2261, %2261
+  %2681 = icmp eq i32 %2262, 0
+  br i1 %2681, label %2268, label %2264
 
-2631:                                             ; preds = %2220
-  br label %2632
+2682:                                             ; preds = %2261
+  br label %2683
 
-2632:                                             ; preds = %2631, %2616, %2522, %2501, %2394, %2347, %2341, %2340, %2336, %2323, %2322, %2223, %2200, %1975, %1846, %437, %380, %369, %329, %319, %192
-  %2633 = phi i64 [ -4, %1846 ], [ -1, %192 ], [ 2, %2322 ], [ %2186, %2200 ], [ 0, %2501 ], [ 0, %2631 ], [ %2226, %2223 ], [ 0, %2336 ], [ %322, %319 ], [ 0, %2340 ], [ 0, %329 ], [ 0, %2341 ], [ -1, %369 ], [ 1, %380 ], [ 0, %2347 ], [ -4, %437 ], [ 0, %2394 ], [ 0, %2522 ], [ -4, %1975 ], [ 0, %2323 ], [ 0, %2616 ]
-  ret i64 %2633
+2683:                                             ; preds = %2682, %2667, %2573, %2552, %2435, %2388, %2382, %2381, %2377, %2364, %2363, %2264, %2241, %2012, %1883, %445, %380, %369, %329, %319, %192
+  %2684 = phi i64 [ 0, %2552 ], [ -1, %192 ], [ 2, %2363 ], [ %2227, %2241 ], [ -4, %1883 ], [ 0, %2682 ], [ %2267, %2264 ], [ 0, %2377 ], [ %322, %319 ], [ 0, %2381 ], [ 0, %329 ], [ 0, %2382 ], [ -1, %369 ], [ 1, %380 ], [ 0, %2388 ], [ 0, %2435 ], [ -4, %445 ], [ 0, %2573 ], [ 0, %2667 ], [ -4, %2012 ], [ 0, %2364 ]
+  ret i64 %2684
 }
 
 
@@ -4343,76 +4409,79 @@ attributes #4 = { nounwind willreturn }
 !73 = !{!74, !62, !64}
 !74 = distinct !{!74, !75}
 !75 = distinct !{!75}
-!76 = !{!"branch_weights", i32 49, i32 1}
-!77 = !{!78, !80, !62, !64}
-!78 = distinct !{!78, !79}
-!79 = distinct !{!79}
-!80 = distinct !{!80, !79}
-!81 = !{!82, !84, !86, !78, !80, !62, !64}
-!82 = distinct !{!82, !83}
-!83 = distinct !{!83}
-!84 = distinct !{!84, !85}
-!85 = distinct !{!85}
-!86 = distinct !{!86, !85}
-!87 = !{!88, !90, !92, !78, !80, !62, !64}
-!88 = distinct !{!88, !89}
-!89 = distinct !{!89}
-!90 = distinct !{!90, !91}
-!91 = distinct !{!91}
-!92 = distinct !{!92, !91}
-!93 = !{!94, !96, !62, !64}
-!94 = distinct !{!94, !95}
-!95 = distinct !{!95}
-!96 = distinct !{!96, !95}
-!97 = !{!98, !100, !62, !64}
-!98 = distinct !{!98, !99}
-!99 = distinct !{!99}
-!100 = distinct !{!100, !99}
-!101 = !{!102, !62, !64}
-!102 = distinct !{!102, !103}
-!103 = distinct !{!103}
-!104 = !{!105, !107}
+!76 = !{!77, !62, !64}
+!77 = distinct !{!77, !78}
+!78 = distinct !{!78}
+!79 = !{!"branch_weights", i32 49, i32 1}
+!80 = !{!81, !83, !62, !64}
+!81 = distinct !{!81, !82}
+!82 = distinct !{!82}
+!83 = distinct !{!83, !82}
+!84 = !{!85, !87, !89, !81, !83, !62, !64}
+!85 = distinct !{!85, !86}
+!86 = distinct !{!86}
+!87 = distinct !{!87, !88}
+!88 = distinct !{!88}
+!89 = distinct !{!89, !88}
+!90 = !{!91, !93, !95, !81, !83, !62, !64}
+!91 = distinct !{!91, !92}
+!92 = distinct !{!92}
+!93 = distinct !{!93, !94}
+!94 = distinct !{!94}
+!95 = distinct !{!95, !94}
+!96 = !{!97, !99, !62, !64}
+!97 = distinct !{!97, !98}
+!98 = distinct !{!98}
+!99 = distinct !{!99, !98}
+!100 = !{!101, !103, !62, !64}
+!101 = distinct !{!101, !102}
+!102 = distinct !{!102}
+!103 = distinct !{!103, !102}
+!104 = !{!105, !62, !64}
 !105 = distinct !{!105, !106}
 !106 = distinct !{!106}
-!107 = distinct !{!107, !106}
-!108 = !{!109, !111, !112, !114, !105, !107}
-!109 = distinct !{!109, !110}
-!110 = distinct !{!110}
-!111 = distinct !{!111, !110}
+!107 = !{!108, !110}
+!108 = distinct !{!108, !109}
+!109 = distinct !{!109}
+!110 = distinct !{!110, !109}
+!111 = !{!112, !114, !115, !117, !108, !110}
 !112 = distinct !{!112, !113}
 !113 = distinct !{!113}
 !114 = distinct !{!114, !113}
-!115 = !{!112, !114, !105, !107}
-!116 = !{!117, !119, !13, !15}
-!117 = distinct !{!117, !118}
-!118 = distinct !{!118}
-!119 = distinct !{!119, !118}
-!120 = !{!121}
-!121 = distinct !{!121, !122}
-!122 = distinct !{!122}
+!115 = distinct !{!115, !116}
+!116 = distinct !{!116}
+!117 = distinct !{!117, !116}
+!118 = !{!115, !117, !108, !110}
+!119 = !{!120, !122, !13, !15}
+!120 = distinct !{!120, !121}
+!121 = distinct !{!121}
+!122 = distinct !{!122, !121}
 !123 = !{!124}
 !124 = distinct !{!124, !125}
 !125 = distinct !{!125}
-!126 = !{!127, !129, !130, !132}
+!126 = !{!127}
 !127 = distinct !{!127, !128}
 !128 = distinct !{!128}
-!129 = distinct !{!129, !128}
+!129 = !{!130, !132, !133, !135}
 !130 = distinct !{!130, !131}
 !131 = distinct !{!131}
 !132 = distinct !{!132, !131}
-!133 = !{!130, !132}
-!134 = !{!135}
-!135 = distinct !{!135, !136}
-!136 = distinct !{!136}
-!137 = !{!138, !140, !141, !143}
+!133 = distinct !{!133, !134}
+!134 = distinct !{!134}
+!135 = distinct !{!135, !134}
+!136 = !{!133, !135}
+!137 = !{!138}
 !138 = distinct !{!138, !139}
 !139 = distinct !{!139}
-!140 = distinct !{!140, !139}
+!140 = !{!141, !143, !144, !146}
 !141 = distinct !{!141, !142}
 !142 = distinct !{!142}
 !143 = distinct !{!143, !142}
-!144 = !{!141, !143}
-!145 = !{!146, !148, !13, !15}
-!146 = distinct !{!146, !147}
-!147 = distinct !{!147}
-!148 = distinct !{!148, !147}
+!144 = distinct !{!144, !145}
+!145 = distinct !{!145}
+!146 = distinct !{!146, !145}
+!147 = !{!144, !146}
+!148 = !{!149, !151, !13, !15}
+!149 = distinct !{!149, !150}
+!150 = distinct !{!150}
+!151 = distinct !{!151, !150}

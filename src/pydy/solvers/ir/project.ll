@@ -1,4 +1,4 @@
-; sources f64025d5ed9d601f5933be052cc0668f9a00b065a6362beb89e5f83a8b39083f
+; sources 48a5f97f10b5c0eb578646c5d51fd1392cd2cef72d1f6a53dbc35994671dcad6
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0
@@ -972,46 +972,46 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
 
 154:                                              ; preds = %148, %148, %3, %153
   %155 = phi i32 [ %152, %153 ], [ 0, %3 ], [ 0, %148 ], [ 0, %148 ]
-  switch i32 %155, label %416 [
-    i32 -2, label %410
-    i32 0, label %410
+  switch i32 %155, label %432 [
+    i32 -2, label %426
+    i32 0, label %426
   ], !prof !17
 
-156:                                              ; preds = %160, %410
-  %157 = phi i64 [ 0, %410 ], [ %419, %160 ]
-  %158 = phi i64 [ %415, %410 ], [ %418, %160 ]
+156:                                              ; preds = %160, %426
+  %157 = phi i64 [ 0, %426 ], [ %435, %160 ]
+  %158 = phi i64 [ %431, %426 ], [ %434, %160 ]
   %159 = icmp sgt i64 %158, 0
-  br i1 %159, label %417, label %164
+  br i1 %159, label %433, label %164
 
-160:                                              ; preds = %417, %420
-  %161 = phi i64 [ 0, %417 ], [ %422, %420 ]
-  %162 = phi i64 [ %415, %417 ], [ %421, %420 ]
+160:                                              ; preds = %433, %436
+  %161 = phi i64 [ 0, %433 ], [ %438, %436 ]
+  %162 = phi i64 [ %431, %433 ], [ %437, %436 ]
   %163 = icmp sgt i64 %162, 0
-  br i1 %163, label %420, label %156
+  br i1 %163, label %436, label %156
 
-164:                                              ; preds = %156, %294
-  %165 = phi i64 [ %436, %294 ], [ 0, %156 ]
-  %166 = phi i64 [ %435, %294 ], [ 10, %156 ]
-  %167 = phi double [ %175, %294 ], [ 0x7FF0000000000000, %156 ]
+164:                                              ; preds = %156, %295
+  %165 = phi i64 [ %452, %295 ], [ 0, %156 ]
+  %166 = phi i64 [ %451, %295 ], [ 10, %156 ]
+  %167 = phi double [ %175, %295 ], [ 0x7FF0000000000000, %156 ]
   %168 = icmp sgt i64 %166, 0
-  br i1 %168, label %434, label %295
+  br i1 %168, label %450, label %296
 
-169:                                              ; preds = %434
-  br label %733
+169:                                              ; preds = %450
+  br label %771
 
-170:                                              ; preds = %434
+170:                                              ; preds = %450
   %171 = call i64 @llvm.smax.i64(i64 %127, i64 0)
   br label %172
 
 172:                                              ; preds = %189, %170
-  %173 = phi i64 [ 0, %170 ], [ %445, %189 ]
-  %174 = phi i64 [ %171, %170 ], [ %444, %189 ]
+  %173 = phi i64 [ 0, %170 ], [ %461, %189 ]
+  %174 = phi i64 [ %171, %170 ], [ %460, %189 ]
   %175 = phi double [ 0.000000e+00, %170 ], [ %190, %189 ]
   %176 = icmp sgt i64 %174, 0
-  br i1 %176, label %443, label %193
+  br i1 %176, label %459, label %194
 
-177:                                              ; preds = %443
-  %178 = call double @llvm.fabs.f64(double %450)
+177:                                              ; preds = %459
+  %178 = call double @llvm.fabs.f64(double %466)
   %179 = add nsw i64 %145, %173
   %180 = icmp slt i64 %179, 0
   %181 = select i1 %180, i64 %52, i64 0
@@ -1024,824 +1024,876 @@ define i64 @project(i64 %0, double %1, i64 %2) local_unnamed_addr #3 {
   %188 = select i1 %187, double %186, double %175
   br label %189
 
-189:                                              ; preds = %177, %443
-  %190 = phi double [ %175, %443 ], [ %188, %177 ]
-  %191 = fcmp uno double %450, 0.000000e+00
-  br i1 %191, label %192, label %172
+189:                                              ; preds = %177, %459
+  %190 = phi double [ %175, %459 ], [ %188, %177 ]
+  %191 = fsub double %466, %466
+  %192 = fcmp ord double %191, 0.000000e+00
+  br i1 %192, label %172, label %193
 
-192:                                              ; preds = %189
-  br label %733
+193:                                              ; preds = %189
+  br label %771
 
-193:                                              ; preds = %172
-  %194 = fcmp ugt double %175, 1.000000e+00
-  br i1 %194, label %195, label %295
+194:                                              ; preds = %172
+  %195 = fcmp ugt double %175, 1.000000e+00
+  br i1 %195, label %196, label %296
 
-195:                                              ; preds = %193
-  %196 = fmul double %167, 5.000000e-01
-  %197 = fcmp oge double %175, %196
-  %198 = fcmp ole double %175, 8.000000e+00
-  %199 = and i1 %197, %198
-  br i1 %199, label %295, label %200
+196:                                              ; preds = %194
+  %197 = fmul double %167, 5.000000e-01
+  %198 = fcmp oge double %175, %197
+  %199 = fcmp ole double %175, 8.000000e+00
+  %200 = and i1 %198, %199
+  br i1 %200, label %296, label %201
 
-200:                                              ; preds = %195
-  br i1 %437, label %201, label %202
+201:                                              ; preds = %196
+  br i1 %453, label %202, label %203
 
-201:                                              ; preds = %200
-  br label %733
+202:                                              ; preds = %201
+  br label %771
 
-202:                                              ; preds = %200
-  %203 = load i64, ptr %141, align 8, !noalias !9
-  %204 = icmp eq i64 %203, 1
-  br i1 %204, label %205, label %239
+203:                                              ; preds = %201
+  %204 = load i64, ptr %141, align 8, !noalias !9
+  %205 = icmp eq i64 %204, 1
+  br i1 %205, label %206, label %240
 
-205:                                              ; preds = %202
-  %206 = call i64 @llvm.smax.i64(i64 %64, i64 0)
-  br label %207
+206:                                              ; preds = %203
+  %207 = call i64 @llvm.smax.i64(i64 %64, i64 0)
+  br label %208
 
-207:                                              ; preds = %211, %205
-  %208 = phi i64 [ 0, %205 ], [ %217, %211 ]
-  %209 = phi i64 [ %206, %205 ], [ %216, %211 ]
-  %210 = icmp sgt i64 %209, 0
-  br i1 %210, label %215, label %452
+208:                                              ; preds = %212, %206
+  %209 = phi i64 [ 0, %206 ], [ %218, %212 ]
+  %210 = phi i64 [ %207, %206 ], [ %217, %212 ]
+  %211 = icmp sgt i64 %210, 0
+  br i1 %211, label %216, label %468
 
-211:                                              ; preds = %219, %215
-  %212 = phi i64 [ 0, %215 ], [ %221, %219 ]
-  %213 = phi i64 [ %218, %215 ], [ %220, %219 ]
-  %214 = icmp sgt i64 %213, 0
-  br i1 %214, label %219, label %207
+212:                                              ; preds = %220, %216
+  %213 = phi i64 [ 0, %216 ], [ %222, %220 ]
+  %214 = phi i64 [ %219, %216 ], [ %221, %220 ]
+  %215 = icmp sgt i64 %214, 0
+  br i1 %215, label %220, label %208
 
-215:                                              ; preds = %207
-  %216 = add nsw i64 %209, -1
-  %217 = add i64 %208, 1
-  %218 = call i64 @llvm.smax.i64(i64 %66, i64 0)
-  br label %211
+216:                                              ; preds = %208
+  %217 = add nsw i64 %210, -1
+  %218 = add i64 %209, 1
+  %219 = call i64 @llvm.smax.i64(i64 %66, i64 0)
+  br label %212
 
-219:                                              ; preds = %211
-  %220 = add nsw i64 %213, -1
-  %221 = add i64 %212, 1
-  %222 = mul nsw i64 %208, %66
-  %223 = add nsw i64 %140, %222
-  %224 = add nsw i64 %223, %212
-  %225 = icmp slt i64 %224, 0
-  %226 = select i1 %225, i64 %52, i64 0
-  %227 = getelementptr double, ptr %53, i64 %224
-  %228 = getelementptr double, ptr %227, i64 %226
-  %229 = load double, ptr %228, align 8, !noalias !18
-  %230 = icmp slt i64 %208, 0
-  %231 = select i1 %230, i64 %64, i64 0
-  %232 = add i64 %208, %231
-  %233 = icmp slt i64 %212, 0
-  %234 = select i1 %233, i64 %66, i64 0
-  %235 = mul i64 %232, %66
-  %236 = getelementptr double, ptr %67, i64 %235
-  %237 = getelementptr double, ptr %236, i64 %212
-  %238 = getelementptr double, ptr %237, i64 %234
-  store double %229, ptr %238, align 8, !noalias !18
-  br label %211
+220:                                              ; preds = %212
+  %221 = add nsw i64 %214, -1
+  %222 = add i64 %213, 1
+  %223 = mul nsw i64 %209, %66
+  %224 = add nsw i64 %140, %223
+  %225 = add nsw i64 %224, %213
+  %226 = icmp slt i64 %225, 0
+  %227 = select i1 %226, i64 %52, i64 0
+  %228 = getelementptr double, ptr %53, i64 %225
+  %229 = getelementptr double, ptr %228, i64 %227
+  %230 = load double, ptr %229, align 8, !noalias !18
+  %231 = icmp slt i64 %209, 0
+  %232 = select i1 %231, i64 %64, i64 0
+  %233 = add i64 %209, %232
+  %234 = icmp slt i64 %213, 0
+  %235 = select i1 %234, i64 %66, i64 0
+  %236 = mul i64 %233, %66
+  %237 = getelementptr double, ptr %67, i64 %236
+  %238 = getelementptr double, ptr %237, i64 %213
+  %239 = getelementptr double, ptr %238, i64 %235
+  store double %230, ptr %239, align 8, !noalias !18
+  br label %212
 
-239:                                              ; preds = %452, %452, %202
-  %240 = call i64 @llvm.smax.i64(i64 %71, i64 0)
-  br label %241
+240:                                              ; preds = %468, %468, %203
+  %241 = call i64 @llvm.smax.i64(i64 %71, i64 0)
+  br label %242
 
-241:                                              ; preds = %245, %239
-  %242 = phi i64 [ 0, %239 ], [ %251, %245 ]
-  %243 = phi i64 [ %240, %239 ], [ %250, %245 ]
-  %244 = icmp sgt i64 %243, 0
-  br i1 %244, label %249, label %455
+242:                                              ; preds = %246, %240
+  %243 = phi i64 [ 0, %240 ], [ %252, %246 ]
+  %244 = phi i64 [ %241, %240 ], [ %251, %246 ]
+  %245 = icmp sgt i64 %244, 0
+  br i1 %245, label %250, label %471
 
-245:                                              ; preds = %253, %249
-  %246 = phi i64 [ 0, %249 ], [ %255, %253 ]
-  %247 = phi i64 [ %252, %249 ], [ %254, %253 ]
-  %248 = icmp sgt i64 %247, 0
-  br i1 %248, label %253, label %241
+246:                                              ; preds = %254, %250
+  %247 = phi i64 [ 0, %250 ], [ %256, %254 ]
+  %248 = phi i64 [ %253, %250 ], [ %255, %254 ]
+  %249 = icmp sgt i64 %248, 0
+  br i1 %249, label %254, label %242
 
-249:                                              ; preds = %241
-  %250 = add nsw i64 %243, -1
-  %251 = add i64 %242, 1
-  %252 = call i64 @llvm.smax.i64(i64 %73, i64 0)
-  br label %245
+250:                                              ; preds = %242
+  %251 = add nsw i64 %244, -1
+  %252 = add i64 %243, 1
+  %253 = call i64 @llvm.smax.i64(i64 %73, i64 0)
+  br label %246
 
-253:                                              ; preds = %245
-  %254 = add nsw i64 %247, -1
-  %255 = add i64 %246, 1
-  %256 = mul nsw i64 %242, %73
-  %257 = add nsw i64 %136, %256
-  %258 = add nsw i64 %257, %246
-  %259 = icmp slt i64 %258, 0
-  %260 = select i1 %259, i64 %52, i64 0
-  %261 = getelementptr double, ptr %53, i64 %258
-  %262 = getelementptr double, ptr %261, i64 %260
-  %263 = load double, ptr %262, align 8, !noalias !21
-  %264 = icmp slt i64 %242, 0
-  %265 = select i1 %264, i64 %71, i64 0
-  %266 = add i64 %242, %265
-  %267 = icmp slt i64 %246, 0
-  %268 = select i1 %267, i64 %73, i64 0
-  %269 = mul i64 %266, %73
-  %270 = getelementptr double, ptr %74, i64 %269
-  %271 = getelementptr double, ptr %270, i64 %246
-  %272 = getelementptr double, ptr %271, i64 %268
-  store double %263, ptr %272, align 8, !noalias !21
-  br label %245
+254:                                              ; preds = %246
+  %255 = add nsw i64 %248, -1
+  %256 = add i64 %247, 1
+  %257 = mul nsw i64 %243, %73
+  %258 = add nsw i64 %136, %257
+  %259 = add nsw i64 %258, %247
+  %260 = icmp slt i64 %259, 0
+  %261 = select i1 %260, i64 %52, i64 0
+  %262 = getelementptr double, ptr %53, i64 %259
+  %263 = getelementptr double, ptr %262, i64 %261
+  %264 = load double, ptr %263, align 8, !noalias !21
+  %265 = icmp slt i64 %243, 0
+  %266 = select i1 %265, i64 %71, i64 0
+  %267 = add i64 %243, %266
+  %268 = icmp slt i64 %247, 0
+  %269 = select i1 %268, i64 %73, i64 0
+  %270 = mul i64 %267, %73
+  %271 = getelementptr double, ptr %74, i64 %270
+  %272 = getelementptr double, ptr %271, i64 %247
+  %273 = getelementptr double, ptr %272, i64 %269
+  store double %264, ptr %273, align 8, !noalias !21
+  br label %246
 
-273:                                              ; preds = %277, %581
-  %274 = phi i64 [ 0, %581 ], [ %586, %277 ]
-  %275 = phi i64 [ %582, %581 ], [ %585, %277 ]
-  %276 = icmp sgt i64 %275, 0
-  br i1 %276, label %584, label %281
+274:                                              ; preds = %278, %597
+  %275 = phi i64 [ 0, %597 ], [ %602, %278 ]
+  %276 = phi i64 [ %598, %597 ], [ %601, %278 ]
+  %277 = icmp sgt i64 %276, 0
+  br i1 %277, label %600, label %282
 
-277:                                              ; preds = %584, %587
-  %278 = phi i64 [ 0, %584 ], [ %589, %587 ]
-  %279 = phi i64 [ %415, %584 ], [ %588, %587 ]
-  %280 = icmp sgt i64 %279, 0
-  br i1 %280, label %587, label %273
+278:                                              ; preds = %600, %603
+  %279 = phi i64 [ 0, %600 ], [ %605, %603 ]
+  %280 = phi i64 [ %431, %600 ], [ %604, %603 ]
+  %281 = icmp sgt i64 %280, 0
+  br i1 %281, label %603, label %274
 
-281:                                              ; preds = %273, %610
-  %282 = phi i64 [ %619, %610 ], [ 0, %273 ]
-  %283 = phi i64 [ %620, %610 ], [ %171, %273 ]
-  %284 = phi double [ %618, %610 ], [ 0.000000e+00, %273 ]
-  %285 = icmp sgt i64 %283, 0
-  br i1 %285, label %610, label %286
+282:                                              ; preds = %274, %626
+  %283 = phi i64 [ %635, %626 ], [ 0, %274 ]
+  %284 = phi i64 [ %636, %626 ], [ %171, %274 ]
+  %285 = phi double [ %634, %626 ], [ 0.000000e+00, %274 ]
+  %286 = icmp sgt i64 %284, 0
+  br i1 %286, label %626, label %287
 
-286:                                              ; preds = %281
-  %287 = fcmp ogt double %284, 0.000000e+00
-  br i1 %287, label %288, label %294
+287:                                              ; preds = %282
+  %288 = fcmp ogt double %285, 0.000000e+00
+  br i1 %288, label %289, label %295
 
-288:                                              ; preds = %286
+289:                                              ; preds = %287
   store ptr null, ptr %10, align 8, !noalias !9
-  %289 = call fastcc i32 @_minimum_norm(ptr nonnull %10, ptr %81, i64 %78, i64 %80, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
-  switch i32 %289, label %622 [
-    i32 -2, label %621
-    i32 0, label %621
+  %290 = call fastcc i32 @_minimum_norm(ptr nonnull %10, ptr %81, i64 %78, i64 %80, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
+  switch i32 %290, label %638 [
+    i32 -2, label %637
+    i32 0, label %637
   ], !prof !17
 
-290:                                              ; preds = %621, %623
-  %291 = phi i64 [ 0, %621 ], [ %625, %623 ]
-  %292 = phi i64 [ %582, %621 ], [ %624, %623 ]
-  %293 = icmp sgt i64 %292, 0
-  br i1 %293, label %623, label %294
+291:                                              ; preds = %637, %639
+  %292 = phi i64 [ 0, %637 ], [ %641, %639 ]
+  %293 = phi i64 [ %598, %637 ], [ %640, %639 ]
+  %294 = icmp sgt i64 %293, 0
+  br i1 %294, label %639, label %295
 
-294:                                              ; preds = %290, %286
+295:                                              ; preds = %291, %287
   br label %164
 
-295:                                              ; preds = %164, %193, %195
-  %296 = icmp sgt i64 %129, 0
-  br i1 %296, label %297, label %409
+296:                                              ; preds = %164, %194, %196
+  %297 = icmp sgt i64 %129, 0
+  br i1 %297, label %298, label %425
 
-297:                                              ; preds = %295
-  %298 = load i64, ptr %141, align 8, !noalias !9
-  %299 = icmp eq i64 %298, 1
-  br i1 %299, label %300, label %334
+298:                                              ; preds = %296, %652
+  %299 = phi i64 [ %654, %652 ], [ 0, %296 ]
+  %300 = phi i64 [ %653, %652 ], [ %129, %296 ]
+  %301 = phi double [ %662, %652 ], [ 0.000000e+00, %296 ]
+  %302 = icmp sgt i64 %300, 0
+  br i1 %302, label %652, label %303
 
-300:                                              ; preds = %297
-  %301 = call i64 @llvm.smax.i64(i64 %64, i64 0)
-  br label %302
+303:                                              ; preds = %298
+  %304 = call i64 @llvm.smax.i64(i64 %139, i64 0)
+  br label %305
 
-302:                                              ; preds = %306, %300
-  %303 = phi i64 [ 0, %300 ], [ %312, %306 ]
-  %304 = phi i64 [ %301, %300 ], [ %311, %306 ]
-  %305 = icmp sgt i64 %304, 0
-  br i1 %305, label %310, label %636
+305:                                              ; preds = %303, %663
+  %306 = phi i64 [ 0, %303 ], [ %665, %663 ]
+  %307 = phi i64 [ %304, %303 ], [ %664, %663 ]
+  %308 = phi double [ %301, %303 ], [ %673, %663 ]
+  %309 = icmp sgt i64 %307, 0
+  br i1 %309, label %663, label %310
 
-306:                                              ; preds = %314, %310
-  %307 = phi i64 [ 0, %310 ], [ %316, %314 ]
-  %308 = phi i64 [ %313, %310 ], [ %315, %314 ]
-  %309 = icmp sgt i64 %308, 0
-  br i1 %309, label %314, label %302
+310:                                              ; preds = %305
+  %311 = fcmp une double %308, 0.000000e+00
+  br i1 %311, label %312, label %313
 
-310:                                              ; preds = %302
-  %311 = add nsw i64 %304, -1
-  %312 = add i64 %303, 1
-  %313 = call i64 @llvm.smax.i64(i64 %66, i64 0)
-  br label %306
+312:                                              ; preds = %310
+  br label %771
 
-314:                                              ; preds = %306
-  %315 = add nsw i64 %308, -1
-  %316 = add i64 %307, 1
-  %317 = mul nsw i64 %303, %66
-  %318 = add nsw i64 %140, %317
-  %319 = add nsw i64 %318, %307
-  %320 = icmp slt i64 %319, 0
-  %321 = select i1 %320, i64 %52, i64 0
-  %322 = getelementptr double, ptr %53, i64 %319
-  %323 = getelementptr double, ptr %322, i64 %321
-  %324 = load double, ptr %323, align 8, !noalias !24
-  %325 = icmp slt i64 %303, 0
-  %326 = select i1 %325, i64 %64, i64 0
-  %327 = add i64 %303, %326
-  %328 = icmp slt i64 %307, 0
-  %329 = select i1 %328, i64 %66, i64 0
-  %330 = mul i64 %327, %66
-  %331 = getelementptr double, ptr %67, i64 %330
-  %332 = getelementptr double, ptr %331, i64 %307
-  %333 = getelementptr double, ptr %332, i64 %329
-  store double %324, ptr %333, align 8, !noalias !24
-  br label %306
+313:                                              ; preds = %310
+  %314 = load i64, ptr %141, align 8, !noalias !9
+  %315 = icmp eq i64 %314, 1
+  br i1 %315, label %316, label %350
 
-334:                                              ; preds = %636, %636, %297
-  %335 = call i64 @llvm.smax.i64(i64 %92, i64 0)
-  br label %336
+316:                                              ; preds = %313
+  %317 = call i64 @llvm.smax.i64(i64 %64, i64 0)
+  br label %318
 
-336:                                              ; preds = %340, %334
-  %337 = phi i64 [ 0, %334 ], [ %346, %340 ]
-  %338 = phi i64 [ %335, %334 ], [ %345, %340 ]
-  %339 = icmp sgt i64 %338, 0
-  br i1 %339, label %344, label %639
+318:                                              ; preds = %322, %316
+  %319 = phi i64 [ 0, %316 ], [ %328, %322 ]
+  %320 = phi i64 [ %317, %316 ], [ %327, %322 ]
+  %321 = icmp sgt i64 %320, 0
+  br i1 %321, label %326, label %674
 
-340:                                              ; preds = %348, %344
-  %341 = phi i64 [ 0, %344 ], [ %350, %348 ]
-  %342 = phi i64 [ %347, %344 ], [ %349, %348 ]
-  %343 = icmp sgt i64 %342, 0
-  br i1 %343, label %348, label %336
+322:                                              ; preds = %330, %326
+  %323 = phi i64 [ 0, %326 ], [ %332, %330 ]
+  %324 = phi i64 [ %329, %326 ], [ %331, %330 ]
+  %325 = icmp sgt i64 %324, 0
+  br i1 %325, label %330, label %318
 
-344:                                              ; preds = %336
-  %345 = add nsw i64 %338, -1
-  %346 = add i64 %337, 1
-  %347 = call i64 @llvm.smax.i64(i64 %94, i64 0)
-  br label %340
+326:                                              ; preds = %318
+  %327 = add nsw i64 %320, -1
+  %328 = add i64 %319, 1
+  %329 = call i64 @llvm.smax.i64(i64 %66, i64 0)
+  br label %322
 
-348:                                              ; preds = %340
-  %349 = add nsw i64 %342, -1
-  %350 = add i64 %341, 1
-  %351 = mul nsw i64 %337, %94
-  %352 = add nsw i64 %138, %351
-  %353 = add nsw i64 %352, %341
-  %354 = icmp slt i64 %353, 0
-  %355 = select i1 %354, i64 %52, i64 0
-  %356 = getelementptr double, ptr %53, i64 %353
-  %357 = getelementptr double, ptr %356, i64 %355
-  %358 = load double, ptr %357, align 8, !noalias !27
-  %359 = icmp slt i64 %337, 0
-  %360 = select i1 %359, i64 %92, i64 0
-  %361 = add i64 %337, %360
-  %362 = icmp slt i64 %341, 0
-  %363 = select i1 %362, i64 %94, i64 0
-  %364 = mul i64 %361, %94
-  %365 = getelementptr double, ptr %95, i64 %364
-  %366 = getelementptr double, ptr %365, i64 %341
-  %367 = getelementptr double, ptr %366, i64 %363
-  store double %358, ptr %367, align 8, !noalias !27
-  br label %340
+330:                                              ; preds = %322
+  %331 = add nsw i64 %324, -1
+  %332 = add i64 %323, 1
+  %333 = mul nsw i64 %319, %66
+  %334 = add nsw i64 %140, %333
+  %335 = add nsw i64 %334, %323
+  %336 = icmp slt i64 %335, 0
+  %337 = select i1 %336, i64 %52, i64 0
+  %338 = getelementptr double, ptr %53, i64 %335
+  %339 = getelementptr double, ptr %338, i64 %337
+  %340 = load double, ptr %339, align 8, !noalias !24
+  %341 = icmp slt i64 %319, 0
+  %342 = select i1 %341, i64 %64, i64 0
+  %343 = add i64 %319, %342
+  %344 = icmp slt i64 %323, 0
+  %345 = select i1 %344, i64 %66, i64 0
+  %346 = mul i64 %343, %66
+  %347 = getelementptr double, ptr %67, i64 %346
+  %348 = getelementptr double, ptr %347, i64 %323
+  %349 = getelementptr double, ptr %348, i64 %345
+  store double %340, ptr %349, align 8, !noalias !24
+  br label %322
 
-368:                                              ; preds = %666, %668
-  %369 = phi i64 [ 0, %666 ], [ %670, %668 ]
-  %370 = phi i64 [ %415, %666 ], [ %669, %668 ]
-  %371 = icmp sgt i64 %370, 0
-  br i1 %371, label %668, label %683
+350:                                              ; preds = %674, %674, %313
+  %351 = call i64 @llvm.smax.i64(i64 %92, i64 0)
+  br label %352
 
-372:                                              ; preds = %693, %383
-  %373 = phi i64 [ 0, %693 ], [ %701, %383 ]
-  %374 = phi i64 [ %129, %693 ], [ %700, %383 ]
-  %375 = phi i64 [ 0, %693 ], [ %384, %383 ]
-  %376 = phi double [ 1.000000e+00, %693 ], [ %385, %383 ]
-  %377 = icmp sgt i64 %374, 0
-  br i1 %377, label %699, label %386
+352:                                              ; preds = %356, %350
+  %353 = phi i64 [ 0, %350 ], [ %362, %356 ]
+  %354 = phi i64 [ %351, %350 ], [ %361, %356 ]
+  %355 = icmp sgt i64 %354, 0
+  br i1 %355, label %360, label %677
 
-378:                                              ; preds = %699
-  %379 = add nsw i64 %375, 1
-  %380 = fdiv double %718, %714
-  %381 = fcmp olt double %380, %376
-  %382 = select i1 %381, double %380, double %376
-  br label %383
+356:                                              ; preds = %364, %360
+  %357 = phi i64 [ 0, %360 ], [ %366, %364 ]
+  %358 = phi i64 [ %363, %360 ], [ %365, %364 ]
+  %359 = icmp sgt i64 %358, 0
+  br i1 %359, label %364, label %352
 
-383:                                              ; preds = %378, %699
-  %384 = phi i64 [ %375, %699 ], [ %379, %378 ]
-  %385 = phi double [ %376, %699 ], [ %382, %378 ]
-  br label %372
+360:                                              ; preds = %352
+  %361 = add nsw i64 %354, -1
+  %362 = add i64 %353, 1
+  %363 = call i64 @llvm.smax.i64(i64 %94, i64 0)
+  br label %356
 
-386:                                              ; preds = %372
-  %387 = load double, ptr %697, align 8, !noalias !9
-  %388 = sitofp i64 %375 to double
-  %389 = fcmp olt double %387, %388
-  br i1 %389, label %390, label %392
+364:                                              ; preds = %356
+  %365 = add nsw i64 %358, -1
+  %366 = add i64 %357, 1
+  %367 = mul nsw i64 %353, %94
+  %368 = add nsw i64 %138, %367
+  %369 = add nsw i64 %368, %357
+  %370 = icmp slt i64 %369, 0
+  %371 = select i1 %370, i64 %52, i64 0
+  %372 = getelementptr double, ptr %53, i64 %369
+  %373 = getelementptr double, ptr %372, i64 %371
+  %374 = load double, ptr %373, align 8, !noalias !27
+  %375 = icmp slt i64 %353, 0
+  %376 = select i1 %375, i64 %92, i64 0
+  %377 = add i64 %353, %376
+  %378 = icmp slt i64 %357, 0
+  %379 = select i1 %378, i64 %94, i64 0
+  %380 = mul i64 %377, %94
+  %381 = getelementptr double, ptr %95, i64 %380
+  %382 = getelementptr double, ptr %381, i64 %357
+  %383 = getelementptr double, ptr %382, i64 %379
+  store double %374, ptr %383, align 8, !noalias !27
+  br label %356
 
-390:                                              ; preds = %386
-  store double %388, ptr %697, align 8, !noalias !9
-  %391 = getelementptr i8, ptr %697, i64 8
-  store double 1.000000e+00, ptr %391, align 8, !noalias !9
-  br label %395
+384:                                              ; preds = %704, %706
+  %385 = phi i64 [ 0, %704 ], [ %708, %706 ]
+  %386 = phi i64 [ %431, %704 ], [ %707, %706 ]
+  %387 = icmp sgt i64 %386, 0
+  br i1 %387, label %706, label %721
 
-392:                                              ; preds = %386
-  %393 = fcmp ogt double %387, %388
-  br i1 %393, label %394, label %395
+388:                                              ; preds = %731, %399
+  %389 = phi i64 [ 0, %731 ], [ %739, %399 ]
+  %390 = phi i64 [ %129, %731 ], [ %738, %399 ]
+  %391 = phi i64 [ 0, %731 ], [ %400, %399 ]
+  %392 = phi double [ 1.000000e+00, %731 ], [ %401, %399 ]
+  %393 = icmp sgt i64 %390, 0
+  br i1 %393, label %737, label %402
 
-394:                                              ; preds = %392
-  br label %395
+394:                                              ; preds = %737
+  %395 = add nsw i64 %391, 1
+  %396 = fdiv double %756, %752
+  %397 = fcmp olt double %396, %392
+  %398 = select i1 %397, double %396, double %392
+  br label %399
 
-395:                                              ; preds = %394, %392, %390
-  %396 = phi double [ %376, %390 ], [ 0.000000e+00, %394 ], [ %376, %392 ]
-  %397 = getelementptr i8, ptr %697, i64 8
-  %398 = load double, ptr %397, align 8, !noalias !9
-  %399 = fcmp olt double %396, %398
-  %400 = fcmp ogt double %398, 1.000000e-05
-  %401 = and i1 %399, %400
-  br i1 %401, label %402, label %409
+399:                                              ; preds = %394, %737
+  %400 = phi i64 [ %391, %737 ], [ %395, %394 ]
+  %401 = phi double [ %392, %737 ], [ %398, %394 ]
+  br label %388
 
-402:                                              ; preds = %395
-  store double %396, ptr %397, align 8, !noalias !9
-  %403 = getelementptr i8, ptr %697, i64 16
-  store double %1, ptr %403, align 8, !noalias !9
-  %404 = call i64 @llvm.smax.i64(i64 %57, i64 0)
-  br label %405
+402:                                              ; preds = %388
+  %403 = load double, ptr %735, align 8, !noalias !9
+  %404 = sitofp i64 %391 to double
+  %405 = fcmp olt double %403, %404
+  br i1 %405, label %406, label %408
 
-405:                                              ; preds = %402, %720
-  %406 = phi i64 [ 0, %402 ], [ %722, %720 ]
-  %407 = phi i64 [ %404, %402 ], [ %721, %720 ]
-  %408 = icmp sgt i64 %407, 0
-  br i1 %408, label %720, label %409
+406:                                              ; preds = %402
+  store double %404, ptr %735, align 8, !noalias !9
+  %407 = getelementptr i8, ptr %735, i64 8
+  store double 1.000000e+00, ptr %407, align 8, !noalias !9
+  br label %411
 
-409:                                              ; preds = %405, %395, %295
-  br label %733
+408:                                              ; preds = %402
+  %409 = fcmp ogt double %403, %404
+  br i1 %409, label %410, label %411
 
-410:                                              ; preds = %154, %154
-  %411 = inttoptr i64 %55 to ptr
-  %412 = getelementptr i8, ptr %411, i64 88
-  %413 = load i64, ptr %412, align 8, !noalias !9
-  %414 = add nsw i64 %413, 1
-  store i64 %414, ptr %412, align 8, !noalias !9
-  %415 = call i64 @llvm.smax.i64(i64 %133, i64 0)
+410:                                              ; preds = %408
+  br label %411
+
+411:                                              ; preds = %410, %408, %406
+  %412 = phi double [ %392, %406 ], [ 0.000000e+00, %410 ], [ %392, %408 ]
+  %413 = getelementptr i8, ptr %735, i64 8
+  %414 = load double, ptr %413, align 8, !noalias !9
+  %415 = fcmp olt double %412, %414
+  %416 = fcmp ogt double %414, 1.000000e-05
+  %417 = and i1 %415, %416
+  br i1 %417, label %418, label %425
+
+418:                                              ; preds = %411
+  store double %412, ptr %413, align 8, !noalias !9
+  %419 = getelementptr i8, ptr %735, i64 16
+  store double %1, ptr %419, align 8, !noalias !9
+  %420 = call i64 @llvm.smax.i64(i64 %57, i64 0)
+  br label %421
+
+421:                                              ; preds = %418, %758
+  %422 = phi i64 [ 0, %418 ], [ %760, %758 ]
+  %423 = phi i64 [ %420, %418 ], [ %759, %758 ]
+  %424 = icmp sgt i64 %423, 0
+  br i1 %424, label %758, label %425
+
+425:                                              ; preds = %421, %411, %296
+  br label %771
+
+426:                                              ; preds = %154, %154
+  %427 = inttoptr i64 %55 to ptr
+  %428 = getelementptr i8, ptr %427, i64 88
+  %429 = load i64, ptr %428, align 8, !noalias !9
+  %430 = add nsw i64 %429, 1
+  store i64 %430, ptr %428, align 8, !noalias !9
+  %431 = call i64 @llvm.smax.i64(i64 %133, i64 0)
   br label %156
 
-416:                                              ; preds = %154
-  br label %733
+432:                                              ; preds = %154
+  br label %771
 
-417:                                              ; preds = %156
-  %418 = add nsw i64 %158, -1
-  %419 = add i64 %157, 1
+433:                                              ; preds = %156
+  %434 = add nsw i64 %158, -1
+  %435 = add i64 %157, 1
   br label %160
 
-420:                                              ; preds = %160
-  %421 = add nsw i64 %162, -1
-  %422 = add i64 %161, 1
-  %423 = icmp eq i64 %157, %161
-  %424 = select i1 %423, double 1.000000e+00, double 0.000000e+00
-  %425 = icmp slt i64 %157, 0
-  %426 = select i1 %425, i64 %64, i64 0
-  %427 = add i64 %157, %426
-  %428 = icmp slt i64 %161, 0
-  %429 = select i1 %428, i64 %66, i64 0
-  %430 = mul i64 %427, %66
-  %431 = getelementptr double, ptr %67, i64 %430
-  %432 = getelementptr double, ptr %431, i64 %161
-  %433 = getelementptr double, ptr %432, i64 %429
-  store double %424, ptr %433, align 8, !noalias !9
+436:                                              ; preds = %160
+  %437 = add nsw i64 %162, -1
+  %438 = add i64 %161, 1
+  %439 = icmp eq i64 %157, %161
+  %440 = select i1 %439, double 1.000000e+00, double 0.000000e+00
+  %441 = icmp slt i64 %157, 0
+  %442 = select i1 %441, i64 %64, i64 0
+  %443 = add i64 %157, %442
+  %444 = icmp slt i64 %161, 0
+  %445 = select i1 %444, i64 %66, i64 0
+  %446 = mul i64 %443, %66
+  %447 = getelementptr double, ptr %67, i64 %446
+  %448 = getelementptr double, ptr %447, i64 %161
+  %449 = getelementptr double, ptr %448, i64 %445
+  store double %440, ptr %449, align 8, !noalias !9
   br label %160
 
-434:                                              ; preds = %164
-  %435 = add nsw i64 %166, -1
-  %436 = add i64 %165, 1
-  %437 = icmp eq i64 %165, 9
-  %438 = getelementptr i8, ptr %45, i64 8
-  %439 = load i64, ptr %438, align 8, !noalias !9
-  %440 = inttoptr i64 %439 to ptr
-  %441 = call i32 %440(ptr nonnull %21, ptr %58, ptr %26, ptr %48, ptr %53) #3, !noalias !9
-  %442 = icmp slt i32 %441, 0
-  br i1 %442, label %169, label %170
+450:                                              ; preds = %164
+  %451 = add nsw i64 %166, -1
+  %452 = add i64 %165, 1
+  %453 = icmp eq i64 %165, 9
+  %454 = getelementptr i8, ptr %45, i64 8
+  %455 = load i64, ptr %454, align 8, !noalias !9
+  %456 = inttoptr i64 %455 to ptr
+  %457 = call i32 %456(ptr nonnull %21, ptr %58, ptr %26, ptr %48, ptr %53) #3, !noalias !9
+  %458 = icmp slt i32 %457, 0
+  br i1 %458, label %169, label %170
 
-443:                                              ; preds = %172
-  %444 = add nsw i64 %174, -1
-  %445 = add i64 %173, 1
-  %446 = icmp slt i64 %173, 0
-  %447 = select i1 %446, i64 %52, i64 0
-  %448 = getelementptr double, ptr %53, i64 %173
-  %449 = getelementptr double, ptr %448, i64 %447
-  %450 = load double, ptr %449, align 8, !noalias !9
-  %451 = fcmp une double %450, 0.000000e+00
-  br i1 %451, label %177, label %189
+459:                                              ; preds = %172
+  %460 = add nsw i64 %174, -1
+  %461 = add i64 %173, 1
+  %462 = icmp slt i64 %173, 0
+  %463 = select i1 %462, i64 %52, i64 0
+  %464 = getelementptr double, ptr %53, i64 %173
+  %465 = getelementptr double, ptr %464, i64 %463
+  %466 = load double, ptr %465, align 8, !noalias !9
+  %467 = fcmp une double %466, 0.000000e+00
+  br i1 %467, label %177, label %189
 
-452:                                              ; preds = %207
+468:                                              ; preds = %208
   store ptr null, ptr %6, align 8, !noalias !9
-  %453 = call fastcc i32 @_factor(ptr nonnull %6, ptr %67, i64 %64, i64 %66) #3
-  switch i32 %453, label %454 [
-    i32 -2, label %239
-    i32 0, label %239
+  %469 = call fastcc i32 @_factor(ptr nonnull %6, ptr %67, i64 %64, i64 %66) #3
+  switch i32 %469, label %470 [
+    i32 -2, label %240
+    i32 0, label %240
   ], !prof !17
 
-454:                                              ; preds = %452
-  br label %733
+470:                                              ; preds = %468
+  br label %771
 
-455:                                              ; preds = %241
-  %456 = call i64 @llvm.smax.i64(i64 %78, i64 0)
-  br label %457
+471:                                              ; preds = %242
+  %472 = call i64 @llvm.smax.i64(i64 %78, i64 0)
+  br label %473
 
-457:                                              ; preds = %461, %455
-  %458 = phi i64 [ 0, %455 ], [ %467, %461 ]
-  %459 = phi i64 [ %456, %455 ], [ %466, %461 ]
-  %460 = icmp sgt i64 %459, 0
-  br i1 %460, label %465, label %489
+473:                                              ; preds = %477, %471
+  %474 = phi i64 [ 0, %471 ], [ %483, %477 ]
+  %475 = phi i64 [ %472, %471 ], [ %482, %477 ]
+  %476 = icmp sgt i64 %475, 0
+  br i1 %476, label %481, label %505
 
-461:                                              ; preds = %469, %465
-  %462 = phi i64 [ 0, %465 ], [ %471, %469 ]
-  %463 = phi i64 [ %468, %465 ], [ %470, %469 ]
-  %464 = icmp sgt i64 %463, 0
-  br i1 %464, label %469, label %457
+477:                                              ; preds = %485, %481
+  %478 = phi i64 [ 0, %481 ], [ %487, %485 ]
+  %479 = phi i64 [ %484, %481 ], [ %486, %485 ]
+  %480 = icmp sgt i64 %479, 0
+  br i1 %480, label %485, label %473
 
-465:                                              ; preds = %457
-  %466 = add nsw i64 %459, -1
-  %467 = add i64 %458, 1
-  %468 = call i64 @llvm.smax.i64(i64 %80, i64 0)
-  br label %461
+481:                                              ; preds = %473
+  %482 = add nsw i64 %475, -1
+  %483 = add i64 %474, 1
+  %484 = call i64 @llvm.smax.i64(i64 %80, i64 0)
+  br label %477
 
-469:                                              ; preds = %461
-  %470 = add nsw i64 %463, -1
-  %471 = add i64 %462, 1
-  %472 = mul nsw i64 %458, %80
-  %473 = add nsw i64 %134, %472
-  %474 = add nsw i64 %473, %462
-  %475 = icmp slt i64 %474, 0
-  %476 = select i1 %475, i64 %52, i64 0
-  %477 = getelementptr double, ptr %53, i64 %474
-  %478 = getelementptr double, ptr %477, i64 %476
-  %479 = load double, ptr %478, align 8, !noalias !30
-  %480 = icmp slt i64 %458, 0
-  %481 = select i1 %480, i64 %78, i64 0
-  %482 = add i64 %458, %481
-  %483 = icmp slt i64 %462, 0
-  %484 = select i1 %483, i64 %80, i64 0
-  %485 = mul i64 %482, %80
-  %486 = getelementptr double, ptr %81, i64 %485
-  %487 = getelementptr double, ptr %486, i64 %462
-  %488 = getelementptr double, ptr %487, i64 %484
-  store double %479, ptr %488, align 8, !noalias !30
-  br label %461
+485:                                              ; preds = %477
+  %486 = add nsw i64 %479, -1
+  %487 = add i64 %478, 1
+  %488 = mul nsw i64 %474, %80
+  %489 = add nsw i64 %134, %488
+  %490 = add nsw i64 %489, %478
+  %491 = icmp slt i64 %490, 0
+  %492 = select i1 %491, i64 %52, i64 0
+  %493 = getelementptr double, ptr %53, i64 %490
+  %494 = getelementptr double, ptr %493, i64 %492
+  %495 = load double, ptr %494, align 8, !noalias !30
+  %496 = icmp slt i64 %474, 0
+  %497 = select i1 %496, i64 %78, i64 0
+  %498 = add i64 %474, %497
+  %499 = icmp slt i64 %478, 0
+  %500 = select i1 %499, i64 %80, i64 0
+  %501 = mul i64 %498, %80
+  %502 = getelementptr double, ptr %81, i64 %501
+  %503 = getelementptr double, ptr %502, i64 %478
+  %504 = getelementptr double, ptr %503, i64 %500
+  store double %495, ptr %504, align 8, !noalias !30
+  br label %477
 
-489:                                              ; preds = %457
-  %490 = call i64 @llvm.smax.i64(i64 %85, i64 0)
-  br label %491
+505:                                              ; preds = %473
+  %506 = call i64 @llvm.smax.i64(i64 %85, i64 0)
+  br label %507
 
-491:                                              ; preds = %495, %489
-  %492 = phi i64 [ 0, %489 ], [ %516, %495 ]
-  %493 = phi i64 [ %490, %489 ], [ %515, %495 ]
-  %494 = icmp sgt i64 %493, 0
-  br i1 %494, label %514, label %555
+507:                                              ; preds = %511, %505
+  %508 = phi i64 [ 0, %505 ], [ %532, %511 ]
+  %509 = phi i64 [ %506, %505 ], [ %531, %511 ]
+  %510 = icmp sgt i64 %509, 0
+  br i1 %510, label %530, label %571
 
-495:                                              ; preds = %514, %513
-  %496 = phi i64 [ 0, %514 ], [ %520, %513 ]
-  %497 = phi i64 [ %517, %514 ], [ %519, %513 ]
-  %498 = icmp sgt i64 %497, 0
-  br i1 %498, label %518, label %491
+511:                                              ; preds = %530, %529
+  %512 = phi i64 [ 0, %530 ], [ %536, %529 ]
+  %513 = phi i64 [ %533, %530 ], [ %535, %529 ]
+  %514 = icmp sgt i64 %513, 0
+  br i1 %514, label %534, label %507
 
-499:                                              ; preds = %530, %518
-  %500 = phi i64 [ 0, %518 ], [ %532, %530 ]
-  %501 = phi i64 [ %240, %518 ], [ %531, %530 ]
-  %502 = phi double [ 0.000000e+00, %518 ], [ %554, %530 ]
-  %503 = icmp sgt i64 %501, 0
-  br i1 %503, label %530, label %504
+515:                                              ; preds = %546, %534
+  %516 = phi i64 [ 0, %534 ], [ %548, %546 ]
+  %517 = phi i64 [ %241, %534 ], [ %547, %546 ]
+  %518 = phi double [ 0.000000e+00, %534 ], [ %570, %546 ]
+  %519 = icmp sgt i64 %517, 0
+  br i1 %519, label %546, label %520
 
-504:                                              ; preds = %499
-  %505 = load double, ptr %529, align 8, !noalias !33
-  %506 = call double @llvm.fabs.f64(double %505)
-  %507 = sitofp i64 %71 to double
-  %508 = fmul double %507, 4.000000e+00
-  %509 = fmul double %508, 0x3CB0000000000000
-  %510 = fmul double %509, %502
-  %511 = fcmp ugt double %506, %510
-  br i1 %511, label %513, label %512
+520:                                              ; preds = %515
+  %521 = load double, ptr %545, align 8, !noalias !33
+  %522 = call double @llvm.fabs.f64(double %521)
+  %523 = sitofp i64 %71 to double
+  %524 = fmul double %523, 4.000000e+00
+  %525 = fmul double %524, 0x3CB0000000000000
+  %526 = fmul double %525, %518
+  %527 = fcmp ugt double %522, %526
+  br i1 %527, label %529, label %528
 
-512:                                              ; preds = %504
-  store double 0.000000e+00, ptr %529, align 8, !noalias !33
-  br label %513
+528:                                              ; preds = %520
+  store double 0.000000e+00, ptr %545, align 8, !noalias !33
+  br label %529
 
-513:                                              ; preds = %512, %504
-  br label %495
+529:                                              ; preds = %528, %520
+  br label %511
 
-514:                                              ; preds = %491
-  %515 = add nsw i64 %493, -1
-  %516 = add i64 %492, 1
-  %517 = call i64 @llvm.smax.i64(i64 %73, i64 0)
-  br label %495
+530:                                              ; preds = %507
+  %531 = add nsw i64 %509, -1
+  %532 = add i64 %508, 1
+  %533 = call i64 @llvm.smax.i64(i64 %73, i64 0)
+  br label %511
 
-518:                                              ; preds = %495
-  %519 = add nsw i64 %497, -1
-  %520 = add i64 %496, 1
-  %521 = icmp slt i64 %492, 0
-  %522 = select i1 %521, i64 %85, i64 0
-  %523 = add i64 %492, %522
-  %524 = icmp slt i64 %496, 0
-  %525 = select i1 %524, i64 %87, i64 0
-  %526 = mul i64 %523, %87
-  %527 = getelementptr double, ptr %88, i64 %526
-  %528 = getelementptr double, ptr %527, i64 %496
-  %529 = getelementptr double, ptr %528, i64 %525
-  store double 0.000000e+00, ptr %529, align 8, !noalias !33
-  br label %499
+534:                                              ; preds = %511
+  %535 = add nsw i64 %513, -1
+  %536 = add i64 %512, 1
+  %537 = icmp slt i64 %508, 0
+  %538 = select i1 %537, i64 %85, i64 0
+  %539 = add i64 %508, %538
+  %540 = icmp slt i64 %512, 0
+  %541 = select i1 %540, i64 %87, i64 0
+  %542 = mul i64 %539, %87
+  %543 = getelementptr double, ptr %88, i64 %542
+  %544 = getelementptr double, ptr %543, i64 %512
+  %545 = getelementptr double, ptr %544, i64 %541
+  store double 0.000000e+00, ptr %545, align 8, !noalias !33
+  br label %515
 
-530:                                              ; preds = %499
-  %531 = add nsw i64 %501, -1
-  %532 = add i64 %500, 1
-  %533 = select i1 %521, i64 %78, i64 0
-  %534 = add i64 %492, %533
-  %535 = icmp slt i64 %500, 0
-  %536 = select i1 %535, i64 %80, i64 0
-  %537 = mul i64 %534, %80
-  %538 = getelementptr double, ptr %81, i64 %537
-  %539 = getelementptr double, ptr %538, i64 %500
-  %540 = getelementptr double, ptr %539, i64 %536
-  %541 = load double, ptr %540, align 8, !noalias !33
-  %542 = select i1 %535, i64 %71, i64 0
-  %543 = add i64 %500, %542
-  %544 = select i1 %524, i64 %73, i64 0
-  %545 = mul i64 %543, %73
-  %546 = getelementptr double, ptr %74, i64 %545
-  %547 = getelementptr double, ptr %546, i64 %496
-  %548 = getelementptr double, ptr %547, i64 %544
-  %549 = load double, ptr %548, align 8, !noalias !33
-  %550 = fmul double %541, %549
-  %551 = load double, ptr %529, align 8, !noalias !33
-  %552 = fadd double %551, %550
-  store double %552, ptr %529, align 8, !noalias !33
-  %553 = call double @llvm.fabs.f64(double %550)
-  %554 = fadd double %502, %553
-  br label %499
+546:                                              ; preds = %515
+  %547 = add nsw i64 %517, -1
+  %548 = add i64 %516, 1
+  %549 = select i1 %537, i64 %78, i64 0
+  %550 = add i64 %508, %549
+  %551 = icmp slt i64 %516, 0
+  %552 = select i1 %551, i64 %80, i64 0
+  %553 = mul i64 %550, %80
+  %554 = getelementptr double, ptr %81, i64 %553
+  %555 = getelementptr double, ptr %554, i64 %516
+  %556 = getelementptr double, ptr %555, i64 %552
+  %557 = load double, ptr %556, align 8, !noalias !33
+  %558 = select i1 %551, i64 %71, i64 0
+  %559 = add i64 %516, %558
+  %560 = select i1 %540, i64 %73, i64 0
+  %561 = mul i64 %559, %73
+  %562 = getelementptr double, ptr %74, i64 %561
+  %563 = getelementptr double, ptr %562, i64 %512
+  %564 = getelementptr double, ptr %563, i64 %560
+  %565 = load double, ptr %564, align 8, !noalias !33
+  %566 = fmul double %557, %565
+  %567 = load double, ptr %545, align 8, !noalias !33
+  %568 = fadd double %567, %566
+  store double %568, ptr %545, align 8, !noalias !33
+  %569 = call double @llvm.fabs.f64(double %566)
+  %570 = fadd double %518, %569
+  br label %515
 
-555:                                              ; preds = %491
+571:                                              ; preds = %507
   store ptr null, ptr %7, align 8, !noalias !9
-  %556 = call fastcc i32 @_divide_rows(ptr nonnull %7, ptr %88, i64 %85, i64 %87, ptr %67, i64 %64, i64 %66) #3
-  switch i32 %556, label %575 [
-    i32 -2, label %557
-    i32 0, label %557
+  %572 = call fastcc i32 @_divide_rows(ptr nonnull %7, ptr %88, i64 %85, i64 %87, ptr %67, i64 %64, i64 %66) #3
+  switch i32 %572, label %591 [
+    i32 -2, label %573
+    i32 0, label %573
   ], !prof !17
 
-557:                                              ; preds = %555, %555
-  %558 = call i64 @llvm.smax.i64(i64 %127, i64 0)
-  br label %559
+573:                                              ; preds = %571, %571
+  %574 = call i64 @llvm.smax.i64(i64 %127, i64 0)
+  br label %575
 
-559:                                              ; preds = %563, %557
-  %560 = phi i64 [ 0, %557 ], [ %565, %563 ]
-  %561 = phi i64 [ %558, %557 ], [ %564, %563 ]
-  %562 = icmp sgt i64 %561, 0
-  br i1 %562, label %563, label %576
+575:                                              ; preds = %579, %573
+  %576 = phi i64 [ 0, %573 ], [ %581, %579 ]
+  %577 = phi i64 [ %574, %573 ], [ %580, %579 ]
+  %578 = icmp sgt i64 %577, 0
+  br i1 %578, label %579, label %592
 
-563:                                              ; preds = %559
-  %564 = add nsw i64 %561, -1
-  %565 = add i64 %560, 1
-  %566 = icmp slt i64 %560, 0
-  %567 = select i1 %566, i64 %52, i64 0
-  %568 = getelementptr double, ptr %53, i64 %560
-  %569 = getelementptr double, ptr %568, i64 %567
-  %570 = load double, ptr %569, align 8, !noalias !36
-  %571 = fneg double %570
-  %572 = select i1 %566, i64 %104, i64 0
-  %573 = getelementptr double, ptr %105, i64 %560
-  %574 = getelementptr double, ptr %573, i64 %572
-  store double %571, ptr %574, align 8, !noalias !36
-  br label %559
+579:                                              ; preds = %575
+  %580 = add nsw i64 %577, -1
+  %581 = add i64 %576, 1
+  %582 = icmp slt i64 %576, 0
+  %583 = select i1 %582, i64 %52, i64 0
+  %584 = getelementptr double, ptr %53, i64 %576
+  %585 = getelementptr double, ptr %584, i64 %583
+  %586 = load double, ptr %585, align 8, !noalias !36
+  %587 = fneg double %586
+  %588 = select i1 %582, i64 %104, i64 0
+  %589 = getelementptr double, ptr %105, i64 %576
+  %590 = getelementptr double, ptr %589, i64 %588
+  store double %587, ptr %590, align 8, !noalias !36
+  br label %575
 
-575:                                              ; preds = %555
-  br label %733
+591:                                              ; preds = %571
+  br label %771
 
-576:                                              ; preds = %559
+592:                                              ; preds = %575
   store ptr null, ptr %8, align 8, !noalias !9
-  %577 = call fastcc i32 @_minimum_norm(ptr nonnull %8, ptr %88, i64 %85, i64 %87, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
-  switch i32 %577, label %580 [
-    i32 -2, label %578
-    i32 0, label %578
+  %593 = call fastcc i32 @_minimum_norm(ptr nonnull %8, ptr %88, i64 %85, i64 %87, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
+  switch i32 %593, label %596 [
+    i32 -2, label %594
+    i32 0, label %594
   ], !prof !17
 
-578:                                              ; preds = %576, %576
+594:                                              ; preds = %592, %592
   store ptr null, ptr %9, align 8, !noalias !9
-  %579 = call fastcc i32 @_divide_transposed(ptr nonnull %9, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
-  switch i32 %579, label %583 [
-    i32 -2, label %581
-    i32 0, label %581
+  %595 = call fastcc i32 @_divide_transposed(ptr nonnull %9, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
+  switch i32 %595, label %599 [
+    i32 -2, label %597
+    i32 0, label %597
   ], !prof !17
 
-580:                                              ; preds = %576
-  br label %733
+596:                                              ; preds = %592
+  br label %771
 
-581:                                              ; preds = %578, %578
-  %582 = call i64 @llvm.smax.i64(i64 %131, i64 0)
-  br label %273
+597:                                              ; preds = %594, %594
+  %598 = call i64 @llvm.smax.i64(i64 %131, i64 0)
+  br label %274
 
-583:                                              ; preds = %578
-  br label %733
+599:                                              ; preds = %594
+  br label %771
 
-584:                                              ; preds = %273
-  %585 = add nsw i64 %275, -1
-  %586 = add i64 %274, 1
-  br label %277
+600:                                              ; preds = %274
+  %601 = add nsw i64 %276, -1
+  %602 = add i64 %275, 1
+  br label %278
 
-587:                                              ; preds = %277
-  %588 = add nsw i64 %279, -1
-  %589 = add i64 %278, 1
-  %590 = icmp slt i64 %274, 0
-  %591 = select i1 %590, i64 %57, i64 0
-  %592 = getelementptr double, ptr %58, i64 %274
-  %593 = getelementptr double, ptr %592, i64 %591
-  %594 = load double, ptr %593, align 8, !noalias !9
-  %595 = select i1 %590, i64 %71, i64 0
-  %596 = add i64 %274, %595
-  %597 = icmp slt i64 %278, 0
-  %598 = select i1 %597, i64 %73, i64 0
-  %599 = mul i64 %596, %73
-  %600 = getelementptr double, ptr %74, i64 %599
-  %601 = getelementptr double, ptr %600, i64 %278
-  %602 = getelementptr double, ptr %601, i64 %598
-  %603 = load double, ptr %602, align 8, !noalias !9
-  %604 = select i1 %597, i64 %99, i64 0
-  %605 = getelementptr double, ptr %100, i64 %278
-  %606 = getelementptr double, ptr %605, i64 %604
-  %607 = load double, ptr %606, align 8, !noalias !9
-  %608 = fmul double %603, %607
-  %609 = fadd double %594, %608
-  store double %609, ptr %593, align 8, !noalias !9
-  br label %277
+603:                                              ; preds = %278
+  %604 = add nsw i64 %280, -1
+  %605 = add i64 %279, 1
+  %606 = icmp slt i64 %275, 0
+  %607 = select i1 %606, i64 %57, i64 0
+  %608 = getelementptr double, ptr %58, i64 %275
+  %609 = getelementptr double, ptr %608, i64 %607
+  %610 = load double, ptr %609, align 8, !noalias !9
+  %611 = select i1 %606, i64 %71, i64 0
+  %612 = add i64 %275, %611
+  %613 = icmp slt i64 %279, 0
+  %614 = select i1 %613, i64 %73, i64 0
+  %615 = mul i64 %612, %73
+  %616 = getelementptr double, ptr %74, i64 %615
+  %617 = getelementptr double, ptr %616, i64 %279
+  %618 = getelementptr double, ptr %617, i64 %614
+  %619 = load double, ptr %618, align 8, !noalias !9
+  %620 = select i1 %613, i64 %99, i64 0
+  %621 = getelementptr double, ptr %100, i64 %279
+  %622 = getelementptr double, ptr %621, i64 %620
+  %623 = load double, ptr %622, align 8, !noalias !9
+  %624 = fmul double %619, %623
+  %625 = fadd double %610, %624
+  store double %625, ptr %609, align 8, !noalias !9
+  br label %278
 
-610:                                              ; preds = %281
-  %611 = icmp slt i64 %282, 0
-  %612 = select i1 %611, i64 %104, i64 0
-  %613 = getelementptr double, ptr %105, i64 %282
-  %614 = getelementptr double, ptr %613, i64 %612
-  %615 = load double, ptr %614, align 8, !noalias !9
-  %616 = call double @llvm.fabs.f64(double %615)
-  %617 = fcmp ogt double %616, %284
-  %618 = select i1 %617, double %616, double %284
-  %619 = add i64 %282, 1
-  %620 = add nsw i64 %283, -1
-  br label %281
+626:                                              ; preds = %282
+  %627 = icmp slt i64 %283, 0
+  %628 = select i1 %627, i64 %104, i64 0
+  %629 = getelementptr double, ptr %105, i64 %283
+  %630 = getelementptr double, ptr %629, i64 %628
+  %631 = load double, ptr %630, align 8, !noalias !9
+  %632 = call double @llvm.fabs.f64(double %631)
+  %633 = fcmp ogt double %632, %285
+  %634 = select i1 %633, double %632, double %285
+  %635 = add i64 %283, 1
+  %636 = add nsw i64 %284, -1
+  br label %282
 
-621:                                              ; preds = %288, %288
-  br label %290
+637:                                              ; preds = %289, %289
+  br label %291
 
-622:                                              ; preds = %288
-  br label %733
+638:                                              ; preds = %289
+  br label %771
 
-623:                                              ; preds = %290
-  %624 = add nsw i64 %292, -1
-  %625 = add i64 %291, 1
-  %626 = icmp slt i64 %291, 0
-  %627 = select i1 %626, i64 %57, i64 0
-  %628 = getelementptr double, ptr %58, i64 %291
-  %629 = getelementptr double, ptr %628, i64 %627
-  %630 = load double, ptr %629, align 8, !noalias !9
-  %631 = select i1 %626, i64 %99, i64 0
-  %632 = getelementptr double, ptr %100, i64 %291
-  %633 = getelementptr double, ptr %632, i64 %631
-  %634 = load double, ptr %633, align 8, !noalias !9
-  %635 = fadd double %630, %634
-  store double %635, ptr %629, align 8, !noalias !9
-  br label %290
+639:                                              ; preds = %291
+  %640 = add nsw i64 %293, -1
+  %641 = add i64 %292, 1
+  %642 = icmp slt i64 %292, 0
+  %643 = select i1 %642, i64 %57, i64 0
+  %644 = getelementptr double, ptr %58, i64 %292
+  %645 = getelementptr double, ptr %644, i64 %643
+  %646 = load double, ptr %645, align 8, !noalias !9
+  %647 = select i1 %642, i64 %99, i64 0
+  %648 = getelementptr double, ptr %100, i64 %292
+  %649 = getelementptr double, ptr %648, i64 %647
+  %650 = load double, ptr %649, align 8, !noalias !9
+  %651 = fadd double %646, %650
+  store double %651, ptr %645, align 8, !noalias !9
+  br label %291
 
-636:                                              ; preds = %302
-  store ptr null, ptr %11, align 8, !noalias !9
-  %637 = call fastcc i32 @_factor(ptr nonnull %11, ptr %67, i64 %64, i64 %66) #3
-  switch i32 %637, label %638 [
-    i32 -2, label %334
-    i32 0, label %334
-  ], !prof !17
-
-638:                                              ; preds = %636
-  br label %733
-
-639:                                              ; preds = %336
-  store ptr null, ptr %12, align 8, !noalias !9
-  %640 = call fastcc i32 @_divide_rows(ptr nonnull %12, ptr %95, i64 %92, i64 %94, ptr %67, i64 %64, i64 %66) #3
-  switch i32 %640, label %660 [
-    i32 -2, label %641
-    i32 0, label %641
-  ], !prof !17
-
-641:                                              ; preds = %639, %639
-  br label %642
-
-642:                                              ; preds = %646, %641
-  %643 = phi i64 [ 0, %641 ], [ %648, %646 ]
-  %644 = phi i64 [ %129, %641 ], [ %647, %646 ]
-  %645 = icmp sgt i64 %644, 0
-  br i1 %645, label %646, label %661
-
-646:                                              ; preds = %642
-  %647 = add nsw i64 %644, -1
-  %648 = add i64 %643, 1
-  %649 = add nsw i64 %127, %643
-  %650 = icmp slt i64 %649, 0
-  %651 = select i1 %650, i64 %52, i64 0
-  %652 = getelementptr double, ptr %53, i64 %649
-  %653 = getelementptr double, ptr %652, i64 %651
-  %654 = load double, ptr %653, align 8, !noalias !39
-  %655 = fneg double %654
-  %656 = icmp slt i64 %643, 0
-  %657 = select i1 %656, i64 %104, i64 0
-  %658 = getelementptr double, ptr %105, i64 %643
+652:                                              ; preds = %298
+  %653 = add nsw i64 %300, -1
+  %654 = add i64 %299, 1
+  %655 = add nsw i64 %127, %299
+  %656 = icmp slt i64 %655, 0
+  %657 = select i1 %656, i64 %52, i64 0
+  %658 = getelementptr double, ptr %53, i64 %655
   %659 = getelementptr double, ptr %658, i64 %657
-  store double %655, ptr %659, align 8, !noalias !39
-  br label %642
+  %660 = load double, ptr %659, align 8, !noalias !9
+  %661 = fmul double %660, 0.000000e+00
+  %662 = fadd double %301, %661
+  br label %298
 
-660:                                              ; preds = %639
-  br label %733
+663:                                              ; preds = %305
+  %664 = add nsw i64 %307, -1
+  %665 = add i64 %306, 1
+  %666 = add nsw i64 %138, %306
+  %667 = icmp slt i64 %666, 0
+  %668 = select i1 %667, i64 %52, i64 0
+  %669 = getelementptr double, ptr %53, i64 %666
+  %670 = getelementptr double, ptr %669, i64 %668
+  %671 = load double, ptr %670, align 8, !noalias !9
+  %672 = fmul double %671, 0.000000e+00
+  %673 = fadd double %308, %672
+  br label %305
 
-661:                                              ; preds = %642
+674:                                              ; preds = %318
+  store ptr null, ptr %11, align 8, !noalias !9
+  %675 = call fastcc i32 @_factor(ptr nonnull %11, ptr %67, i64 %64, i64 %66) #3
+  switch i32 %675, label %676 [
+    i32 -2, label %350
+    i32 0, label %350
+  ], !prof !17
+
+676:                                              ; preds = %674
+  br label %771
+
+677:                                              ; preds = %352
+  store ptr null, ptr %12, align 8, !noalias !9
+  %678 = call fastcc i32 @_divide_rows(ptr nonnull %12, ptr %95, i64 %92, i64 %94, ptr %67, i64 %64, i64 %66) #3
+  switch i32 %678, label %698 [
+    i32 -2, label %679
+    i32 0, label %679
+  ], !prof !17
+
+679:                                              ; preds = %677, %677
+  br label %680
+
+680:                                              ; preds = %684, %679
+  %681 = phi i64 [ 0, %679 ], [ %686, %684 ]
+  %682 = phi i64 [ %129, %679 ], [ %685, %684 ]
+  %683 = icmp sgt i64 %682, 0
+  br i1 %683, label %684, label %699
+
+684:                                              ; preds = %680
+  %685 = add nsw i64 %682, -1
+  %686 = add i64 %681, 1
+  %687 = add nsw i64 %127, %681
+  %688 = icmp slt i64 %687, 0
+  %689 = select i1 %688, i64 %52, i64 0
+  %690 = getelementptr double, ptr %53, i64 %687
+  %691 = getelementptr double, ptr %690, i64 %689
+  %692 = load double, ptr %691, align 8, !noalias !39
+  %693 = fneg double %692
+  %694 = icmp slt i64 %681, 0
+  %695 = select i1 %694, i64 %104, i64 0
+  %696 = getelementptr double, ptr %105, i64 %681
+  %697 = getelementptr double, ptr %696, i64 %695
+  store double %693, ptr %697, align 8, !noalias !39
+  br label %680
+
+698:                                              ; preds = %677
+  br label %771
+
+699:                                              ; preds = %680
   store ptr null, ptr %13, align 8, !noalias !9
-  %662 = call fastcc i32 @_minimum_norm(ptr nonnull %13, ptr %95, i64 %92, i64 %94, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
-  switch i32 %662, label %665 [
-    i32 -2, label %663
-    i32 0, label %663
+  %700 = call fastcc i32 @_minimum_norm(ptr nonnull %13, ptr %95, i64 %92, i64 %94, ptr %100, i64 %99, ptr %105, i64 %104, ptr %110, i64 %109, ptr %115, i64 %114, ptr %120, i64 %119, ptr %125, i64 %124) #3
+  switch i32 %700, label %703 [
+    i32 -2, label %701
+    i32 0, label %701
   ], !prof !17
 
-663:                                              ; preds = %661, %661
+701:                                              ; preds = %699, %699
   store ptr null, ptr %14, align 8, !noalias !9
-  %664 = call fastcc i32 @_divide_transposed(ptr nonnull %14, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
-  switch i32 %664, label %667 [
-    i32 -2, label %666
-    i32 0, label %666
+  %702 = call fastcc i32 @_divide_transposed(ptr nonnull %14, ptr %67, i64 %64, i64 %66, ptr %100, i64 %99) #3
+  switch i32 %702, label %705 [
+    i32 -2, label %704
+    i32 0, label %704
   ], !prof !17
 
-665:                                              ; preds = %661
-  br label %733
+703:                                              ; preds = %699
+  br label %771
 
-666:                                              ; preds = %663, %663
-  br label %368
+704:                                              ; preds = %701, %701
+  br label %384
 
-667:                                              ; preds = %663
-  br label %733
+705:                                              ; preds = %701
+  br label %771
 
-668:                                              ; preds = %368
-  %669 = add nsw i64 %370, -1
-  %670 = add i64 %369, 1
-  %671 = add nsw i64 %131, %369
-  %672 = icmp slt i64 %671, 0
-  %673 = select i1 %672, i64 %57, i64 0
-  %674 = getelementptr double, ptr %58, i64 %671
-  %675 = getelementptr double, ptr %674, i64 %673
-  %676 = load double, ptr %675, align 8, !noalias !9
-  %677 = icmp slt i64 %369, 0
-  %678 = select i1 %677, i64 %99, i64 0
-  %679 = getelementptr double, ptr %100, i64 %369
-  %680 = getelementptr double, ptr %679, i64 %678
-  %681 = load double, ptr %680, align 8, !noalias !9
-  %682 = fadd double %676, %681
-  store double %682, ptr %675, align 8, !noalias !9
-  br label %368
+706:                                              ; preds = %384
+  %707 = add nsw i64 %386, -1
+  %708 = add i64 %385, 1
+  %709 = add nsw i64 %131, %385
+  %710 = icmp slt i64 %709, 0
+  %711 = select i1 %710, i64 %57, i64 0
+  %712 = getelementptr double, ptr %58, i64 %709
+  %713 = getelementptr double, ptr %712, i64 %711
+  %714 = load double, ptr %713, align 8, !noalias !9
+  %715 = icmp slt i64 %385, 0
+  %716 = select i1 %715, i64 %99, i64 0
+  %717 = getelementptr double, ptr %100, i64 %385
+  %718 = getelementptr double, ptr %717, i64 %716
+  %719 = load double, ptr %718, align 8, !noalias !9
+  %720 = fadd double %714, %719
+  store double %720, ptr %713, align 8, !noalias !9
+  br label %384
 
-683:                                              ; preds = %368
-  %684 = icmp slt i64 %146, 0
-  %685 = select i1 %684, i64 %52, i64 0
-  %686 = add i64 %146, %685
-  %687 = icmp slt i64 %686, 0
-  br i1 %687, label %688, label %689, !prof !4
+721:                                              ; preds = %384
+  %722 = icmp slt i64 %146, 0
+  %723 = select i1 %722, i64 %52, i64 0
+  %724 = add i64 %146, %723
+  %725 = icmp slt i64 %724, 0
+  br i1 %725, label %726, label %727, !prof !4
 
-688:                                              ; preds = %683
-  br label %689
+726:                                              ; preds = %721
+  br label %727
 
-689:                                              ; preds = %688, %683
-  %690 = phi i64 [ 0, %688 ], [ %686, %683 ]
-  %691 = icmp slt i64 %686, %52
-  br i1 %691, label %693, label %692, !prof !8
+727:                                              ; preds = %726, %721
+  %728 = phi i64 [ 0, %726 ], [ %724, %721 ]
+  %729 = icmp slt i64 %724, %52
+  br i1 %729, label %731, label %730, !prof !8
 
-692:                                              ; preds = %689
-  br label %693
+730:                                              ; preds = %727
+  br label %731
 
-693:                                              ; preds = %692, %689
-  %694 = phi i64 [ %52, %692 ], [ %690, %689 ]
-  %695 = sub i64 %52, %694
-  %696 = call i64 @llvm.smax.i64(i64 %695, i64 0)
-  %697 = getelementptr double, ptr %53, i64 %694
-  %698 = add nsw i64 %57, 3
-  br label %372
+731:                                              ; preds = %730, %727
+  %732 = phi i64 [ %52, %730 ], [ %728, %727 ]
+  %733 = sub i64 %52, %732
+  %734 = call i64 @llvm.smax.i64(i64 %733, i64 0)
+  %735 = getelementptr double, ptr %53, i64 %732
+  %736 = add nsw i64 %57, 3
+  br label %388
 
-699:                                              ; preds = %372
-  %700 = add nsw i64 %374, -1
-  %701 = add i64 %373, 1
-  %702 = add nsw i64 %698, %373
-  %703 = icmp slt i64 %702, 0
-  %704 = select i1 %703, i64 %696, i64 0
-  %705 = getelementptr double, ptr %697, i64 %702
-  %706 = getelementptr double, ptr %705, i64 %704
-  %707 = load double, ptr %706, align 8, !noalias !9
-  %708 = icmp slt i64 %373, 0
-  %709 = select i1 %708, i64 %119, i64 0
-  %710 = getelementptr double, ptr %120, i64 %373
-  %711 = getelementptr double, ptr %710, i64 %709
-  %712 = load double, ptr %711, align 8, !noalias !9
-  %713 = fcmp ogt double %712, %707
-  %714 = select i1 %713, double %712, double %707
-  store double %714, ptr %706, align 8, !noalias !9
-  %715 = select i1 %708, i64 %124, i64 0
-  %716 = getelementptr double, ptr %125, i64 %373
-  %717 = getelementptr double, ptr %716, i64 %715
-  %718 = load double, ptr %717, align 8, !noalias !9
-  %719 = fcmp ogt double %718, 0.000000e+00
-  br i1 %719, label %378, label %383
+737:                                              ; preds = %388
+  %738 = add nsw i64 %390, -1
+  %739 = add i64 %389, 1
+  %740 = add nsw i64 %736, %389
+  %741 = icmp slt i64 %740, 0
+  %742 = select i1 %741, i64 %734, i64 0
+  %743 = getelementptr double, ptr %735, i64 %740
+  %744 = getelementptr double, ptr %743, i64 %742
+  %745 = load double, ptr %744, align 8, !noalias !9
+  %746 = icmp slt i64 %389, 0
+  %747 = select i1 %746, i64 %119, i64 0
+  %748 = getelementptr double, ptr %120, i64 %389
+  %749 = getelementptr double, ptr %748, i64 %747
+  %750 = load double, ptr %749, align 8, !noalias !9
+  %751 = fcmp ogt double %750, %745
+  %752 = select i1 %751, double %750, double %745
+  store double %752, ptr %744, align 8, !noalias !9
+  %753 = select i1 %746, i64 %124, i64 0
+  %754 = getelementptr double, ptr %125, i64 %389
+  %755 = getelementptr double, ptr %754, i64 %753
+  %756 = load double, ptr %755, align 8, !noalias !9
+  %757 = fcmp ogt double %756, 0.000000e+00
+  br i1 %757, label %394, label %399
 
-720:                                              ; preds = %405
-  %721 = add nsw i64 %407, -1
-  %722 = add i64 %406, 1
-  %723 = icmp slt i64 %406, 0
-  %724 = select i1 %723, i64 %57, i64 0
-  %725 = getelementptr double, ptr %58, i64 %406
-  %726 = getelementptr double, ptr %725, i64 %724
-  %727 = load double, ptr %726, align 8, !noalias !9
-  %728 = icmp slt i64 %406, -3
-  %729 = select i1 %728, i64 %696, i64 0
-  %730 = getelementptr double, ptr %697, i64 %406
-  %731 = getelementptr i8, ptr %730, i64 24
-  %732 = getelementptr double, ptr %731, i64 %729
-  store double %727, ptr %732, align 8, !noalias !9
-  br label %405
+758:                                              ; preds = %421
+  %759 = add nsw i64 %423, -1
+  %760 = add i64 %422, 1
+  %761 = icmp slt i64 %422, 0
+  %762 = select i1 %761, i64 %57, i64 0
+  %763 = getelementptr double, ptr %58, i64 %422
+  %764 = getelementptr double, ptr %763, i64 %762
+  %765 = load double, ptr %764, align 8, !noalias !9
+  %766 = icmp slt i64 %422, -3
+  %767 = select i1 %766, i64 %734, i64 0
+  %768 = getelementptr double, ptr %735, i64 %422
+  %769 = getelementptr i8, ptr %768, i64 24
+  %770 = getelementptr double, ptr %769, i64 %767
+  store double %765, ptr %770, align 8, !noalias !9
+  br label %421
 
-733:                                              ; preds = %667, %665, %660, %638, %622, %583, %580, %575, %454, %416, %409, %201, %192, %169
-  %734 = phi i64 [ 0, %416 ], [ 0, %580 ], [ 0, %622 ], [ 6, %201 ], [ 6, %169 ], [ 0, %583 ], [ 0, %454 ], [ 6, %192 ], [ 0, %667 ], [ 0, %638 ], [ 0, %409 ], [ 0, %660 ], [ 0, %575 ], [ 0, %665 ]
-  ret i64 %734
+771:                                              ; preds = %705, %703, %698, %676, %638, %599, %596, %591, %470, %432, %425, %312, %202, %193, %169
+  %772 = phi i64 [ 0, %432 ], [ 0, %596 ], [ 0, %638 ], [ 0, %703 ], [ 6, %169 ], [ 0, %599 ], [ 0, %470 ], [ 6, %193 ], [ 0, %705 ], [ 0, %591 ], [ 6, %312 ], [ 0, %425 ], [ 0, %676 ], [ 6, %202 ], [ 0, %698 ]
+  ret i64 %772
 }
 
 

@@ -1,4 +1,4 @@
-; sources f64025d5ed9d601f5933be052cc0668f9a00b065a6362beb89e5f83a8b39083f
+; sources 48a5f97f10b5c0eb578646c5d51fd1392cd2cef72d1f6a53dbc35994671dcad6
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

@@ -1,4 +1,4 @@
-; sources 566bde085b203d05c8a9cbd8bd71debf7c154d43e267ddfe2cb91c953b16b9d7
+; sources 824cce0bb8725f61e2e39cd3007d7013f8ccf33a054a3a12bdea45976093372e
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {
@@ -516,528 +516,545 @@ define i64 @scan_events(i64 %0, double %1, double %2) local_unnamed_addr #2 {
   %120 = load i64, ptr %119, align 8, !noalias !18
   %121 = getelementptr i8, ptr %19, i64 8
   %122 = load i64, ptr %121, align 8, !noalias !18
-  br label %123
+  %123 = getelementptr i8, ptr %118, i64 80
+  %124 = load i64, ptr %123, align 8, !noalias !18
+  br label %125
 
-123:                                              ; preds = %333, %3
-  %124 = phi i64 [ 1, %3 ], [ %131, %333 ]
-  %125 = phi i64 [ 4, %3 ], [ %133, %333 ]
-  %126 = phi double [ 0.000000e+00, %3 ], [ %134, %333 ]
-  %127 = icmp sgt i64 %125, 0
-  %128 = sitofp i64 %124 to double
-  %129 = fmul double %128, 2.500000e-01
-  %130 = zext i1 %127 to i64
-  %131 = add i64 %124, %130
-  %132 = sext i1 %127 to i64
-  %133 = add nsw i64 %125, %132
-  %134 = select i1 %127, double %129, double 0.000000e+00
-  br i1 %127, label %135, label %348
+125:                                              ; preds = %340, %3
+  %126 = phi i64 [ 1, %3 ], [ %133, %340 ]
+  %127 = phi i64 [ 4, %3 ], [ %135, %340 ]
+  %128 = phi double [ 0.000000e+00, %3 ], [ %136, %340 ]
+  %129 = icmp sgt i64 %127, 0
+  %130 = sitofp i64 %126 to double
+  %131 = fmul double %130, 2.500000e-01
+  %132 = zext i1 %129 to i64
+  %133 = add i64 %126, %132
+  %134 = sext i1 %129 to i64
+  %135 = add nsw i64 %127, %134
+  %136 = select i1 %129, double %131, double 0.000000e+00
+  br i1 %129, label %137, label %355
 
-135:                                              ; preds = %123
-  %136 = call i64 @llvm.smax.i64(i64 %55, i64 0)
-  br label %137
+137:                                              ; preds = %125
+  %138 = call i64 @llvm.smax.i64(i64 %55, i64 0)
+  br label %139
 
-137:                                              ; preds = %154, %135
-  %138 = phi i64 [ 0, %135 ], [ %156, %154 ]
-  %139 = phi i64 [ %136, %135 ], [ %155, %154 ]
-  %140 = icmp sgt i64 %139, 0
-  br i1 %140, label %154, label %141
+139:                                              ; preds = %156, %137
+  %140 = phi i64 [ 0, %137 ], [ %158, %156 ]
+  %141 = phi i64 [ %138, %137 ], [ %157, %156 ]
+  %142 = icmp sgt i64 %141, 0
+  br i1 %142, label %156, label %143
 
-141:                                              ; preds = %137
-  %142 = getelementptr i8, ptr %16, i64 24
-  %143 = load i64, ptr %142, align 8, !noalias !22
-  %144 = getelementptr i8, ptr %19, i64 16
+143:                                              ; preds = %139
+  %144 = getelementptr i8, ptr %16, i64 24
   %145 = load i64, ptr %144, align 8, !noalias !22
-  call fastcc void @pydy_nested(i64 %92, i64 %48, i64 %58, i64 %50, i64 %143, i64 %53, i64 %145) #2, !noalias !22
-  %146 = fmul double %134, %2
-  %147 = fadd double %1, %146
+  %146 = getelementptr i8, ptr %19, i64 16
+  %147 = load i64, ptr %146, align 8, !noalias !22
+  call fastcc void @pydy_nested(i64 %92, i64 %48, i64 %58, i64 %50, i64 %145, i64 %53, i64 %147) #2, !noalias !22
+  %148 = fmul double %136, %2
+  %149 = fadd double %1, %148
   store ptr null, ptr %10, align 8, !noalias !29
   store ptr null, ptr %11, align 8, !noalias !29
-  store double %147, ptr %22, align 8, !noalias !29
-  %148 = icmp sgt i64 %31, 0
-  br i1 %148, label %149, label %152
+  store double %149, ptr %22, align 8, !noalias !29
+  %150 = icmp sgt i64 %31, 0
+  br i1 %150, label %151, label %154
 
-149:                                              ; preds = %141
+151:                                              ; preds = %143
   store ptr null, ptr %10, align 8, !noalias !29
-  %150 = call fastcc i32 @_sample(ptr nonnull %10, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, double %147) #2
-  switch i32 %150, label %151 [
-    i32 -2, label %152
-    i32 0, label %152
+  %152 = call fastcc i32 @_sample(ptr nonnull %10, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, double %149) #2
+  switch i32 %152, label %153 [
+    i32 -2, label %154
+    i32 0, label %154
   ], !prof !17
 
-151:                                              ; preds = %149
-  br label %152
+153:                                              ; preds = %151
+  br label %154
 
-152:                                              ; preds = %149, %149, %141, %151
-  %153 = phi i32 [ %150, %151 ], [ 0, %141 ], [ 0, %149 ], [ 0, %149 ]
-  switch i32 %153, label %165 [
-    i32 -2, label %161
-    i32 0, label %161
+154:                                              ; preds = %151, %151, %143, %153
+  %155 = phi i32 [ %152, %153 ], [ 0, %143 ], [ 0, %151 ], [ 0, %151 ]
+  switch i32 %155, label %168 [
+    i32 -2, label %163
+    i32 0, label %163
   ], !prof !17
 
-154:                                              ; preds = %137
-  %155 = add nsw i64 %139, -1
-  %156 = add i64 %138, 1
-  %157 = icmp slt i64 %138, 0
-  %158 = select i1 %157, i64 %55, i64 0
-  %159 = getelementptr double, ptr %56, i64 %138
-  %160 = getelementptr double, ptr %159, i64 %158
-  store double %134, ptr %160, align 8, !noalias !22
-  br label %137
+156:                                              ; preds = %139
+  %157 = add nsw i64 %141, -1
+  %158 = add i64 %140, 1
+  %159 = icmp slt i64 %140, 0
+  %160 = select i1 %159, i64 %55, i64 0
+  %161 = getelementptr double, ptr %56, i64 %140
+  %162 = getelementptr double, ptr %161, i64 %160
+  store double %136, ptr %162, align 8, !noalias !22
+  br label %139
 
-161:                                              ; preds = %152, %152
-  %162 = load i64, ptr %62, align 8, !noalias !33
-  %163 = inttoptr i64 %162 to ptr
-  %164 = call i32 %163(ptr nonnull %22, ptr %95, ptr %27, ptr %65, ptr %90) #2, !noalias !33
-  br label %165
+163:                                              ; preds = %154, %154
+  %164 = load i64, ptr %62, align 8, !noalias !33
+  %165 = inttoptr i64 %164 to ptr
+  %166 = call i32 %165(ptr nonnull %22, ptr %95, ptr %27, ptr %65, ptr %90) #2, !noalias !33
+  %167 = icmp slt i32 %166, 0
+  br label %168
 
-165:                                              ; preds = %152, %161
-  %166 = phi i32 [ 0, %161 ], [ %153, %152 ]
-  switch i32 %166, label %351 [
-    i32 -2, label %350
-    i32 0, label %350
+168:                                              ; preds = %154, %163
+  %169 = phi i1 [ %167, %163 ], [ false, %154 ]
+  %170 = phi i32 [ 0, %163 ], [ %155, %154 ]
+  switch i32 %170, label %358 [
+    i32 -2, label %357
+    i32 0, label %357
   ], !prof !17
 
-167:                                              ; preds = %301, %350
-  %168 = phi double [ %126, %350 ], [ %173, %301 ]
-  %169 = call i64 @llvm.smax.i64(i64 %120, i64 0)
-  br label %170
+171:                                              ; preds = %357
+  store i64 %124, ptr %123, align 8, !noalias !18
+  %172 = getelementptr i8, ptr %115, i64 48
+  store double 1.000000e+00, ptr %172, align 8, !noalias !18
+  br label %461
 
-170:                                              ; preds = %167, %248
-  %171 = phi i64 [ 0, %167 ], [ %354, %248 ]
-  %172 = phi i64 [ %169, %167 ], [ %353, %248 ]
-  %173 = phi double [ 2.000000e+00, %167 ], [ %249, %248 ]
-  %174 = icmp sgt i64 %172, 0
-  br i1 %174, label %352, label %250
+173:                                              ; preds = %309, %357
+  %174 = phi double [ %128, %357 ], [ %179, %309 ]
+  %175 = call i64 @llvm.smax.i64(i64 %120, i64 0)
+  br label %176
 
-175:                                              ; preds = %352, %376
+176:                                              ; preds = %173, %254
+  %177 = phi i64 [ 0, %173 ], [ %361, %254 ]
+  %178 = phi i64 [ %175, %173 ], [ %360, %254 ]
+  %179 = phi double [ 2.000000e+00, %173 ], [ %255, %254 ]
+  %180 = icmp sgt i64 %178, 0
+  br i1 %180, label %359, label %256
+
+181:                                              ; preds = %359, %383
   store i32 0, ptr %4, align 4, !noalias !34
   store ptr null, ptr %5, align 8, !noalias !34
   store i32 0, ptr %6, align 4, !noalias !34
   store ptr null, ptr %7, align 8, !noalias !34
   store i32 0, ptr %8, align 4, !noalias !34
   store ptr null, ptr %9, align 8, !noalias !34
-  %176 = load i64, ptr %119, align 8, !noalias !34
-  %177 = call double @llvm.fabs.f64(double %1)
-  %178 = fadd double %1, %2
-  %179 = call double @llvm.fabs.f64(double %178)
-  %180 = fcmp ogt double %179, %177
-  %181 = select i1 %180, double %179, double %177
-  %182 = fmul double %181, 0x3CB0000000000000
-  %183 = fdiv double %182, %2
+  %182 = load i64, ptr %119, align 8, !noalias !34
+  %183 = call double @llvm.fabs.f64(double %1)
+  %184 = fadd double %1, %2
+  %185 = call double @llvm.fabs.f64(double %184)
+  %186 = fcmp ogt double %185, %183
+  %187 = select i1 %186, double %185, double %183
+  %188 = fmul double %187, 0x3CB0000000000000
+  %189 = fdiv double %188, %2
   store i32 0, ptr %4, align 4, !noalias !34
-  %184 = call fastcc i32 @_evaluate(ptr nonnull %4, ptr nonnull %5, ptr %16, ptr %19, ptr nonnull %22, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, i64 %50, ptr %51, i64 %55, ptr %56, i64 %55, ptr %59, ptr %62, ptr %65, ptr %90, ptr %95, double %1, double %2, double %168) #2, !noalias !34
-  switch i32 %184, label %245 [
-    i32 -2, label %223
-    i32 0, label %223
+  %190 = call fastcc i32 @_evaluate(ptr nonnull %4, ptr nonnull %5, ptr %16, ptr %19, ptr nonnull %22, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, i64 %50, ptr %51, i64 %55, ptr %56, i64 %55, ptr %59, ptr %62, ptr %65, ptr %90, ptr %95, double %1, double %2, double %174) #2, !noalias !34
+  switch i32 %190, label %251 [
+    i32 -2, label %229
+    i32 0, label %229
   ], !prof !17
 
-185:                                              ; preds = %233, %223
-  %186 = phi double [ %134, %223 ], [ %189, %233 ]
-  %187 = fsub double %186, %168
-  %188 = fmul double %187, 5.000000e-01
-  %189 = fadd double %168, %188
-  %190 = fsub double %189, %168
-  %191 = fcmp olt double %190, %183
-  br i1 %191, label %245, label %192
+191:                                              ; preds = %239, %229
+  %192 = phi double [ %136, %229 ], [ %195, %239 ]
+  %193 = fsub double %192, %174
+  %194 = fmul double %193, 5.000000e-01
+  %195 = fadd double %174, %194
+  %196 = fsub double %195, %174
+  %197 = fcmp olt double %196, %189
+  br i1 %197, label %251, label %198
 
-192:                                              ; preds = %185
+198:                                              ; preds = %191
   store i32 0, ptr %6, align 4, !noalias !34
-  %193 = call fastcc i32 @_evaluate(ptr nonnull %6, ptr nonnull %7, ptr %16, ptr %19, ptr nonnull %22, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, i64 %50, ptr %51, i64 %55, ptr %56, i64 %55, ptr %59, ptr %62, ptr %65, ptr %90, ptr %95, double %1, double %2, double %189) #2, !noalias !34
-  switch i32 %193, label %245 [
-    i32 -2, label %233
-    i32 0, label %233
+  %199 = call fastcc i32 @_evaluate(ptr nonnull %6, ptr nonnull %7, ptr %16, ptr %19, ptr nonnull %22, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, i64 %50, ptr %51, i64 %55, ptr %56, i64 %55, ptr %59, ptr %62, ptr %65, ptr %90, ptr %95, double %1, double %2, double %195) #2, !noalias !34
+  switch i32 %199, label %251 [
+    i32 -2, label %239
+    i32 0, label %239
   ], !prof !17
 
-194:                                              ; preds = %233, %223
-  %195 = phi double [ %168, %223 ], [ %189, %233 ]
-  %196 = phi double [ %134, %223 ], [ %186, %233 ]
-  %197 = fsub double %196, %195
-  %198 = fcmp ogt double %197, %183
-  br i1 %198, label %199, label %245
+200:                                              ; preds = %239, %229
+  %201 = phi double [ %174, %229 ], [ %195, %239 ]
+  %202 = phi double [ %136, %229 ], [ %192, %239 ]
+  %203 = fsub double %202, %201
+  %204 = fcmp ogt double %203, %189
+  br i1 %204, label %205, label %251
 
-199:                                              ; preds = %237, %194
-  %200 = phi double [ %241, %237 ], [ %196, %194 ]
-  %201 = phi double [ %242, %237 ], [ %195, %194 ]
-  %202 = fsub double %200, %201
-  %203 = fmul double %202, 5.000000e-01
-  %204 = fadd double %201, %203
-  br label %205
+205:                                              ; preds = %243, %200
+  %206 = phi double [ %247, %243 ], [ %202, %200 ]
+  %207 = phi double [ %248, %243 ], [ %201, %200 ]
+  %208 = fsub double %206, %207
+  %209 = fmul double %208, 5.000000e-01
+  %210 = fadd double %207, %209
+  br label %211
 
-205:                                              ; preds = %209, %199
-  %206 = phi i64 [ 0, %199 ], [ %211, %209 ]
-  %207 = icmp slt i64 %206, 2
-  br i1 %207, label %208, label %214
+211:                                              ; preds = %215, %205
+  %212 = phi i64 [ 0, %205 ], [ %217, %215 ]
+  %213 = icmp slt i64 %212, 2
+  br i1 %213, label %214, label %220
 
-208:                                              ; preds = %205
-  switch i64 %206, label %214 [
-    i64 0, label %209
-    i64 -2, label %209
-    i64 1, label %213
-    i64 -1, label %213
+214:                                              ; preds = %211
+  switch i64 %212, label %220 [
+    i64 0, label %215
+    i64 -2, label %215
+    i64 1, label %219
+    i64 -1, label %219
   ]
 
-209:                                              ; preds = %213, %208, %208
-  %210 = phi double [ %200, %213 ], [ %201, %208 ], [ %201, %208 ]
-  %211 = add i64 %206, 1
-  %212 = fcmp oeq double %210, %204
-  br i1 %212, label %214, label %205
+215:                                              ; preds = %219, %214, %214
+  %216 = phi double [ %206, %219 ], [ %207, %214 ], [ %207, %214 ]
+  %217 = add i64 %212, 1
+  %218 = fcmp oeq double %216, %210
+  br i1 %218, label %220, label %211
 
-213:                                              ; preds = %208, %208
-  br label %209
+219:                                              ; preds = %214, %214
+  br label %215
 
-214:                                              ; preds = %208, %205, %209
-  %215 = phi i1 [ false, %205 ], [ true, %209 ], [ false, %208 ]
-  %216 = phi i1 [ false, %205 ], [ false, %209 ], [ true, %208 ]
-  %217 = phi i32 [ 0, %205 ], [ 0, %209 ], [ 1, %208 ]
-  %218 = or i1 %216, %215
-  %219 = select i1 %216, double 0.000000e+00, double %200, !prof !38
-  %220 = select i1 %216, i32 %217, i32 0, !prof !38
-  br i1 %218, label %245, label %221, !prof !39
+220:                                              ; preds = %214, %211, %215
+  %221 = phi i1 [ false, %211 ], [ true, %215 ], [ false, %214 ]
+  %222 = phi i1 [ false, %211 ], [ false, %215 ], [ true, %214 ]
+  %223 = phi i32 [ 0, %211 ], [ 0, %215 ], [ 1, %214 ]
+  %224 = or i1 %222, %221
+  %225 = select i1 %222, double 0.000000e+00, double %206, !prof !38
+  %226 = select i1 %222, i32 %223, i32 0, !prof !38
+  br i1 %224, label %251, label %227, !prof !39
 
-221:                                              ; preds = %214
+227:                                              ; preds = %220
   store i32 0, ptr %8, align 4, !noalias !34
-  %222 = call fastcc i32 @_evaluate(ptr nonnull %8, ptr nonnull %9, ptr %16, ptr %19, ptr nonnull %22, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, i64 %50, ptr %51, i64 %55, ptr %56, i64 %55, ptr %59, ptr %62, ptr %65, ptr %90, ptr %95, double %1, double %2, double %204) #2, !noalias !34
-  switch i32 %222, label %245 [
-    i32 -2, label %237
-    i32 0, label %237
+  %228 = call fastcc i32 @_evaluate(ptr nonnull %8, ptr nonnull %9, ptr %16, ptr %19, ptr nonnull %22, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, i64 %50, ptr %51, i64 %55, ptr %56, i64 %55, ptr %59, ptr %62, ptr %65, ptr %90, ptr %95, double %1, double %2, double %210) #2, !noalias !34
+  switch i32 %228, label %251 [
+    i32 -2, label %243
+    i32 0, label %243
   ], !prof !17
 
-223:                                              ; preds = %175, %175
-  %224 = add nsw i64 %176, %171
-  %225 = icmp slt i64 %224, 0
-  %226 = select i1 %225, i64 %89, i64 0
-  %227 = getelementptr double, ptr %90, i64 %224
-  %228 = getelementptr double, ptr %227, i64 %226
-  %229 = load double, ptr %228, align 8, !noalias !34
-  %230 = sitofp i64 %362 to double
-  %231 = fmul double %229, %230
-  %232 = fcmp ugt double %231, 0.000000e+00
-  br i1 %232, label %194, label %185
+229:                                              ; preds = %181, %181
+  %230 = add nsw i64 %182, %177
+  %231 = icmp slt i64 %230, 0
+  %232 = select i1 %231, i64 %89, i64 0
+  %233 = getelementptr double, ptr %90, i64 %230
+  %234 = getelementptr double, ptr %233, i64 %232
+  %235 = load double, ptr %234, align 8, !noalias !34
+  %236 = sitofp i64 %369 to double
+  %237 = fmul double %235, %236
+  %238 = fcmp ugt double %237, 0.000000e+00
+  br i1 %238, label %200, label %191
 
-233:                                              ; preds = %192, %192
-  %234 = load double, ptr %228, align 8, !noalias !34
-  %235 = fmul double %234, %230
-  %236 = fcmp ogt double %235, 0.000000e+00
-  br i1 %236, label %194, label %185
+239:                                              ; preds = %198, %198
+  %240 = load double, ptr %234, align 8, !noalias !34
+  %241 = fmul double %240, %236
+  %242 = fcmp ogt double %241, 0.000000e+00
+  br i1 %242, label %200, label %191
 
-237:                                              ; preds = %221, %221
-  %238 = load double, ptr %228, align 8, !noalias !34
-  %239 = fmul double %238, %230
-  %240 = fcmp ogt double %239, 0.000000e+00
-  %241 = select i1 %240, double %200, double %204
-  %242 = select i1 %240, double %204, double %201
-  %243 = fsub double %241, %242
-  %244 = fcmp ogt double %243, %183
-  br i1 %244, label %199, label %245
+243:                                              ; preds = %227, %227
+  %244 = load double, ptr %234, align 8, !noalias !34
+  %245 = fmul double %244, %236
+  %246 = fcmp ogt double %245, 0.000000e+00
+  %247 = select i1 %246, double %206, double %210
+  %248 = select i1 %246, double %210, double %207
+  %249 = fsub double %247, %248
+  %250 = fcmp ogt double %249, %189
+  br i1 %250, label %205, label %251
 
-245:                                              ; preds = %221, %214, %192, %175, %194, %237, %185
-  %246 = phi double [ %219, %214 ], [ 0.000000e+00, %192 ], [ %241, %237 ], [ %168, %185 ], [ 0.000000e+00, %175 ], [ %196, %194 ], [ 0.000000e+00, %221 ]
-  %247 = phi i32 [ %220, %214 ], [ %193, %192 ], [ 0, %237 ], [ 0, %185 ], [ %184, %175 ], [ 0, %194 ], [ %222, %221 ]
-  switch i32 %247, label %387 [
-    i32 -2, label %382
-    i32 0, label %382
+251:                                              ; preds = %227, %220, %198, %181, %200, %243, %191
+  %252 = phi double [ %225, %220 ], [ 0.000000e+00, %198 ], [ %247, %243 ], [ %174, %191 ], [ 0.000000e+00, %181 ], [ %202, %200 ], [ 0.000000e+00, %227 ]
+  %253 = phi i32 [ %226, %220 ], [ %199, %198 ], [ 0, %243 ], [ 0, %191 ], [ %190, %181 ], [ 0, %200 ], [ %228, %227 ]
+  switch i32 %253, label %394 [
+    i32 -2, label %389
+    i32 0, label %389
   ], !prof !17
 
-248:                                              ; preds = %382, %376
-  %249 = phi double [ %173, %376 ], [ %386, %382 ]
-  br label %170
+254:                                              ; preds = %389, %383
+  %255 = phi double [ %179, %383 ], [ %393, %389 ]
+  br label %176
 
-250:                                              ; preds = %170
-  %251 = fcmp ogt double %173, 1.000000e+00
-  br i1 %251, label %333, label %252
+256:                                              ; preds = %176
+  %257 = fcmp ogt double %179, 1.000000e+00
+  br i1 %257, label %340, label %258
 
-252:                                              ; preds = %250
+258:                                              ; preds = %256
   store i32 0, ptr %12, align 4, !noalias !18
-  %253 = call fastcc i32 @_evaluate(ptr nonnull %12, ptr nonnull %13, ptr %16, ptr %19, ptr nonnull %22, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, i64 %50, ptr %51, i64 %55, ptr %56, i64 %55, ptr %59, ptr %62, ptr %65, ptr %90, ptr %95, double %1, double %2, double %173) #2
-  switch i32 %253, label %389 [
-    i32 -2, label %388
-    i32 0, label %388
+  %259 = call fastcc i32 @_evaluate(ptr nonnull %12, ptr nonnull %13, ptr %16, ptr %19, ptr nonnull %22, ptr %27, i64 %26, ptr %34, i64 %31, i64 %33, ptr %39, i64 %38, ptr %46, i64 %43, i64 %45, i64 %50, ptr %51, i64 %55, ptr %56, i64 %55, ptr %59, ptr %62, ptr %65, ptr %90, ptr %95, double %1, double %2, double %179) #2
+  switch i32 %259, label %398 [
+    i32 -2, label %395
+    i32 0, label %395
   ], !prof !17
 
-254:                                              ; preds = %388, %296
-  %255 = phi i64 [ 0, %388 ], [ %392, %296 ]
-  %256 = phi i64 [ %169, %388 ], [ %391, %296 ]
-  %257 = phi i1 [ false, %388 ], [ %297, %296 ]
-  %258 = icmp sgt i64 %256, 0
-  br i1 %258, label %390, label %298
+260:                                              ; preds = %395
+  store i64 %124, ptr %123, align 8, !noalias !18
+  %261 = getelementptr i8, ptr %115, i64 48
+  store double 1.000000e+00, ptr %261, align 8, !noalias !18
+  br label %461
 
-259:                                              ; preds = %413
-  %260 = select i1 %399, i64 %89, i64 0
-  %261 = getelementptr double, ptr %90, i64 %255
-  %262 = getelementptr double, ptr %261, i64 %260
-  %263 = load double, ptr %262, align 8, !noalias !18
-  %264 = fcmp ogt double %263, 0.000000e+00
-  %265 = select i1 %408, i1 %264, i1 false
-  %266 = select i1 %265, i1 %411, i1 false
-  br i1 %266, label %273, label %267
+262:                                              ; preds = %395, %304
+  %263 = phi i64 [ %401, %304 ], [ 0, %395 ]
+  %264 = phi i64 [ %400, %304 ], [ %175, %395 ]
+  %265 = phi i1 [ %305, %304 ], [ false, %395 ]
+  %266 = icmp sgt i64 %264, 0
+  br i1 %266, label %399, label %306
 
-267:                                              ; preds = %259
-  %268 = icmp slt i64 %403, 1
-  %269 = fcmp uge double %263, 0.000000e+00
-  %270 = select i1 %268, i1 true, i1 %269
-  %271 = icmp sgt i64 %407, 0
-  %272 = select i1 %270, i1 true, i1 %271
-  br i1 %272, label %281, label %273
-
-273:                                              ; preds = %259, %267
-  %274 = fcmp oeq double %398, 0.000000e+00
+267:                                              ; preds = %422
+  %268 = select i1 %408, i64 %89, i64 0
+  %269 = getelementptr double, ptr %90, i64 %263
+  %270 = getelementptr double, ptr %269, i64 %268
+  %271 = load double, ptr %270, align 8, !noalias !18
+  %272 = fcmp ogt double %271, 0.000000e+00
+  %273 = select i1 %417, i1 %272, i1 false
+  %274 = select i1 %273, i1 %420, i1 false
   br i1 %274, label %281, label %275
 
-275:                                              ; preds = %273
-  %276 = select i1 %399, i64 %84, i64 0
-  %277 = getelementptr i64, ptr %85, i64 %255
-  %278 = getelementptr i64, ptr %277, i64 %276
-  %279 = load i64, ptr %278, align 8, !noalias !18
-  %280 = icmp eq i64 %279, 1
-  br label %281
+275:                                              ; preds = %267
+  %276 = icmp slt i64 %412, 1
+  %277 = fcmp uge double %271, 0.000000e+00
+  %278 = select i1 %276, i1 true, i1 %277
+  %279 = icmp sgt i64 %416, 0
+  %280 = select i1 %278, i1 true, i1 %279
+  br i1 %280, label %289, label %281
 
-281:                                              ; preds = %390, %273, %275, %267, %413
-  %282 = phi i1 [ true, %413 ], [ false, %267 ], [ true, %273 ], [ %280, %275 ], [ true, %390 ]
-  %283 = zext i1 %282 to i64
-  %284 = select i1 %399, i64 %84, i64 0
-  %285 = getelementptr i64, ptr %85, i64 %255
+281:                                              ; preds = %267, %275
+  %282 = fcmp oeq double %407, 0.000000e+00
+  br i1 %282, label %289, label %283
+
+283:                                              ; preds = %281
+  %284 = select i1 %408, i64 %84, i64 0
+  %285 = getelementptr i64, ptr %85, i64 %263
   %286 = getelementptr i64, ptr %285, i64 %284
-  store i64 %283, ptr %286, align 8, !noalias !18
-  %287 = xor i1 %282, true
-  %288 = select i1 %257, i1 true, i1 %287
-  %289 = select i1 %257, i1 true, i1 %282
-  br i1 %288, label %296, label %290
+  %287 = load i64, ptr %286, align 8, !noalias !18
+  %288 = icmp eq i64 %287, 1
+  br label %289
 
-290:                                              ; preds = %281
-  %291 = select i1 %399, i64 %74, i64 0
-  %292 = getelementptr i64, ptr %75, i64 %255
-  %293 = getelementptr i64, ptr %292, i64 %291
-  %294 = load i64, ptr %293, align 8, !noalias !18
-  %295 = icmp eq i64 %294, 1
-  br label %296
+289:                                              ; preds = %399, %281, %283, %275, %422
+  %290 = phi i1 [ true, %422 ], [ false, %275 ], [ true, %281 ], [ %288, %283 ], [ true, %399 ]
+  %291 = zext i1 %290 to i64
+  %292 = select i1 %408, i64 %84, i64 0
+  %293 = getelementptr i64, ptr %85, i64 %263
+  %294 = getelementptr i64, ptr %293, i64 %292
+  store i64 %291, ptr %294, align 8, !noalias !18
+  %295 = xor i1 %290, true
+  %296 = select i1 %265, i1 true, i1 %295
+  %297 = select i1 %265, i1 true, i1 %290
+  br i1 %296, label %304, label %298
 
-296:                                              ; preds = %281, %290
-  %297 = phi i1 [ %289, %281 ], [ %295, %290 ]
+298:                                              ; preds = %289
+  %299 = select i1 %408, i64 %74, i64 0
+  %300 = getelementptr i64, ptr %75, i64 %263
+  %301 = getelementptr i64, ptr %300, i64 %299
+  %302 = load i64, ptr %301, align 8, !noalias !18
+  %303 = icmp eq i64 %302, 1
+  br label %304
+
+304:                                              ; preds = %289, %298
+  %305 = phi i1 [ %297, %289 ], [ %303, %298 ]
+  br label %262
+
+306:                                              ; preds = %262
+  br i1 %265, label %307, label %309
+
+307:                                              ; preds = %306
+  %308 = getelementptr i8, ptr %115, i64 48
+  store double %179, ptr %308, align 8, !noalias !18
+  br label %461
+
+309:                                              ; preds = %306, %428, %333
+  %310 = phi i64 [ %430, %333 ], [ %430, %428 ], [ 0, %306 ]
+  %311 = phi i64 [ %429, %333 ], [ %429, %428 ], [ %175, %306 ]
+  %312 = icmp sgt i64 %311, 0
+  br i1 %312, label %428, label %173
+
+313:                                              ; preds = %428
+  %314 = load i64, ptr %123, align 8, !noalias !18
+  %315 = icmp eq i64 %314, %99
+  br i1 %315, label %316, label %318
+
+316:                                              ; preds = %313
+  %317 = getelementptr i8, ptr %115, i64 48
+  store double %179, ptr %317, align 8, !noalias !18
+  br label %461
+
+318:                                              ; preds = %313
+  %319 = fmul double %179, %2
+  %320 = fadd double %1, %319
+  %321 = icmp slt i64 %314, 0
+  %322 = select i1 %321, i64 %99, i64 0
+  %323 = getelementptr double, ptr %100, i64 %314
+  %324 = getelementptr double, ptr %323, i64 %322
+  store double %320, ptr %324, align 8, !noalias !18
+  %325 = select i1 %321, i64 %104, i64 0
+  %326 = getelementptr i64, ptr %105, i64 %314
+  %327 = getelementptr i64, ptr %326, i64 %325
+  store i64 %310, ptr %327, align 8, !noalias !18
+  %328 = call i64 @llvm.smax.i64(i64 %122, i64 0)
+  br label %329
+
+329:                                              ; preds = %318, %437
+  %330 = phi i64 [ 0, %318 ], [ %439, %437 ]
+  %331 = phi i64 [ %328, %318 ], [ %438, %437 ]
+  %332 = icmp sgt i64 %331, 0
+  br i1 %332, label %437, label %333
+
+333:                                              ; preds = %329
+  %334 = add nsw i64 %314, 1
+  store i64 %334, ptr %123, align 8, !noalias !18
+  %335 = select i1 %431, i64 %79, i64 0
+  %336 = getelementptr i64, ptr %80, i64 %310
+  %337 = getelementptr i64, ptr %336, i64 %335
+  %338 = load i64, ptr %337, align 8, !noalias !18
+  %339 = sub i64 0, %338
+  store i64 %339, ptr %337, align 8, !noalias !18
+  br label %309
+
+340:                                              ; preds = %256, %354, %344
+  %341 = phi i64 [ %454, %354 ], [ %454, %344 ], [ 0, %256 ]
+  %342 = phi i64 [ %453, %354 ], [ %453, %344 ], [ %175, %256 ]
+  %343 = icmp sgt i64 %342, 0
+  br i1 %343, label %452, label %125
+
+344:                                              ; preds = %452
+  %345 = select i1 %455, i64 %79, i64 0
+  %346 = getelementptr i64, ptr %80, i64 %341
+  %347 = getelementptr i64, ptr %346, i64 %345
+  store i64 1, ptr %347, align 8, !noalias !18
+  br label %340
+
+348:                                              ; preds = %452
+  %349 = fcmp olt double %459, 0.000000e+00
+  br i1 %349, label %350, label %354
+
+350:                                              ; preds = %348
+  %351 = select i1 %455, i64 %79, i64 0
+  %352 = getelementptr i64, ptr %80, i64 %341
+  %353 = getelementptr i64, ptr %352, i64 %351
+  store i64 -1, ptr %353, align 8, !noalias !18
+  br label %354
+
+354:                                              ; preds = %350, %348
+  br label %340
+
+355:                                              ; preds = %125
+  %356 = getelementptr i8, ptr %115, i64 48
+  store double 1.000000e+00, ptr %356, align 8, !noalias !18
+  br label %461
+
+357:                                              ; preds = %168, %168
+  br i1 %169, label %171, label %173
+
+358:                                              ; preds = %168
+  br label %461
+
+359:                                              ; preds = %176
+  %360 = add nsw i64 %178, -1
+  %361 = add i64 %177, 1
+  %362 = icmp slt i64 %177, 0
+  %363 = select i1 %362, i64 %84, i64 0
+  %364 = getelementptr i64, ptr %85, i64 %177
+  %365 = getelementptr i64, ptr %364, i64 %363
+  store i64 0, ptr %365, align 8, !noalias !18
+  %366 = select i1 %362, i64 %79, i64 0
+  %367 = getelementptr i64, ptr %80, i64 %177
+  %368 = getelementptr i64, ptr %367, i64 %366
+  %369 = load i64, ptr %368, align 8, !noalias !18
+  %370 = select i1 %362, i64 %89, i64 0
+  %371 = getelementptr double, ptr %90, i64 %177
+  %372 = getelementptr double, ptr %371, i64 %370
+  %373 = load double, ptr %372, align 8, !noalias !18
+  %374 = select i1 %362, i64 %69, i64 0
+  %375 = getelementptr i64, ptr %70, i64 %177
+  %376 = getelementptr i64, ptr %375, i64 %374
+  %377 = load i64, ptr %376, align 8, !noalias !18
+  %378 = icmp slt i64 %369, 0
+  %379 = fcmp ogt double %373, 0.000000e+00
+  %380 = select i1 %378, i1 %379, i1 false
+  %381 = icmp sgt i64 %377, -1
+  %382 = select i1 %380, i1 %381, i1 false
+  br i1 %382, label %181, label %383
+
+383:                                              ; preds = %359
+  %384 = icmp slt i64 %369, 1
+  %385 = fcmp uge double %373, 0.000000e+00
+  %386 = select i1 %384, i1 true, i1 %385
+  %387 = icmp sgt i64 %377, 0
+  %388 = select i1 %386, i1 true, i1 %387
+  br i1 %388, label %254, label %181
+
+389:                                              ; preds = %251, %251
+  %390 = fcmp ole double %252, %174
+  %391 = zext i1 %390 to i64
+  store i64 %391, ptr %365, align 8, !noalias !18
+  %392 = fcmp olt double %252, %179
+  %393 = select i1 %392, double %252, double %179
   br label %254
 
-298:                                              ; preds = %254
-  br i1 %257, label %299, label %301
+394:                                              ; preds = %251
+  br label %461
 
-299:                                              ; preds = %298
-  %300 = getelementptr i8, ptr %115, i64 48
-  store double %173, ptr %300, align 8, !noalias !18
-  br label %452
+395:                                              ; preds = %258, %258
+  %396 = load i32, ptr %12, align 4, !noalias !18
+  %397 = icmp slt i32 %396, 0
+  br i1 %397, label %260, label %262
 
-301:                                              ; preds = %298, %419, %326
-  %302 = phi i64 [ %421, %326 ], [ %421, %419 ], [ 0, %298 ]
-  %303 = phi i64 [ %420, %326 ], [ %420, %419 ], [ %169, %298 ]
-  %304 = icmp sgt i64 %303, 0
-  br i1 %304, label %419, label %167
+398:                                              ; preds = %258
+  br label %461
 
-305:                                              ; preds = %419
-  %306 = getelementptr i8, ptr %118, i64 80
-  %307 = load i64, ptr %306, align 8, !noalias !18
-  %308 = icmp eq i64 %307, %99
-  br i1 %308, label %309, label %311
+399:                                              ; preds = %262
+  %400 = add nsw i64 %264, -1
+  %401 = add i64 %263, 1
+  %402 = add nsw i64 %120, %263
+  %403 = icmp slt i64 %402, 0
+  %404 = select i1 %403, i64 %89, i64 0
+  %405 = getelementptr double, ptr %90, i64 %402
+  %406 = getelementptr double, ptr %405, i64 %404
+  %407 = load double, ptr %406, align 8, !noalias !18
+  %408 = icmp slt i64 %263, 0
+  %409 = select i1 %408, i64 %79, i64 0
+  %410 = getelementptr i64, ptr %80, i64 %263
+  %411 = getelementptr i64, ptr %410, i64 %409
+  %412 = load i64, ptr %411, align 8, !noalias !18
+  %413 = select i1 %408, i64 %69, i64 0
+  %414 = getelementptr i64, ptr %70, i64 %263
+  %415 = getelementptr i64, ptr %414, i64 %413
+  %416 = load i64, ptr %415, align 8, !noalias !18
+  %417 = icmp slt i64 %412, 0
+  %418 = fcmp ogt double %407, 0.000000e+00
+  %419 = select i1 %417, i1 %418, i1 false
+  %420 = icmp sgt i64 %416, -1
+  %421 = select i1 %419, i1 %420, i1 false
+  br i1 %421, label %289, label %422
 
-309:                                              ; preds = %305
-  %310 = getelementptr i8, ptr %115, i64 48
-  store double %173, ptr %310, align 8, !noalias !18
-  br label %452
+422:                                              ; preds = %399
+  %423 = icmp slt i64 %412, 1
+  %424 = fcmp uge double %407, 0.000000e+00
+  %425 = select i1 %423, i1 true, i1 %424
+  %426 = icmp sgt i64 %416, 0
+  %427 = select i1 %425, i1 true, i1 %426
+  br i1 %427, label %267, label %289
 
-311:                                              ; preds = %305
-  %312 = fmul double %173, %2
-  %313 = fadd double %1, %312
-  %314 = icmp slt i64 %307, 0
-  %315 = select i1 %314, i64 %99, i64 0
-  %316 = getelementptr double, ptr %100, i64 %307
-  %317 = getelementptr double, ptr %316, i64 %315
-  store double %313, ptr %317, align 8, !noalias !18
-  %318 = select i1 %314, i64 %104, i64 0
-  %319 = getelementptr i64, ptr %105, i64 %307
-  %320 = getelementptr i64, ptr %319, i64 %318
-  store i64 %302, ptr %320, align 8, !noalias !18
-  %321 = call i64 @llvm.smax.i64(i64 %122, i64 0)
-  br label %322
+428:                                              ; preds = %309
+  %429 = add nsw i64 %311, -1
+  %430 = add i64 %310, 1
+  %431 = icmp slt i64 %310, 0
+  %432 = select i1 %431, i64 %84, i64 0
+  %433 = getelementptr i64, ptr %85, i64 %310
+  %434 = getelementptr i64, ptr %433, i64 %432
+  %435 = load i64, ptr %434, align 8, !noalias !18
+  %436 = icmp eq i64 %435, 0
+  br i1 %436, label %309, label %313
 
-322:                                              ; preds = %311, %428
-  %323 = phi i64 [ 0, %311 ], [ %430, %428 ]
-  %324 = phi i64 [ %321, %311 ], [ %429, %428 ]
-  %325 = icmp sgt i64 %324, 0
-  br i1 %325, label %428, label %326
+437:                                              ; preds = %329
+  %438 = add nsw i64 %331, -1
+  %439 = add i64 %330, 1
+  %440 = icmp slt i64 %330, 0
+  %441 = select i1 %440, i64 %94, i64 0
+  %442 = getelementptr double, ptr %95, i64 %330
+  %443 = getelementptr double, ptr %442, i64 %441
+  %444 = load double, ptr %443, align 8, !noalias !18
+  %445 = select i1 %321, i64 %109, i64 0
+  %446 = add i64 %314, %445
+  %447 = select i1 %440, i64 %111, i64 0
+  %448 = mul i64 %446, %111
+  %449 = getelementptr double, ptr %112, i64 %448
+  %450 = getelementptr double, ptr %449, i64 %330
+  %451 = getelementptr double, ptr %450, i64 %447
+  store double %444, ptr %451, align 8, !noalias !18
+  br label %329
 
-326:                                              ; preds = %322
-  %327 = add nsw i64 %307, 1
-  store i64 %327, ptr %306, align 8, !noalias !18
-  %328 = select i1 %422, i64 %79, i64 0
-  %329 = getelementptr i64, ptr %80, i64 %302
-  %330 = getelementptr i64, ptr %329, i64 %328
-  %331 = load i64, ptr %330, align 8, !noalias !18
-  %332 = sub i64 0, %331
-  store i64 %332, ptr %330, align 8, !noalias !18
-  br label %301
+452:                                              ; preds = %340
+  %453 = add nsw i64 %342, -1
+  %454 = add i64 %341, 1
+  %455 = icmp slt i64 %341, 0
+  %456 = select i1 %455, i64 %89, i64 0
+  %457 = getelementptr double, ptr %90, i64 %341
+  %458 = getelementptr double, ptr %457, i64 %456
+  %459 = load double, ptr %458, align 8, !noalias !18
+  %460 = fcmp ogt double %459, 0.000000e+00
+  br i1 %460, label %344, label %348
 
-333:                                              ; preds = %250, %347, %337
-  %334 = phi i64 [ %445, %347 ], [ %445, %337 ], [ 0, %250 ]
-  %335 = phi i64 [ %444, %347 ], [ %444, %337 ], [ %169, %250 ]
-  %336 = icmp sgt i64 %335, 0
-  br i1 %336, label %443, label %123
-
-337:                                              ; preds = %443
-  %338 = select i1 %446, i64 %79, i64 0
-  %339 = getelementptr i64, ptr %80, i64 %334
-  %340 = getelementptr i64, ptr %339, i64 %338
-  store i64 1, ptr %340, align 8, !noalias !18
-  br label %333
-
-341:                                              ; preds = %443
-  %342 = fcmp olt double %450, 0.000000e+00
-  br i1 %342, label %343, label %347
-
-343:                                              ; preds = %341
-  %344 = select i1 %446, i64 %79, i64 0
-  %345 = getelementptr i64, ptr %80, i64 %334
-  %346 = getelementptr i64, ptr %345, i64 %344
-  store i64 -1, ptr %346, align 8, !noalias !18
-  br label %347
-
-347:                                              ; preds = %343, %341
-  br label %333
-
-348:                                              ; preds = %123
-  %349 = getelementptr i8, ptr %115, i64 48
-  store double 1.000000e+00, ptr %349, align 8, !noalias !18
-  br label %452
-
-350:                                              ; preds = %165, %165
-  br label %167
-
-351:                                              ; preds = %165
-  br label %452
-
-352:                                              ; preds = %170
-  %353 = add nsw i64 %172, -1
-  %354 = add i64 %171, 1
-  %355 = icmp slt i64 %171, 0
-  %356 = select i1 %355, i64 %84, i64 0
-  %357 = getelementptr i64, ptr %85, i64 %171
-  %358 = getelementptr i64, ptr %357, i64 %356
-  store i64 0, ptr %358, align 8, !noalias !18
-  %359 = select i1 %355, i64 %79, i64 0
-  %360 = getelementptr i64, ptr %80, i64 %171
-  %361 = getelementptr i64, ptr %360, i64 %359
-  %362 = load i64, ptr %361, align 8, !noalias !18
-  %363 = select i1 %355, i64 %89, i64 0
-  %364 = getelementptr double, ptr %90, i64 %171
-  %365 = getelementptr double, ptr %364, i64 %363
-  %366 = load double, ptr %365, align 8, !noalias !18
-  %367 = select i1 %355, i64 %69, i64 0
-  %368 = getelementptr i64, ptr %70, i64 %171
-  %369 = getelementptr i64, ptr %368, i64 %367
-  %370 = load i64, ptr %369, align 8, !noalias !18
-  %371 = icmp slt i64 %362, 0
-  %372 = fcmp ogt double %366, 0.000000e+00
-  %373 = select i1 %371, i1 %372, i1 false
-  %374 = icmp sgt i64 %370, -1
-  %375 = select i1 %373, i1 %374, i1 false
-  br i1 %375, label %175, label %376
-
-376:                                              ; preds = %352
-  %377 = icmp slt i64 %362, 1
-  %378 = fcmp uge double %366, 0.000000e+00
-  %379 = select i1 %377, i1 true, i1 %378
-  %380 = icmp sgt i64 %370, 0
-  %381 = select i1 %379, i1 true, i1 %380
-  br i1 %381, label %248, label %175
-
-382:                                              ; preds = %245, %245
-  %383 = fcmp ole double %246, %168
-  %384 = zext i1 %383 to i64
-  store i64 %384, ptr %358, align 8, !noalias !18
-  %385 = fcmp olt double %246, %173
-  %386 = select i1 %385, double %246, double %173
-  br label %248
-
-387:                                              ; preds = %245
-  br label %452
-
-388:                                              ; preds = %252, %252
-  br label %254
-
-389:                                              ; preds = %252
-  br label %452
-
-390:                                              ; preds = %254
-  %391 = add nsw i64 %256, -1
-  %392 = add i64 %255, 1
-  %393 = add nsw i64 %120, %255
-  %394 = icmp slt i64 %393, 0
-  %395 = select i1 %394, i64 %89, i64 0
-  %396 = getelementptr double, ptr %90, i64 %393
-  %397 = getelementptr double, ptr %396, i64 %395
-  %398 = load double, ptr %397, align 8, !noalias !18
-  %399 = icmp slt i64 %255, 0
-  %400 = select i1 %399, i64 %79, i64 0
-  %401 = getelementptr i64, ptr %80, i64 %255
-  %402 = getelementptr i64, ptr %401, i64 %400
-  %403 = load i64, ptr %402, align 8, !noalias !18
-  %404 = select i1 %399, i64 %69, i64 0
-  %405 = getelementptr i64, ptr %70, i64 %255
-  %406 = getelementptr i64, ptr %405, i64 %404
-  %407 = load i64, ptr %406, align 8, !noalias !18
-  %408 = icmp slt i64 %403, 0
-  %409 = fcmp ogt double %398, 0.000000e+00
-  %410 = select i1 %408, i1 %409, i1 false
-  %411 = icmp sgt i64 %407, -1
-  %412 = select i1 %410, i1 %411, i1 false
-  br i1 %412, label %281, label %413
-
-413:                                              ; preds = %390
-  %414 = icmp slt i64 %403, 1
-  %415 = fcmp uge double %398, 0.000000e+00
-  %416 = select i1 %414, i1 true, i1 %415
-  %417 = icmp sgt i64 %407, 0
-  %418 = select i1 %416, i1 true, i1 %417
-  br i1 %418, label %259, label %281
-
-419:                                              ; preds = %301
-  %420 = add nsw i64 %303, -1
-  %421 = add i64 %302, 1
-  %422 = icmp slt i64 %302, 0
-  %423 = select i1 %422, i64 %84, i64 0
-  %424 = getelementptr i64, ptr %85, i64 %302
-  %425 = getelementptr i64, ptr %424, i64 %423
-  %426 = load i64, ptr %425, align 8, !noalias !18
-  %427 = icmp eq i64 %426, 0
-  br i1 %427, label %301, label %305
-
-428:                                              ; preds = %322
-  %429 = add nsw i64 %324, -1
-  %430 = add i64 %323, 1
-  %431 = icmp slt i64 %323, 0
-  %432 = select i1 %431, i64 %94, i64 0
-  %433 = getelementptr double, ptr %95, i64 %323
-  %434 = getelementptr double, ptr %433, i64 %432
-  %435 = load double, ptr %434, align 8, !noalias !18
-  %436 = select i1 %314, i64 %109, i64 0
-  %437 = add i64 %307, %436
-  %438 = select i1 %431, i64 %111, i64 0
-  %439 = mul i64 %437, %111
-  %440 = getelementptr double, ptr %112, i64 %439
-  %441 = getelementptr double, ptr %440, i64 %323
-  %442 = getelementptr double, ptr %441, i64 %438
-  store double %435, ptr %442, align 8, !noalias !18
-  br label %322
-
-443:                                              ; preds = %333
-  %444 = add nsw i64 %335, -1
-  %445 = add i64 %334, 1
-  %446 = icmp slt i64 %334, 0
-  %447 = select i1 %446, i64 %89, i64 0
-  %448 = getelementptr double, ptr %90, i64 %334
-  %449 = getelementptr double, ptr %448, i64 %447
-  %450 = load double, ptr %449, align 8, !noalias !18
-  %451 = fcmp ogt double %450, 0.000000e+00
-  br i1 %451, label %337, label %341
-
-452:                                              ; preds = %389, %387, %351, %348, %309, %299
-  %453 = phi i64 [ 0, %348 ], [ 0, %351 ], [ -2, %299 ], [ 0, %389 ], [ 0, %387 ], [ -3, %309 ]
-  ret i64 %453
+461:                                              ; preds = %398, %394, %358, %355, %316, %307, %260, %171
+  %462 = phi i64 [ 0, %355 ], [ 0, %358 ], [ -4, %171 ], [ -2, %307 ], [ -4, %260 ], [ 0, %394 ], [ -3, %316 ], [ 0, %398 ]
+  ret i64 %462
 }
 
 

@@ -13,7 +13,16 @@ from pydy.solvers.loop.entrance import (
 from pydy.solvers.loop.intrinsics import address_of, call_kernel
 from pydy.solvers.loop.rates import set_inputs
 from pydy.solvers.loop.runge_kutta import interpolate
-from pydy.solvers.run.layout import EVENT, EVENTS, FOUND, LOG_FULL, LOGGED, STATES, WATCHER
+from pydy.solvers.run.layout import (
+    CALLBACK,
+    EVENT,
+    EVENTS,
+    FOUND,
+    LOG_FULL,
+    LOGGED,
+    STATES,
+    WATCHER,
+)
 from pydy.solvers.tuning import ROUNDING
 
 __all__ = ["scan_events"]
@@ -81,18 +90,21 @@ def _locate(method, problem, memory, watch, t, h, low, high, event):
 def scan_events(table, t, h):
     """Look for events in the step just taken.
 
-    Returns EVENT when an acting event ends it, LOG_FULL when the log has to be emptied first, or 0;
-    ``state[FOUND]`` is the θ up to which the step counts.
+    Returns EVENT when an acting event ends it, LOG_FULL when the log has to be emptied first,
+    CALLBACK when a Python function raised something, or 0; ``state[FOUND]`` is the θ up to which
+    the step counts.
     """
     method, problem, memory = opened_method(table), opened_problem(table), opened_memory(table)
     watch, progress = opened_watch(table), opened_progress(table)
     state, counts = progress.state, progress.counts
     number, n = watch.words[EVENTS], problem.words[STATES]
     values, sides = watch.values, watch.sides
-    left = 0.0
+    logged, left = counts[LOGGED], 0.0
     for quarter in range(1, _PARTS + 1):
         right = quarter / _PARTS
-        _evaluate(method, problem, memory, watch, t, h, right, 0)
+        if _evaluate(method, problem, memory, watch, t, h, right, 0) < 0:
+            counts[LOGGED], state[FOUND] = logged, 1.0
+            return CALLBACK
         while True:
             first = 2.0
             for event in range(number):
@@ -103,7 +115,9 @@ def scan_events(table, t, h):
                     first = min(first, theta)
             if first > 1.0:
                 break
-            _evaluate(method, problem, memory, watch, t, h, first, 1)
+            if _evaluate(method, problem, memory, watch, t, h, first, 1) < 0:
+                counts[LOGGED], state[FOUND] = logged, 1.0
+                return CALLBACK
             acting = False
             for event in range(number):
                 now = values[number + event]

@@ -162,7 +162,7 @@ def advance(table, states, fresh):
         else:
             code = prepare_interpolant(method, problem, memory, run, t, size)
             if code != 0:
-                count[FAILURE] = SINGULAR
+                count[FAILURE], state[TIME] = SINGULAR, t
                 return CALLBACK if code < 0 else STEP_UNDERFLOW
             code = finish_step(table, method, problem, memory, run, constraints, watch, t, size)
             if code == CONSTRAINTS_NOT_MET and adaptive and watch.words[EVENTS] == 0:

@@ -7,6 +7,7 @@ from pydy.solvers.loop.intrinsics import address_of, call_part
 from pydy.solvers.loop.runge_kutta import copy_vector, interpolate
 from pydy.solvers.run.layout import (
     ACTIVE,
+    CALLBACK,
     EVENTS,
     FOUND,
     NEXT,
@@ -64,9 +65,11 @@ def finish_step(table, method, problem, memory, run, constraints, watch, t, h):
         status = call_part(watch.words[SCAN], table, t, h)
         theta = run.state[FOUND]
     end = run.state[TIME] if theta == 1.0 else t + theta * h
-    code = _interpolate_outputs(
-        table, method, problem, memory, run, constraints, t, h, end, theta < 1.0
-    )
+    code = status if status == CALLBACK else 0
+    if code == 0:
+        code = _interpolate_outputs(
+            table, method, problem, memory, run, constraints, t, h, end, theta < 1.0
+        )
     if code == 0 and status != 0 and theta < 1.0:
         interpolate(method, problem, memory, theta, address_of(memory.trial, 0))
         copy_vector(memory.trial, memory.new)

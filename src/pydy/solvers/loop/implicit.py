@@ -166,6 +166,7 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance, least):
             )
             if code != 0:
                 return code, False, iteration, 0.0
+        pushed = 0.0
         for i in range(n):
             if not math.isfinite(f[0, i] + f[1, i] + f[2, i]):
                 return 0, False, iteration, np.inf
@@ -175,6 +176,9 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance, least):
             left = _TI[1, 0] * f[0, i] + _TI[1, 1] * f[1, i] + _TI[1, 2] * f[2, i]
             right = _TI[2, 0] * f[0, i] + _TI[2, 1] * f[1, i] + _TI[2, 2] * f[2, i]
             pair[i] = complex(left, right) - _pair_over(h) * complex(w[1, i], w[2, i])
+            push = h * (abs(real[i]) + abs(pair[i].real) + abs(pair[i].imag))
+            push /= unit(memory, i, memory.x[i], memory.x[i])
+            pushed += push * push
         solve(newton.real, newton.real_order, real)
         solve(newton.pair, newton.pair_order, pair)
         if width > 0:
@@ -186,6 +190,8 @@ def _solve_stages(problem, memory, run, newton, t, h, tolerance, least):
             a, b, c = real[i] / scale, pair[i].real / scale, pair[i].imag / scale
             total += a * a + b * b + c * c
         change = math.sqrt(total / (3 * n))
+        if change == 0.0 and pushed > 0.0:  # held in place by derivatives that are far too large
+            return 0, False, iteration + 1, rate
         if before > 0.0 and settled == 0:
             rate = change / before
             left_over = rate ** (_ITERATIONS - 1 - iteration) / (1.0 - rate) * change

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from numba import types
@@ -18,9 +19,22 @@ __all__ = ["factorise", "set_jacobian", "solve", "solve_columns"]
 
 @inlined(pasted=True)
 def set_jacobian(problem, memory, run, newton, t):
-    """Evaluate ∂f/∂x at ``memory.x``, whose derivative is the first of ``memory.stages``."""
-    n = problem.words[STATES]
+    """Evaluate ∂f/∂x at ``memory.x``, whose derivative is the first of ``memory.stages``.
+
+    An infinite slope, as of a square root at zero, counts as zero: the iteration then goes without
+    this derivative, where dividing by infinity would keep the state where it is.
+    """
     run.counts[JACOBIANS] += 1
+    code = _evaluate_jacobian(problem, memory, run, newton, t)
+    for i in range(newton.jacobian.size):
+        if not math.isfinite(newton.jacobian[i]):
+            newton.jacobian[i] = 0.0
+    return code
+
+
+@inlined(pasted=True)
+def _evaluate_jacobian(problem, memory, run, newton, t):
+    n = problem.words[STATES]
     if newton.words[GRADIENT] != 0:
         set_inputs(problem, t)
         return call_kernel(

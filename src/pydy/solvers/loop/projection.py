@@ -238,7 +238,7 @@ def project(table, t, place):
         for i in range(h):
             if values[i] != 0.0:
                 worst = max(worst, abs(values[i]) / (ROUNDING * values[at_rounding + i]))
-            if values[i] != values[i]:
+            if not math.isfinite(values[i]):
                 return CONSTRAINTS_NOT_MET
         if worst <= 1.0 or (worst >= 0.5 * before and worst <= ROUNDINGS):
             break
@@ -266,6 +266,13 @@ def project(table, t, place):
             for j in range(q):
                 x[j] += step[j]
     if v > 0:
+        finite = 0.0
+        for i in range(v):
+            finite += 0.0 * values[h + i]
+        for i in range(v * u):
+            finite += 0.0 * values[at_velocity + i]
+        if finite != 0.0:  # NaN
+            return CONSTRAINTS_NOT_MET
         if words[WEIGHTED] == 1:
             _copy_table(values, at_mass, factor)
             _factor(factor)
