@@ -52,6 +52,15 @@ def opened(monkeypatch):
     return pages
 
 
+@pytest.fixture
+def rod():
+    """A scene of a rod that turns, and its symbols."""
+    q, length = me.dynamicsymbols("q"), sm.Symbol("l")
+    frame = N.orientnew("R", "Axis", (q, N.z))
+    visual = VisualizationFrame("rod", frame, O, Cylinder(length, length / 20))
+    return Scene(N, O, visual), q, length
+
+
 def test_a_block_on_a_spring(opened):
     x, v = me.dynamicsymbols("x, v")
     m, c, k = sm.symbols("m, c, k")
@@ -158,6 +167,48 @@ def test_a_generated_function_and_plain_arrays(opened):
     np.testing.assert_allclose(scene.poses[:, 0, :2, 3], states[:, :2])
 
 
+def test_times_left_out_are_thirty_a_second(rod, opened):
+    scene, q, length = rod
+    angles = np.linspace(0.0, 2.0, num=61)[:, None]
+    scene.states_symbols, scene.constants = [q], {length: 0.7}
+    scene.states_trajectories = angles
+    scene.display()
+    assert len(opened) == 1
+    np.testing.assert_allclose(scene.times, np.arange(61) / 30)
+    frames = scene.visualization_frames
+    given = {"constants": {length: 0.7}, "states_symbols": [q], "states_trajectories": angles}
+    again = Scene(N, O, *frames, **given, frames_per_second=20.0, name="rod")
+    np.testing.assert_allclose(again.times, np.arange(61) / 20)
+    np.testing.assert_allclose(Scene(N, O, *frames, times=2 * again.times, **given).times[-1], 6.0)
+
+
+def test_shapes_and_frames_can_be_changed_after_the_motion_is_set(rod):
+    scene, q, length = rod
+    scene.animate(TIMES, TIMES[:, None], symbols=[q], constants={length: 0.7})
+    frame = scene.visualization_frames[0]
+    assert '"kind":"Cylinder"' in scene.html()
+    frame.shape.color = "teal"
+    assert "#008080" in scene.html()
+    frame.shape, frame.name = Sphere(0.2), "bob"
+    assert '"name":"bob","kind":"Sphere"' in scene.html()
+    place = O.locatenew("place", 3 * N.x)
+    frame.origin, frame.reference_frame = place, N
+    assert frame.origin is place
+    np.testing.assert_allclose(
+        scene.poses[-1, 0, :3], np.eye(4)[:3] + [[0, 0, 0, 3]] * np.eye(3)[:, :1]
+    )
+    with pytest.raises(TypeError, match="`origin` of a Visual must be a Point"):
+        frame.origin = N
+    with pytest.raises(AttributeError, match="Visual has no attribute `colour`"):
+        frame.colour = "red"
+
+
+def test_cameras_and_lights_keep_what_they_were_given():
+    camera = PerspectiveCamera("camera", N, O, fov=40.0)
+    assert (camera.fov, camera.near, camera.origin) == (40.0, 1.0, O)
+    assert PointLight(N, O, color="blue").color == "blue"
+
+
 # -- shapes ----------------------------------------------------------------------------------------
 
 SOLIDS = {
@@ -231,15 +282,6 @@ def test_the_old_modules_hand_out_the_same_classes():
     assert camera.OrthoGraphicCamera is OrthoGraphicCamera
     assert light.PointLight is PointLight
     assert visualization_frame.VisualizationFrame is VisualizationFrame
-
-
-@pytest.fixture
-def rod():
-    """A scene of a rod that turns, and its symbols."""
-    q, length = me.dynamicsymbols("q"), sm.Symbol("l")
-    frame = N.orientnew("R", "Axis", (q, N.z))
-    visual = VisualizationFrame("rod", frame, O, Cylinder(length, length / 20))
-    return Scene(N, O, visual), q, length
 
 
 def test_generate_visualization_json_sets_the_motion_and_display_shows_it(rod, opened):

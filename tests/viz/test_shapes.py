@@ -1,13 +1,28 @@
 """Shapes: checked when made, measured with the constants' values."""
 
-import dataclasses
+import copy
+import pickle
 
 import numpy as np
 import pytest
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame
 
-from pydy.viz import Arrow, Box, Capsule, Cone, Cylinder, Line, Mesh, Plane, Sphere, Torus, Trace
+from pydy.errors import PyDyUserWarning
+from pydy.viz import (
+    Arrow,
+    Box,
+    Capsule,
+    Cone,
+    Cylinder,
+    Line,
+    Mesh,
+    Octahedron,
+    Plane,
+    Sphere,
+    Torus,
+    Trace,
+)
 from pydy.viz.surfaces import arrow, rods, surface
 
 N = ReferenceFrame("N")
@@ -24,9 +39,28 @@ def test_a_length_that_is_no_positive_number_is_refused(bad):
         Sphere(bad)
 
 
-def test_shapes_are_frozen():
-    with pytest.raises(dataclasses.FrozenInstanceError):
-        Sphere(1).radius = 2
+def test_a_shape_can_be_changed_and_is_checked_again():
+    ball, ring = Sphere(1), Torus(1, 0.1)
+    ball.radius, ball.color, ball.name = 2, "navy", "ball"
+    ring.tube_radius = 0.2
+    assert ball == Sphere(2.0, colour="navy", name="ball")
+    assert (ball.color, ring.tube, ring.tube_radius) == ("#000080", 0.2, 0.2)
+    with pytest.raises(ValueError, match="`radius` of Sphere must be a positive number"):
+        ball.radius = -1
+    with pytest.raises(AttributeError, match=r"Sphere has no attribute `radios`\. Did you mean"):
+        ball.radios = 1
+    with pytest.warns(PyDyUserWarning, match="`material` of Sphere is ignored"):
+        ball.material = "metal"
+    mesh = Mesh(([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]))
+    mesh.source = ([[0, 0, 0], [2, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    assert mesh.vertices.max() == 2.0
+    for copied in (copy.deepcopy(ball), pickle.loads(pickle.dumps(ball))):
+        assert copied == ball
+
+
+def test_scripts_may_leave_out_sizes():
+    assert Sphere().radius == Octahedron().radius == 10.0
+    assert (Plane().length, Plane().width) == (10.0, 5.0)
 
 
 def test_lengths_may_be_expressions_of_constants():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -33,12 +34,19 @@ from pydy.viz.live import live_page
 from pydy.viz.motion import Model, checked_samples, motion_of_arrays, motion_of_trajectory, sampled
 from pydy.viz.page import Look, embedded, opened, page
 from pydy.viz.retired import no_attribute
-from pydy.viz.views import PerspectiveCamera, animate_states, animate_system, direction_of
+from pydy.viz.views import (
+    PerspectiveCamera,
+    animate_states,
+    animate_system,
+    direction_of,
+    show_inline,
+)
 from pydy.viz.visuals import Visual
 
 __all__ = ["Scene"]
 
 _ARGUMENTS = ("up", "ground", "follow", "view", "series", "title", "units", "system", "cameras")
+_MOTION = ("states_symbols", "states_trajectories", "constants", "times", "frames_per_second")
 _IGNORED = ("lights", "width", "height", "name", "fov")
 
 
@@ -82,7 +90,8 @@ class Scene:
     Notes
     -----
     Instead of calling `animate`, you can set the attributes `states_symbols`,
-    `states_trajectories`, `constants` and `times`; `display` then animates the scene and shows it.
+    `states_trajectories`, `constants` and `times`, or pass them as arguments; `display` then
+    animates the scene and shows it. Shapes and visuals can be changed at any time.
 
     Examples
     --------
@@ -118,11 +127,11 @@ class Scene:
         model: Model | None = None,
         system: Any = None,
         cameras: Iterable[Any] = (),
-        **ignored: Any,
+        **more: Any,
     ) -> None:
-        unknown = [name for name in ignored if name not in _IGNORED]
+        unknown = [name for name in more if name not in (*_MOTION, *_IGNORED)]
         if unknown:
-            names = (*_ARGUMENTS, *_IGNORED)
+            names = (*_ARGUMENTS, *_MOTION, *_IGNORED)
             raise TypeError(f"Scene has no argument `{unknown[0]}`. {nearest(unknown[0], names)}")
         for argument, value, kind in (
             ("reference_frame", reference_frame, ReferenceFrame),
@@ -141,6 +150,7 @@ class Scene:
         self.states_symbols: Any = None
         self._states: Any = None
         self._times: Any = None
+        self.frames_per_second = 30.0
         self.series = series_of(series)
         self._model = model
         self._look = Look(
@@ -152,7 +162,11 @@ class Scene:
             units=units_of(units),
         )
         self._animation: Animation | None = None
+        self._again: Any = None  # the last call of `animate`, and of what
         self.cameras = cameras
+        for name in _MOTION:
+            if name in more:
+                setattr(self, name, more[name])
 
     def __repr__(self) -> str:
         instants = f", {len(self._animation.times)} instants" if self._animation else ""
@@ -222,6 +236,10 @@ class Scene:
         if states is None and model is not None and not hasattr(trajectory, "state_symbols"):
             # `animate(states)` at the times of the system.
             trajectory, states = (model.times() if model.times else None), trajectory
+        again = partial(
+            self.animate, trajectory, states, symbols=symbols, constants=constants,
+            specifieds=specifieds, series=series, compare=compare, fps=fps, speed=speed,
+        )  # fmt: skip
         wanted = symbols_of(self.visuals, self.series)
         if states is None:
             motion = motion_of_trajectory(trajectory, model, constants, wanted)
@@ -255,11 +273,15 @@ class Scene:
             events=events_of(trajectory if states is None else None, motion.times),
         )
         self._motion = motion.taken(rows)
+        self._again = again, [v.version for v in self.visuals]
         return self
 
     @property
     def times(self) -> np.ndarray:
-        """Times that are shown, shape (m,). Can be set, together with `states_trajectories`."""
+        """Times that are shown, shape (m,).
+
+        Can be set, with `states_trajectories`; otherwise `frames_per_second`, 30, sets their step.
+        """
         return self._moving().times
 
     @times.setter
@@ -311,9 +333,13 @@ class Scene:
         return self._moving().poses
 
     def _moving(self) -> Animation:
+        if self._animation and self._again[1] != [v.version for v in self.visuals]:
+            self._again[0]()  # a shape or visual was changed
         if self._animation is None and self._states is not None:
-            symbols, constants = self.states_symbols, self.constants
-            self.animate(self._times, self._states, symbols=symbols, constants=constants)
+            symbols, constants, times = self.states_symbols, self.constants, self._times
+            if times is None:
+                times = np.arange(len(self._states)) / self.frames_per_second
+            self.animate(times, self._states, symbols=symbols, constants=constants)
         elif self._animation is None and self.system is not None:
             known = self.system.scene(
                 *self.visuals, reference_frame=self.reference_frame, origin=self.origin
@@ -390,25 +416,7 @@ class Scene:
         def __getattr__(self, name: str) -> Any:
             no_attribute(self, name)
 
-    def display_jupyter(
-        self, window_size: Any = None, axes_arrow_length: float | None = None
-    ) -> Self:
-        """Return the scene, animated, for a notebook to display.
-
-        Parameters
-        ----------
-        window_size : (int, int), optional
-            Accepted and ignored: the page is as wide as the notebook.
-        axes_arrow_length : float, optional
-            Length of the axes at the origin.
-        """
-        if axes_arrow_length is not None:
-            length = within(axes_arrow_length, "`axes_arrow_length`", np.finfo(float).tiny, 1e300)
-            self._look = replace(self._look, axes=length)
-        self._moving()
-        return self
-
-    display_ipython = display_jupyter
+    display_jupyter = display_ipython = show_inline
 
     def _repr_html_(self) -> str | None:
         return None if self._animation is None else embedded(self.html())

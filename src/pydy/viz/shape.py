@@ -1,4 +1,4 @@
-"""The base class of all shapes: immutable data, validated on creation."""
+"""The base class of all shapes: data that is validated on creation and at every change."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import sympy as sm
 
 from pydy._checks import choice, number, shown
 from pydy._errors import warn_user
+from pydy._names import nearest
 from pydy.viz.colours import hex_colour
 
 __all__ = ["Shape", "check_axis", "real_number"]
@@ -18,6 +19,12 @@ __all__ = ["Shape", "check_axis", "real_number"]
 
 class _Spelling(type):
     """Takes the other spellings of a shape's arguments that scripts written elsewhere use."""
+
+    def ignore_material(cls) -> None:
+        warn_user(
+            f"`material` of {cls.__name__} is ignored: all shapes have one material. Choose a "
+            "`color` and an `opacity`."
+        )
 
     if not TYPE_CHECKING:
 
@@ -31,14 +38,11 @@ class _Spelling(type):
                         )
                     options[own] = options.pop(name)
             if options.pop("material", None) is not None:
-                warn_user(
-                    f"`material` of {cls.__name__} is ignored: all shapes have one material. "
-                    "Choose a `color` and an `opacity`."
-                )
+                cls.ignore_material()
             return super().__call__(*args, **options)
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(kw_only=True, unsafe_hash=True)
 class Shape(metaclass=_Spelling):
     """Attributes common to all shapes.
 
@@ -62,6 +66,7 @@ class Shape(metaclass=_Spelling):
 
     lengths: ClassVar[tuple[str, ...]] = ()
     spellings: ClassVar[dict[str, str]] = {"color": "colour"}
+    changes: ClassVar[int] = 0
 
     def __post_init__(self) -> None:
         kind = type(self).__name__
@@ -81,6 +86,27 @@ class Shape(metaclass=_Spelling):
 
     def _set(self, attribute: str, value: Any) -> None:
         object.__setattr__(self, attribute, value)  # the shape is still in the making
+
+    if not TYPE_CHECKING:
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            own = self.spellings.get(name, name)
+            if own == "material":
+                type(self).ignore_material()
+            elif own not in (names := [f.name for f in fields(self) if f.init]):
+                raise AttributeError(
+                    f"{type(self).__name__} has no attribute `{name}`. {nearest(name, names)}"
+                )
+            elif own not in self.__dict__:
+                self._set(own, value)  # in __init__, which checks it afterwards
+            else:
+                changed = vars(replace(self, **{own: value}))
+                self.__dict__.update(changed, changes=self.changes + 1)
+
+        def __getattr__(self, name: str) -> Any:
+            if name in self.spellings:
+                return getattr(self, self.spellings[name])
+            raise AttributeError(f"{type(self).__name__} has no attribute `{name}`.")
 
     def measured(self, values: Mapping[Any, Any]) -> Self:
         """Return this shape with numbers for lengths.
@@ -154,7 +180,3 @@ def _length(value: Any, what: str) -> Any:
 def check_axis(value: Any, kind: str) -> None:
     """Refuse what is not one of the three axes."""
     choice(value, ("x", "y", "z"), f"`axis` of {kind}")
-
-
-if not TYPE_CHECKING:  # reads as it may be written
-    Shape.color = property(lambda self: self.colour, doc="The colour.")

@@ -1,4 +1,4 @@
-"""Shapes of visuals: immutable data, validated on creation.
+"""Shapes of visuals: data that is validated on creation and at every change.
 
 Lengths are numbers, or SymPy expressions of constants whose values come from the trajectory. The
 axes of a shape are those of the frame it is attached to, and its origin is the point. Shapes with
@@ -51,7 +51,7 @@ __all__ = [
 ]
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Sphere(Shape):
     """A ball centred at the point.
 
@@ -62,11 +62,11 @@ class Sphere(Shape):
     '#dc143c'
     """
 
-    radius: Any
+    radius: Any = 10.0
     lengths = ("radius",)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Box(Shape):
     """A box centred at the point, with edges along x, y and z."""
 
@@ -77,7 +77,7 @@ class Box(Shape):
     spellings = Shape.spellings | {"width": "x", "height": "y", "depth": "z"}
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Cylinder(Shape):
     """A cylinder centred at the point, along an axis.
 
@@ -100,7 +100,7 @@ class Cylinder(Shape):
         check_axis(self.axis, type(self).__name__)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Cone(Shape):
     """A cone centred at the point, with its tip in the direction of an axis."""
 
@@ -114,7 +114,7 @@ class Cone(Shape):
         check_axis(self.axis, type(self).__name__)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Capsule(Shape):
     """A cylinder with hemispherical ends; `length` is that of the cylinder alone."""
 
@@ -128,7 +128,7 @@ class Capsule(Shape):
         check_axis(self.axis, type(self).__name__)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Torus(Shape):
     """A torus around an axis; `radius` is that of its centre line, `tube` that of its tube."""
 
@@ -143,7 +143,7 @@ class Torus(Shape):
         check_axis(self.axis, type(self).__name__)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Plane(Shape):
     """A rectangle centred at the point, normal to an axis.
 
@@ -151,8 +151,8 @@ class Plane(Shape):
     the `length` along x and the `width` along z.
     """
 
-    length: Any
-    width: Any
+    length: Any = 10.0
+    width: Any = 5.0
     axis: str = "z"
     lengths = ("length", "width")
 
@@ -161,7 +161,7 @@ class Plane(Shape):
         check_axis(self.axis, type(self).__name__)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Arrow(Shape):
     """An arrow from the point along a SymPy vector, such as a force or a velocity.
 
@@ -204,7 +204,7 @@ class Arrow(Shape):
         self._set("scale", scale)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Line(Shape):
     """A line through moving points: a rope, the axis of a spring, a rod between two joints.
 
@@ -238,7 +238,7 @@ class Line(Shape):
         self._set("points", points)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Trace(Shape):
     """The path of the point.
 
@@ -256,7 +256,7 @@ class Trace(Shape):
         return self
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(eq=False)
 class Mesh(Shape):
     """A surface of triangles, from an STL or OBJ file or from arrays.
 

@@ -29,7 +29,7 @@ _AROUND = 12  # corners of a tube's section
 _GOLDEN = (1 + 5**0.5) / 2
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Cube(Shape):
     """A cube about the point, with edges along x, y and z."""
 
@@ -37,39 +37,39 @@ class Cube(Shape):
     lengths = ("length",)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Circle(Shape):
     """A disc about the point in the plane of x and y."""
 
-    radius: Any
+    radius: Any = 10.0
     lengths = ("radius",)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Tetrahedron(Shape):
     """A tetrahedron whose corners are at a distance of `radius` from the point."""
 
-    radius: Any
+    radius: Any = 10.0
     lengths = ("radius",)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Octahedron(Shape):
     """An octahedron with corners on x, y and z at a distance of `radius` from the point."""
 
-    radius: Any
+    radius: Any = 10.0
     lengths = ("radius",)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Icosahedron(Shape):
     """An icosahedron whose corners are at a distance of `radius` from the point."""
 
-    radius: Any
+    radius: Any = 10.0
     lengths = ("radius",)
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class TorusKnot(Shape):
     """A trefoil knot about the z axis: a tube of `tube` around a curve of about `radius`."""
 
@@ -79,7 +79,7 @@ class TorusKnot(Shape):
     spellings = Shape.spellings | {"tube_radius": "tube"}
 
 
-@dataclass(frozen=True)
+@dataclass(unsafe_hash=True)
 class Tube(Shape):
     """A tube through points that are fixed in the frame.
 

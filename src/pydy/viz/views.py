@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ __all__ = [
     "animate_states",
     "animate_system",
     "direction_of",
+    "show_inline",
 ]
 
 
@@ -62,9 +64,11 @@ class PerspectiveCamera:
         Accepted and ignored: the page chooses the distance, and the reader can rotate the view.
     """
 
+    fov, near, far, color = 45.0, 1.0, 1000.0, "white"
+
     def __init__(self, *args: Any, **options: Any) -> None:
         self.name, where = _named(args)
-        self.options = options
+        self.__dict__.update(options)
         points = [getattr(t, "masscenter", getattr(t, "point", t)) for t in where]
         points = [p for p in points if isinstance(p, Point)]
         if len(points) != 1:
@@ -131,6 +135,23 @@ def animate_system(scene: Any, system: Any, **ignored: Any) -> None:
     """
     scene.system, scene._states, scene._animation = system, None, None
     scene._moving()
+
+
+def show_inline(scene: Any, window_size: Any = None, axes_arrow_length: float | None = None) -> Any:
+    """Return the scene, animated, for a notebook to display.
+
+    Parameters
+    ----------
+    window_size : (int, int), optional
+        Accepted and ignored: the page is as wide as the notebook.
+    axes_arrow_length : float, optional
+        Length of the axes at the origin.
+    """
+    if axes_arrow_length is not None:
+        length = within(axes_arrow_length, "`axes_arrow_length`", np.finfo(float).tiny, 1e300)
+        scene._look = replace(scene._look, axes=length)
+    scene._moving()
+    return scene
 
 
 def direction_of(camera: Any, frame: Any, origin: Any) -> np.ndarray | None:

@@ -14,8 +14,18 @@ from pydy.viz.shapes import Line, Shape
 
 __all__ = ["Visual"]
 
+# What can be set after creation.
+_KINDS = {
+    "shape": Shape,
+    "frame": ReferenceFrame,
+    "point": Point,
+    "name": str,
+    "trail": bool,
+}
+_SPELLINGS = {"reference_frame": "frame", "origin": "point"}
 
-@dataclass(frozen=True, eq=False, init=False)
+
+@dataclass(eq=False, init=False)
 class Visual:
     """A shape that moves with a frame and a point.
 
@@ -62,11 +72,32 @@ class Visual:
             raise TypeError(f"`name` of Visual must be a string, got {name!r}.")
         values = (shape, frame, point, name, body, flag(trail, "`trail`"))
         for attribute, value in zip(self.__dataclass_fields__, values, strict=True):
-            object.__setattr__(self, attribute, value)  # it is frozen from here on
+            self.__dict__[attribute] = value
+        self.__dict__["_changes"] = 0
+
+    @property
+    def version(self) -> tuple[int, ...]:
+        """A key that changes with the visual and its shape."""
+        changes = 0 if self.shape is None else self.shape.changes
+        return self.__dict__["_changes"], id(self.shape), changes
 
     if not TYPE_CHECKING:
 
+        def __setattr__(self, name: str, value: Any) -> None:
+            own = _SPELLINGS.get(name, name)
+            if own not in _KINDS:
+                no_attribute(self, name)
+            kind = _KINDS[own]
+            if not isinstance(value, kind):
+                raise TypeError(
+                    f"`{name}` of a Visual must be a {kind.__name__}, got {_said(value)}."
+                )
+            self.__dict__[own] = value
+            self.__dict__["_changes"] += 1
+
         def __getattr__(self, name: str) -> Any:
+            if name in _SPELLINGS:
+                return getattr(self, _SPELLINGS[name])
             no_attribute(self, name)
 
     def __repr__(self) -> str:
