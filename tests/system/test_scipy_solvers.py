@@ -79,8 +79,8 @@ def test_where_it_fails_the_error_holds_what_was_computed(system):
     ("solver", "option", "meant"),
     [
         ("odeint", "rtoll", "rtol"),
-        ("odeint", "max_step", "hmax|mxstep"),
-        ("RK45", "max_steps", "max_step"),
+        ("odeint", "maxstep", "mxstep"),
+        ("RK45", "max_stepp", "max_step"),
         ("Radau", "jacob", "jac"),
         ("dop853", "firststep", "first_step"),
     ],
@@ -88,6 +88,23 @@ def test_where_it_fails_the_error_holds_what_was_computed(system):
 def test_an_unknown_option_names_the_nearest(system, solver, option, meant):
     system.ode_solver = solver
     with pytest.raises(TypeError, match=f"has no option `{option}`.* Did you mean `({meant})`"):
+        system.integrate(**{option: 1e-3})
+
+
+@pytest.mark.parametrize(
+    ("solver", "option", "meant"),
+    [
+        ("odeint", "max_step", "hmax"),
+        ("odeint", "first_step", "h0"),
+        ("odeint", "max_steps", "mxstep"),
+        ("odeint", "jac", "Dfun"),
+        ("RK45", "hmax", "max_step"),
+        ("dop853", "mxstep", "max_steps"),
+    ],
+)
+def test_the_option_of_another_solver_is_translated(system, solver, option, meant):
+    system.ode_solver = solver
+    with pytest.raises(TypeError, match=rf"has no option `{option}`.* It is called `{meant}` ther"):
         system.integrate(**{option: 1e-3})
 
 

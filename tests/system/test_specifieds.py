@@ -7,6 +7,7 @@ import sympy.physics.mechanics as me
 import zoo
 from cases import close, system_of
 from oracle import oracle
+from pydy.errors import PyDyUserWarning
 
 F, T1, T2 = me.dynamicsymbols("F T1 T2")
 VALUES = {F: 0.3, T1: -0.7, T2: 1.1}
@@ -200,6 +201,28 @@ def test_half_of_format_2_is_refused(specifieds):
 def test_a_value_that_is_not_a_number_is_named(value):
     with pytest.raises((TypeError, ValueError), match=r"F\(t\)"):
         system_of(zoo.pendulum(), specifieds={F: value})
+
+
+def test_a_function_with_the_time_first_is_told_how_it_is_called():
+    told = r"F\(t\) has the arguments \(t, x\), but it is called as g\(x, t\), with the state first"
+    for function, error in (
+        (lambda t, x: -2.0 * x[0], TypeError),
+        (lambda t, x: np.sin(t), ValueError),
+    ):
+        with pytest.warns(PyDyUserWarning, match=told):
+            system = system_of(zoo.pendulum(), specifieds={F: function})
+        with pytest.raises(error, match=told):
+            system.evaluate_ode()
+
+    def own(t, x):
+        raise OwnError("mine")
+
+    with pytest.warns(PyDyUserWarning, match=told):
+        system = system_of(zoo.pendulum(), specifieds={F: own})
+    with pytest.raises(OwnError, match="mine"):
+        system.evaluate_ode()
+    system.specifieds = {F: lambda state, time: -2.0 * state[0]}
+    assert np.isfinite(system.evaluate_ode()).all()
 
 
 class OwnError(Exception):

@@ -8,12 +8,14 @@ from inspect import signature
 from numbers import Number
 from types import FunctionType
 from typing import Any
+from weakref import WeakSet
 
 import numpy as np
 import sympy as sm
 from sympy.logic.boolalg import Boolean
 
 from pydy._checks import Places, choice, describe, listed, number, real_array, shown, vector
+from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Inputs
 from pydy._mechanics.symbols import find_symbols
@@ -282,6 +284,9 @@ class SpecifiedsPlan:
                 sampled.append((columns, value))
             elif callable(value) and not isinstance(value, (SampledInput, sm.Basic)):
                 whole = tuple(range(len(names)))
+                if _is_swapped(value, time_first) and value.__code__ not in _TOLD:
+                    _TOLD.add(value.__code__)
+                    warn_user(_swapped(value, names, time_first))
                 functions.append((columns, _Checked(value, names, time_first, whole)))
             else:
                 label = f"`{argument}['values']`" if together else f"`{argument}` for "
@@ -424,6 +429,8 @@ def evaluate_function(
     except Exception as error:
         if isinstance(error, TypeError):
             _check_arity(function, symbols, "t, x" if time_first else "x, t")
+        if isinstance(error, (TypeError, IndexError)) and _is_swapped(function, time_first):
+            raise TypeError(_swapped(function, symbols, time_first)) from error
         error.add_note(
             f"This came from the function given for the specifieds {describe(symbols)}, "
             f"called as {'g(t, x)' if time_first else 'g(x, t)'} at t = {t!r}."
@@ -439,7 +446,33 @@ def evaluate_function(
     if array.shape == (size,) or (size == 1 and array.shape == ()):
         return np.ascontiguousarray(array.reshape(size))
     shapes = "a float or the shape (1,)" if size == 1 else f"the shape ({size},)"
-    raise ValueError(f"{what} must return {shapes}, got the shape {array.shape}.")
+    hint = f" {_swapped(function, symbols, time_first)}" * _is_swapped(function, time_first)
+    raise ValueError(f"{what} must return {shapes}, got the shape {array.shape}.{hint}")
+
+
+def _argument_names(function: Callable[..., Any]) -> tuple[str, ...]:
+    """Return the names of the arguments of a function written in Python, without `self`."""
+    code = getattr(function, "__code__", None)
+    names = () if code is None else code.co_varnames[: code.co_argcount]
+    return names[1:] if hasattr(function, "__self__") else names
+
+
+_TOLD: WeakSet[Any] = WeakSet()  # code of functions whose users have been warned
+
+
+def _is_swapped(function: Callable[..., Any], time_first: bool) -> bool:
+    """Return whether the names of a function's arguments say that it takes them the other way."""
+    timelike = [name in ("t", "time") for name in _argument_names(function)[:2]]
+    return timelike == ([False, True] if time_first else [True, False])
+
+
+def _swapped(function: Callable[..., Any], symbols: Sequence[Any], time_first: bool) -> str:
+    names = ", ".join(_argument_names(function))
+    order = "g(t, x), with the time" if time_first else "g(x, t), with the state"
+    return (
+        f"The function given for the specifieds {describe(symbols)} has the arguments ({names}), "
+        f"but it is called as {order} first."
+    )
 
 
 def _check_arity(function: Callable[..., Any], symbols: Sequence[Any], arguments: str) -> None:

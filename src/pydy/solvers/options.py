@@ -129,14 +129,23 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
     return options
 
 
+# The same options of the native solvers and `solve_ivp`, and of `odeint`.
+_SAME = (
+    *(("max_step", "hmax"), ("first_step", "h0"), ("min_step", "hmin"), ("max_steps", "mxstep")),
+    *(("jac", "Dfun"), ("lband", "ml"), ("uband", "mu")),
+)
+
+
 def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
     """Raise for an option that a solver does not have, and suggest the nearest one."""
     names = sorted(names)
     unknown = [name for name in given if name not in names]
     if unknown:
+        alike = [name for pair in _SAME if unknown[0] in pair for name in pair if name in names]
+        hint = f"It is called `{alike[0]}` there." if alike else ""
         raise TypeError(
             f"`{solver}` has no option `{unknown[0]}`; its options are {', '.join(names)}. "
-            f"{nearest(unknown[0], names, or_all=False)}".rstrip()
+            f"{hint or nearest(unknown[0], names, or_all=False)}".rstrip()
         )
 
 
