@@ -1089,10 +1089,11 @@ class System:
 
         Parameters
         ----------
-        at : array_like, shape (n,) or (m, n), or dict, optional
+        at : array_like, shape (n,) or (m, n), dict or Equilibrium, optional
             States; the initial conditions by default. For several states, such as along a
             trajectory, each matrix has an additional first axis. A dictionary replaces some of the
-            initial conditions, by symbol or name.
+            initial conditions, by symbol or name. An Equilibrium also provides the constants and
+            specifieds that were found or given.
         t : float or array_like, shape (m,), optional
             As in `evaluate_ode`.
         inputs : iterable of specifieds or names, optional

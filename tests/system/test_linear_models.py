@@ -270,3 +270,44 @@ def test_python_functions_of_micrometres_are_differentiated(gap):
     system.specifieds = {force: lambda x, t: volts / (gap - x[0]) ** 2}
     model = system.linearize({"x0": 0.2 * gap})
     assert model.A[1, 0] == pytest.approx(-1.0 + 0.2 / 0.8**3, rel=1e-8)
+
+
+def test_an_equilibrium_brings_its_constants_and_specifieds():
+    system = multi_mass_spring_damper(2, apply_gravity=True, apply_external_forces=True)
+    given = {"x0": 0.5, "x1": 2.0, "g": 9.81, "m1": 4.0}
+    found = system.find_equilibrium(["f0", "k1"], given=given)
+    model = system.linearize(found)
+    # By hand: k1 x1 = m1 g, and the rate of the second spring's stretch is v1 alone.
+    stiff = 4.0 * 9.81 / 2.0
+    assert found["k1"] == pytest.approx(stiff, rel=1e-12)
+    np.testing.assert_allclose(model.rates, 0.0, atol=1e-12)
+    # Masses 1 and 4: v0' = -k0 x0 + k1 x1 and v0' + v1' = -k1 x1 / 4, damping 1.
+    expected = [[-1.0, stiff, -1.0, 1.0], [1.0, -stiff * 1.25, 1.0, -1.25]]
+    np.testing.assert_allclose(model.A[2:], expected, atol=1e-12)
+    with pytest.raises(AssertionError):
+        np.testing.assert_allclose(system.linearize(found.state).A[2:], expected, atol=1e-12)
+
+
+def test_a_linear_model_and_an_equilibrium_print_what_a_person_reads():
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    assert repr(system.linearize()) == (
+        "LinearModel with states: x0, v0; inputs: f0; outputs: x0, v0; "
+        "eigenvalues (1/s): -0.5 +- 0.866j"
+    )
+    states = np.zeros((3, 2))
+    assert repr(system.linearize(states, np.arange(3.0))).endswith("outputs: x0, v0; 3 models")
+    assert repr(system.find_equilibrium()).startswith("Equilibrium at x0 = 0, v0 = 0; largest")
+    long = multi_mass_spring_damper(20).linearize()
+    assert "and 28 more; inputs: none" in repr(long)
+
+
+def test_poles_are_plotted():
+    plt = pytest.importorskip("matplotlib.pyplot")
+    model = multi_mass_spring_damper().linearize()
+    axes = model.plot_poles()
+    drawn = axes.collections[0].get_offsets()
+    np.testing.assert_allclose(drawn, [[-0.5, 0.75**0.5], [-0.5, -(0.75**0.5)]], atol=1e-14)
+    system = multi_mass_spring_damper()
+    several = system.linearize(np.zeros((3, 2)), np.arange(3.0))
+    assert len(several.plot_poles(axes).collections[1].get_offsets()) == 6
+    plt.close("all")

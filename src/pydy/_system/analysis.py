@@ -21,6 +21,7 @@ from pydy._system.evaluation import samples
 from pydy._system.snapshot import Snapshot
 from pydy._system.start import surely_held, violations
 from pydy._system.tuning import BESIDE, TRIED
+from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
 
@@ -142,18 +143,23 @@ def linearize(
     """Return what `System.linearize` describes."""
     definition = now.definition
     width = len(definition.states)
+    plan, p = now.plan, now.p
+    if isinstance(at, Equilibrium):
+        found = {**at.given, **at.constants, **at.specifieds}
+        kinds = ("specifieds", "constants")
+        r, c = ({s: found[s] for s in getattr(definition, k) if s in found} for k in kinds)
+        plan, p, at = now.plan_with(r or None), now.p_with(c), at.state
     x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, width)
     places = definition.places
     names = unique_names(definition.states)
-    plan = now.plan
     made = driven(now.model, definition, plan, perturbed=True)
     rows = plan.rows(x, t)
-    point = Point(definition, made, plan, t, x, rows, now.p)
+    point = Point(definition, made, plan, t, x, rows, p)
     value, slopes, blocks = point.value, point.slopes, point.blocks
     n, s = len(definition.states), len(definition.specifieds)
     T, free = point.tangents()
     if blocks:
-        _warn_of_violations(now, made, t, x, rows)
+        _warn_of_violations(definition, made, t, x, rows, p)
     A = (slopes("rates") @ T)[:, free]
     symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
     columns = [places["specifieds"].find(symbol, "inputs") for symbol in symbols]
@@ -193,15 +199,20 @@ def _which(k: int, x: np.ndarray) -> str:
 
 
 def _warn_of_violations(
-    now: Snapshot, made: CompiledModel, t: np.ndarray, x: np.ndarray, rows: np.ndarray
+    definition: Definition,
+    made: CompiledModel,
+    t: np.ndarray,
+    x: np.ndarray,
+    rows: np.ndarray,
+    p: np.ndarray,
 ) -> None:
     """Warn of the first state that is off the constraints, of those that are tried."""
     tried = np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int))
     some = rows[tried] if len(rows) > 1 else rows
-    held = surely_held(now.definition, made, t[tried], x[tried], some, now.p)
+    held = surely_held(definition, made, t[tried], x[tried], some, p)
     for k in tried[~held]:
         row = rows[k if len(rows) > 1 else 0]
-        told = violations(now.definition, made, float(t[k]), x[k], row, now.p)
+        told = violations(definition, made, float(t[k]), x[k], row, p)
         if told:
             warn_user(
                 f"The linear model is one of motions that keep the constraints, but "

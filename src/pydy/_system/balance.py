@@ -155,10 +155,13 @@ class Balance:
             raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
         self.x, self.p = now.x.copy(), now.p.copy()
         inputs: dict[Any, float] = {}
+        self.given: dict[Any, float] = {}
         given = check_mapping("given", given)
         for key, entry in given.items():
             kind, place = located(definition, key, "given")
             amount = number(entry, f"`given[{key}]`", finite=True)
+            if kind != "states":
+                self.given[getattr(definition, kind)[place]] = amount
             if kind == "specifieds":
                 inputs[definition.specifieds[place]] = amount
             else:
@@ -259,6 +262,7 @@ class Balance:
             state=x,
             residual=largest,
             free=free,
+            given={s: value for s, value in self.given.items() if s not in values},
         )
 
 

@@ -81,3 +81,5 @@ class AdjointGradient:
         shown = [f"{n} {v:.6g}" for n, v in zip(self.names[:12], self.values, strict=False)]
         more = f", and {len(self.values) - 12} more" if len(self.values) > 12 else ""
         return f"Gradient of {self.value:.10g} by {', '.join(shown)}{more}"
+
+    __repr__ = __str__

@@ -100,6 +100,8 @@ class EquilibriumBranch:
             f"{self.values[-1]:.6g}: {found}"
         )
 
+    __repr__ = __str__
+
     def __getitem__(self, unknown: Any) -> np.ndarray:
         """Return an unknown along the branch, by symbol or name."""
         column: np.ndarray = self.solutions[:, place_of(unknown, self.unknowns, "unknowns")]

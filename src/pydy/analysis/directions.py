@@ -24,7 +24,7 @@ def direction_text(direction: np.ndarray, names: Sequence[str], least: float) ->
     Examples
     --------
     >>> direction_text(np.array([0.5, 0.0, -0.25]), "abc", 1e-6)
-    'a + -0.5 c'
+    'a - 0.5 c'
     """
     shares = direction / direction[np.abs(direction).argmax()]
     parts = [
@@ -32,4 +32,4 @@ def direction_text(direction: np.ndarray, names: Sequence[str], least: float) ->
         for name, share in zip(names, shares, strict=True)
         if abs(share) > least
     ]
-    return " + ".join(parts)
+    return " + ".join(parts).replace("+ -", "- ")

@@ -48,6 +48,8 @@ class Equilibrium:
     free : tuple of str
         Directions in which the unknowns can change without leaving the equilibrium, to first order;
         empty if it is isolated.
+    given : dict
+        The constants and specifieds that were given for the search.
     """
 
     values: dict[Any, float]
@@ -57,6 +59,7 @@ class Equilibrium:
     state: np.ndarray
     residual: float
     free: tuple[str, ...] = field(default=())
+    given: dict[Any, float] = field(default_factory=dict)
 
     def __getitem__(self, unknown: Any) -> float:
         """Return the value of an unknown, by symbol or name."""
@@ -69,6 +72,8 @@ class Equilibrium:
         shown = ", ".join(f"{name} = {value:.10g}" for name, value in parts)
         text = f"Equilibrium at {shown}; largest residual {self.residual:.2g}"
         return text + (f"; free: {'; '.join(self.free)}" if self.free else "")
+
+    __repr__ = __str__
 
 
 def solve_equilibrium(

@@ -155,6 +155,8 @@ class FitResult:
         more = f"; undetermined: {'; '.join(self.undetermined)}" if self.undetermined else ""
         return f"Fit of {', '.join(rows)}; residuals {self.noise:.4g}{more}"
 
+    __repr__ = __str__
+
 
 def estimate(
     evaluate: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],

@@ -19,7 +19,7 @@ import scipy
 
 from pydy._checks import choice, real_array
 from pydy._optional import require
-from pydy.analysis.pictures import plot_bode
+from pydy.analysis.pictures import plot_bode, plot_poles
 from pydy.analysis.tuning import FREE, SLOW
 
 __all__ = ["LinearModel", "independent_places", "tangents"]
@@ -67,6 +67,36 @@ class LinearModel:
         values = np.linalg.eigvals(self.A).astype(complex)
         order = np.lexsort((-values.imag, -values.real), axis=-1)
         return np.take_along_axis(values, order, axis=-1)
+
+    def __repr__(self) -> str:
+        """Return names and eigenvalues; A, B, C and D are attributes."""
+        kinds = (("states", self.states), ("inputs", self.inputs), ("outputs", self.outputs))
+        names = (f"{kind}: {_listed(own) or 'none'}" for kind, own in kinds)
+        if self.A.ndim == 3:
+            values = f"{len(self.A)} models"
+        else:
+            poles = [
+                f"{v.real:.4g}" + (f" +- {v.imag:.4g}j" if v.imag else "")
+                for v in self.eigenvalues
+                if v.imag >= 0.0
+            ]
+            values = f"eigenvalues (1/s): {_listed(poles)}"
+        return f"LinearModel with {'; '.join((*names, values))}"
+
+    def plot_poles(self, axes: Any = None) -> Any:
+        """Plot the eigenvalues in the complex plane.
+
+        Those of several models are coloured from the first to the last.
+
+        Parameters
+        ----------
+        axes : matplotlib Axes, optional
+
+        Returns
+        -------
+        matplotlib Axes
+        """
+        return plot_poles(self.eigenvalues, axes)
 
     def to_state_space(self) -> Any:
         """Return the model as a `scipy.signal.StateSpace`."""
@@ -135,6 +165,11 @@ class LinearModel:
                 "state in `at`. Linearize at one state."
             )
         return self.A, self.B, self.C, self.D
+
+
+def _listed(parts: Sequence[str], most: int = 12) -> str:
+    more = f" and {len(parts) - most} more" if len(parts) > most else ""
+    return ", ".join(parts[:most]) + more
 
 
 def independent_places(

@@ -84,6 +84,8 @@ class PeriodicOrbit:
             f"largest multiplier {largest:.6g}; residual {self.residual:.2g}"
         )
 
+    __repr__ = __str__
+
 
 @dataclass(frozen=True, eq=False)
 class Flight:

@@ -14,6 +14,7 @@ __all__ = [
     "plot_bode",
     "plot_branch",
     "plot_eigenvalues",
+    "plot_poles",
     "plot_residuals",
     "plot_root_locus",
 ]
@@ -61,6 +62,21 @@ def plot_root_locus(
     ax.set_xlabel("real part (1/s)")
     ax.set_ylabel("imaginary part (1/s)")
     ax.figure.colorbar(points, ax=ax, label=_titled(parameter, unit))
+    return ax
+
+
+def plot_poles(eigenvalues: np.ndarray, ax: Any) -> Any:
+    """Draw the eigenvalues of one linear model, or of several in turn, in the complex plane."""
+    ax = axes_of(ax)
+    ax.axvline(0.0, color="0.7", linewidth=0.8)
+    ax.axhline(0.0, color="0.7", linewidth=0.8)
+    colours: dict[str, Any] = {"color": "C0"}
+    if eigenvalues.ndim == 2:
+        turn = np.arange(len(eigenvalues))[:, None]
+        colours = {"c": np.broadcast_to(turn, eigenvalues.shape)}
+    ax.scatter(eigenvalues.real, eigenvalues.imag, marker="x", **colours)
+    ax.set_xlabel("real part (1/s)")
+    ax.set_ylabel("imaginary part (1/s)")
     return ax
 
 

@@ -75,6 +75,8 @@ class EigenvalueSweep:
             f"{self.parameter}, {self.values[0]:g} to {self.values[-1]:g}"
         )
 
+    __repr__ = __str__
+
     @property
     def stable(self) -> np.ndarray:
         """Whether no real part is positive, shape (m,); rounding errors of zero are ignored."""
