@@ -24,6 +24,12 @@ def packages(extra):
     return found
 
 
+def test_all_is_what_users_need_and_no_tool_of_contributors():
+    features = {"control", "cython", "ensemble", "labels", "plot"}
+    assert packages("all") == set().union(*map(packages, features))
+    assert not packages("all") & {"ruff", "mypy", "pytest", "sphinx", "furo", "numba", "playwright"}
+
+
 @pytest.mark.parametrize("extra", ["plot", "labels", "ensemble"])
 def test_the_docs_have_what_the_gallery_shows(extra):
     assert packages(extra) <= packages("docs")
