@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import tempfile
 from pathlib import Path
 
@@ -11,6 +12,27 @@ import pytest
 _FOLDER = tempfile.TemporaryDirectory(prefix="pydy-tests-", ignore_cleanup_errors=True)
 os.environ["PYDY_CACHE_DIR"] = _FOLDER.name
 os.environ.setdefault("MPLBACKEND", "Agg")  # pictures are drawn, not shown
+
+
+def _raise_on_old_names():
+    """Have attributes that SymPy 1.15 deprecates raise, unless an older SymPy itself reads them."""
+    from sympy.physics.mechanics import KanesMethod, LagrangesMethod
+
+    def refusing(own):
+        def read(self):
+            if sys._getframe(1).f_globals["__name__"].startswith("sympy."):
+                return own.fget(self)
+            raise DeprecationWarning(f"`{own.fget.__name__}` is deprecated since SymPy 1.15")
+
+        return property(read)
+
+    for method in (KanesMethod, LagrangesMethod):
+        for name in ("forcelist", "bodylist"):
+            if name in vars(method):
+                setattr(method, name, refusing(vars(method)[name]))
+
+
+_raise_on_old_names()
 
 ROOT = Path(__file__).parents[1]
 

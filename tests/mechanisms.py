@@ -22,7 +22,7 @@ def derived(model):
     kane = model.kane
     if kane._fr is None:
         loads = []
-        for load in kane.forcelist or ():  # SymPy takes no actuators here
+        for load in kane.loads or ():  # SymPy takes no actuators here
             loads += load.to_loads() if hasattr(load, "to_loads") else [load]
         with warnings.catch_warnings():  # SymPy warns of points that hang on several others
             warnings.simplefilter("ignore", UserWarning)

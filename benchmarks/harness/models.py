@@ -33,7 +33,7 @@ def bicycle() -> Model:
     """Return the Carvallo–Whipple bicycle of the project's own examples."""
     module = module_at(BICYCLE)
     model = module.derive()
-    model.kane.kanes_equations(model.bodies, model.kane.forcelist)  # which others need
+    model.kane.kanes_equations(model.bodies, model.kane.loads)  # which others need
     return from_kane(
         "bicycle",
         model.kane,

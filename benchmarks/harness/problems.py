@@ -39,7 +39,7 @@ def _pendulum(n: int) -> Problem:
 def _bicycle() -> Problem:
     module = module_at(BICYCLE)
     model = module.derive()
-    model.kane.kanes_equations(model.bodies, model.kane.forcelist)  # which others need
+    model.kane.kanes_equations(model.bodies, model.kane.loads)  # which others need
     initial = module.equilibrium(model, 5.0)
     initial[model["u_phi"]] = 0.5  # rolling upright at 5 m/s, and pushed
     return Problem(model.kane, module.benchmark_parameters(model), initial)

@@ -46,7 +46,7 @@ def unbound(model):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)
         free.kanes_equations(
-            kane.bodies, [load for load in kane.forcelist or () if load[1] != 0] or None
+            kane.bodies, [load for load in kane.loads or () if load[1] != 0] or None
         )
     return free, still
 
@@ -111,8 +111,8 @@ def branch():
     hinge = above.masscenter.locatenew(
         "H", sm.Symbol("l1") / 2 * above.frame.x - sm.Symbol("l1") / 7 * above.frame.z
     )
-    loads = [*model.kane.forcelist[2:5]]
-    loads += [load for load in model.kane.forcelist[5].to_loads() if load.point.name == "E4"]
+    loads = [*model.kane.loads[2:5]]
+    loads += [load for load in model.kane.loads[5].to_loads() if load.point.name == "E4"]
     return model, bodies, hinge, loads
 
 
@@ -121,13 +121,13 @@ def plate():
     second = model.kane.bodies[1]
     c, d = sm.symbols("c d")
     hinge = second.masscenter.locatenew("H2", -d * second.frame.y - c * second.frame.z)
-    return model, [second], hinge, model.kane.forcelist[1:]
+    return model, [second], hinge, model.kane.loads[1:]
 
 
 def cart():
     model = zoo.free_pendulum()
     bodies = model.kane.bodies
-    return model, bodies[2:], bodies[1].masscenter, model.kane.forcelist[2:]
+    return model, bodies[2:], bodies[1].masscenter, model.kane.loads[2:]
 
 
 @pytest.mark.parametrize("cut", [branch, plate, cart])

@@ -120,7 +120,7 @@ def test_the_same_motion_as_with_kanes_equations():
     x, angle = lagrange.coordinates
     v, w = me.dynamicsymbols("v omega")
     ground = method.inertial
-    (cart, push), (rod, friction), (bob, tip) = method.forcelist
+    (cart, push), (rod, friction), (bob, tip) = method.loads
     m, M, g, k = sm.symbols("m M g k")
     rates = {x.diff(T): v, angle.diff(T): w}
 

@@ -67,7 +67,7 @@ def equations():
         kane._inertial, kane.q, kane.u,
         kd_eqs=[e.diff(T) - s for e, s in zip(kane.q, kane.u, strict=True)],
     )  # fmt: skip
-    free.kanes_equations(kane.bodies, kane.forcelist)
+    free.kanes_equations(kane.bodies, kane.loads)
     known = {e.diff(T): s for e, s in zip(kane.q, kane.u, strict=True)}
     k = sm.Matrix(rates).jacobian(kane.u)
     b = sm.Matrix(

@@ -17,7 +17,7 @@ GENERATORS = ["llvm", "lambdify"]
 def bicycle():
     """The bicycle of the examples as a model of the zoo."""
     made = whipple_bicycle.derive()
-    made.kane.kanes_equations(made.bodies, made.kane.forcelist)  # for the oracle
+    made.kane.kanes_equations(made.bodies, made.kane.loads)  # for the oracle
     return zoo.Model(
         made.kane,
         whipple_bicycle.benchmark_parameters(made),
@@ -77,7 +77,7 @@ def test_the_forces_under_the_wheels_need_no_auxiliary_speeds(lean):
     rolling = {s.name: s for s in model.states}
     system.initial_conditions |= {rolling["phi"]: lean, rolling["delta"]: lean / 2}
     system.set_dependent_initial_conditions(use_jac=True)
-    points = {load[0].name: load[0] for load in model.kane.forcelist}
+    points = {load[0].name: load[0] for load in model.kane.loads}
     system.outputs = system.reaction(model.kane.bodies, points["P"]).outputs("ground")
     values = dict(zip(map(str, system.outputs_symbols), system.evaluate_outputs(), strict=True))
     close(-values["ground_Fz"], values["N_r(t)"] + values["N_f(t)"], 1e-12)

@@ -186,7 +186,7 @@ def test_a_load_at_a_hinge_counts_when_the_hinge_is_listed():
         list(model.kane.u),
         kd_eqs=[a.diff(T) - b for a, b in zip(model.kane.q, model.kane.u, strict=True)],
         bodies=[first, second],
-        forcelist=[*model.kane.forcelist, load],
+        forcelist=[*model.kane.loads, load],
     )
     system = System(kane)
     outside, inside = (system.reaction(b, hinge) for b in (second, [second, hinge]))

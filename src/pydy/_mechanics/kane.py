@@ -35,8 +35,8 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
             acceleration = tuple(kane._k_dnh * kane._udot + kane._f_dnh)
     return Multibody(
         frame=kane._inertial,
-        bodies=check_bodies(kane._bodylist or ()),
-        loads=read_loads(kane._forcelist or ()),
+        bodies=check_bodies(kane.bodies or ()),
+        loads=read_loads(kane.loads or ()),
         time=dynamicsymbols._t,
         coordinates=tuple(kane.q),
         speeds=tuple(kane.u),
@@ -74,7 +74,7 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
             "`kanes_equations(bodies, loads)` before it is handed to System."
         )
     formed = source == "graph" or not called
-    if formed and not kane._bodylist:
+    if formed and not kane.bodies:
         raise ValueError(
             "`eom_method` holds no equations of motion yet, and no bodies to form them from: "
             "construct it with `bodies=` and `forcelist=`, or call its `kanes_equations(bodies, "

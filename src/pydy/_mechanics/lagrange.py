@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymbols
 
@@ -35,17 +36,18 @@ def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) ->
         There are loads without a frame, constraints that contradict each other, or no equations
         where the method's own are asked for.
     """
-    if method.forcelist and method.inertial is None:
+    if method.loads and method.inertial is None:
         raise ValueError(
             "`eom_method` has a `forcelist` but no `frame`: give LagrangesMethod the inertial "
             "frame in which velocities are taken."
         )
     coordinates, rates = tuple(method.q), tuple(method._qdots)
-    holonomic, velocity = tuple(method._hol_coneqs), tuple(method.coneqs)
+    holonomic = tuple(_named(method, "holonomic_constraints", "_hol_coneqs"))
+    velocity = tuple(_named(method, "velocity_constraints", "coneqs"))
     body = Multibody(
         frame=method.inertial or ReferenceFrame("inertial"),
         bodies=(),
-        loads=read_loads(method.forcelist or ()),
+        loads=read_loads(method.loads or ()),
         time=dynamicsymbols._t,
         coordinates=coordinates,
         speeds=rates,
@@ -70,6 +72,11 @@ def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) ->
         body = constrained(body, holonomic, velocity)
     base = replace(kinematics_of(body), mechanism=_mechanism(method, body))
     return classify(replace(base, formed=form_lagrangian(body)))
+
+
+def _named(method: LagrangesMethod, name: str, before: str) -> Any:
+    """Return an attribute by its name since SymPy 1.15, or by the one that it had before."""
+    return getattr(method, name if hasattr(method, name) else before)
 
 
 def _mechanism(method: LagrangesMethod, body: Multibody) -> Mechanism | None:
