@@ -59,3 +59,16 @@ def hostile():
     system = System(kane, constants={m: 2.0, k: 3.0}, initial_conditions={q: 1.0}, times=TIMES)
     system.ode_solver = "dop853"
     return system
+
+
+def spring_of(*names):
+    """A mass on springs, whose stiffnesses k, 2 k, … have the given names; x = 1 at the start."""
+    x, v = me.dynamicsymbols("x v")
+    N, O, P = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    O.set_vel(N, 0)
+    P.set_pos(O, x * N.x)
+    P.set_vel(N, v * N.x)
+    stiffness = sum(sm.Symbol(name) * (k + 1) for k, name in enumerate(names))
+    kane = me.KanesMethod(N, [x], [v], kd_eqs=[v - x.diff()])
+    kane.kanes_equations([me.Particle("mass", P, 1)], [(P, -stiffness * x * N.x)])
+    return System(kane, initial_conditions={x: 1.0}, times=TIMES)

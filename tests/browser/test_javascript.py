@@ -1,9 +1,11 @@
 """The exported module, run by Chromium: values and trajectories are those of the System."""
 
+import json
+
 import numpy as np
 import pytest
 
-from exported_models import TIMES, ball, pendulum
+from exported_models import TIMES, ball, pendulum, spring_of
 from pydy.examples import whipple_bicycle
 from pydy.system import System
 
@@ -83,3 +85,41 @@ def test_an_unknown_name_is_answered_with_those_there_are(tmp_path, loaded):
     page = loaded(pendulum().export(tmp_path / "pendulum.js").path)
     with pytest.raises(Exception, match="constants: no l9; there are g, l0"):
         page.evaluate("model.bind({ l9: 1 })")
+
+
+NAMES = (
+    "length",
+    "name",
+    "constructor",
+    "__proto__",
+    "toString",
+    "then",
+    "valueOf",
+    "0",
+    "θ",
+    "theta",
+)
+
+
+def test_constants_may_be_called_like_anything_that_objects_have(tmp_path, loaded):
+    page = loaded(spring_of(*NAMES).export(tmp_path / "spring.js").path)
+    values = {name: 0.5 + k for k, name in enumerate(NAMES)}
+    call = """(values) => {
+        const constants = JSON.parse(values); // which makes __proto__ a name like any other
+        const { states, status } = model.simulate({ times: [0, 0.25], constants });
+        return [status, ...states[1]];
+    }"""
+    status, x, _ = page.evaluate(call, json.dumps(values))
+    assert status == "finished"
+    stiffness = sum((k + 1) * value for k, value in enumerate(values.values()))
+    assert x == pytest.approx(np.cos(np.sqrt(stiffness) * 0.25), abs=1e-7)
+    again = "([k]) => model.simulate({ times: [0, 0.25], constants: k }).states[1][0]"
+    every = page.evaluate("() => model.constants.map((one) => one.name)")
+    assert page.evaluate(again, [[values[name] for name in every]]) == x
+
+
+def test_a_constant_that_is_no_number_is_named(tmp_path, loaded):
+    page = loaded(spring_of("length").export(tmp_path / "spring.js").path)
+    said = "(k) => { try { model.bind(k); } catch (error) { return error.message; } }"
+    assert page.evaluate(said, {"length": "2"}) == "constants: length must be a number, got 2"
+    assert "constants: no lenght; there are length" in page.evaluate(said, {"lenght": 2})

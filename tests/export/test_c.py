@@ -3,12 +3,15 @@
 import ctypes
 import shutil
 import subprocess
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from exported_models import ball, hostile, pendulum
+from exported_models import ball, hostile, pendulum, spring_of
+from pydy.export import Variable, write
 from pydy.export.c import c_string
+from pydy.export.model import identifiers
 
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic"]
@@ -122,3 +125,59 @@ def test_events_and_their_resets_are_there(tmp_path, compiler):
 def test_a_string_keeps_every_character(tmp_path):
     text = 'q"\\?/*θ'
     assert eval(f"b{c_string(text)}").decode() == text
+
+
+HEADERS = (
+    *("assert", "complex", "ctype", "errno", "fenv", "float", "inttypes", "iso646", "limits"),
+    *("locale", "math", "setjmp", "signal", "stdalign", "stdarg", "stdbool", "stddef", "stdint"),
+    *("stdio", "stdlib", "string", "time", "uchar", "wchar", "wctype", "unistd", "termios"),
+    *("fcntl", "pthread", "sys/types", "sys/stat", "sys/socket", "sys/mman", "sys/wait"),
+    *("netinet/in", "arpa/inet", "dlfcn", "poll", "semaphore", "sched", "netdb", "regex"),
+)
+KEYWORDS = (  # noqa: SIM905 - as a text it is read more easily
+    "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t "
+    "char32_t class compl complex concept const consteval constexpr constinit const_cast continue "
+    "co_await co_return co_yield decltype default delete do double dynamic_cast else enum explicit "
+    "export extern false float for friend goto if inline int long mutable namespace new noexcept "
+    "not not_eq nullptr operator or or_eq private protected public register reinterpret_cast "
+    "requires restrict return short signed sizeof static static_assert static_cast struct switch "
+    "template this thread_local throw true try typedef typeid typename typeof typeof_unqual union "
+    "unsigned using virtual void volatile wchar_t while xor xor_eq assert errno offsetof setjmp"
+).split()
+
+
+@pytest.mark.skipif("gcc" not in COMPILERS, reason="macros are read from gcc")
+@pytest.mark.parametrize("language", ["c", "c++"])
+def test_no_constant_is_called_like_a_keyword_or_a_macro_of_any_header(tmp_path, language):
+    includes = "".join(f"#include <{name}.h>\n" for name in HEADERS)
+    if language == "c++":
+        includes = includes.replace("#include <complex.h>\n", "")
+    listing = ["gcc", "-x", language, f"-std={language.replace('c', 'gnu', 1)}17", "-dM", "-E", "-"]
+    defined = subprocess.run(listing, input=includes, capture_output=True, text=True, check=True)
+    macros = {line.split()[1] for line in defined.stdout.splitlines()}
+    macros = {name for name in macros if "(" not in name and name[0] != "_"}
+    assert {"NULL", "EOF", "linux", "unix", "M_PI", "stdin", "B50"} <= macros
+    names = sorted({*macros, *KEYWORDS, "I", "NX", "m", "K1", "length"})
+    # A System with as many constants would take minutes.
+    model = spring_of("k")._exportable(name="spring")
+    constants = tuple(map(Variable, names, identifiers(names)))
+    exported = write(replace(model, constants=constants), tmp_path / "spring.c")
+    assert set(names) - exported.names.keys() == {"m", "K1", "length"}
+    main = tmp_path / f"main.{language}"
+    main.write_text(f'{includes}#include "spring.h"\n#include "spring.c"\n')
+    std = ["-x", language, f"-std={language.replace('c', 'gnu', 1)}17"]
+    command = ["gcc", *std, "-fsyntax-only", "-Wall", "-Werror", main]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[:2000]
+
+
+@pytest.mark.parametrize("name", ['a"b\\', "x\ny", "\udcff", "π" * 100])
+def test_a_file_may_have_any_name(tmp_path, name):
+    exported = spring_of("k").export(tmp_path / f"{name}.c")
+    assert [path.name for path in exported.files] == [f"{name}.c", f"{name}.h"]
+    shutil.copy(exported.path, tmp_path / "plain.c")
+    built(COMPILERS[0], tmp_path / "plain.c", tmp_path)
+
+
+def test_surrogates_in_names_are_written_out():
+    assert eval(f"b{c_string(chr(0xD800))}") == rb"\ud800"

@@ -13,7 +13,7 @@ import pytest
 from fmpy import instantiate_fmu, read_model_description, simulate_fmu
 from fmpy.validation import validate_fmu
 
-from exported_models import TIMES, ball, hostile, pendulum
+from exported_models import TIMES, ball, hostile, pendulum, spring_of
 from pydy.errors import GeneratorError
 from pydy.export.fmu import compiler
 
@@ -240,3 +240,29 @@ def test_every_system_has_its_library_and_options(
         [library] = [name for name in archive.namelist() if name.startswith("binaries")]
         assert archive.read(library) == b"code"
     assert library.endswith(suffix)
+
+
+@pytest.mark.parametrize(
+    ("name", "fmi"),
+    [
+        *(("all", "2.0"), ("config", "3.0"), ("fmu_core", "2.0"), ("fmi2", "2.0"), ("fmi3", "3.0")),
+        *(("update", "3.0"), ("event", "2.0"), ("linux", "3.0"), ("a\x00b\x01", "2.0")),
+        *(("\ud800 surrogate", "3.0"), ("x" * 300, "2.0")),
+    ],
+)
+def test_a_model_may_have_any_name(tmp_path, name, fmi):
+    system = spring_of("NX", "SELF", "linux", "NULL", "length", "\x07", "\ud800", "k" * 300)
+    path = system.export(tmp_path / "unit.fmu", name=name, fmi=fmi).path
+    description = read_model_description(path)
+    assert len(description.coSimulation.modelIdentifier) <= 100
+    fmpy.extract(path, tmp_path / "unpacked")
+    result = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=1.0, output=["x"])
+    # All stiffnesses are 1: 1 + 2 + ... + 8 = 36.
+    assert result["x"][-1] == pytest.approx(np.cos(6.0), abs=1e-7)
+
+
+@pytest.mark.parametrize("name", ["all", "config", "fmu_core", "fmi3"])
+def test_the_file_may_be_called_like_one_of_the_sources(tmp_path, name):
+    path = spring_of("k").export(tmp_path / f"{name}.fmu").path
+    result = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=1.0, output=["x"])
+    assert result["x"][-1] == pytest.approx(np.cos(1.0), abs=1e-7)

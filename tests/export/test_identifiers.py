@@ -30,6 +30,13 @@ def test_no_identifier_is_given_twice_or_means_something_else():
     assert all(name.isidentifier() and name.isascii() for name in found)
 
 
+def test_a_name_that_is_an_identifier_keeps_it_whatever_others_are_spelled_like():
+    assert identifiers(["θ", "theta", "m", "_m", "lambda", "lambda_"]) == [
+        *("theta_2", "theta", "m", "m_2"),
+        *("lambda__2", "lambda_"),
+    ]
+
+
 def test_what_was_renamed_is_listed(tmp_path):
     system = hostile()
     exported = system.export(tmp_path / "mass.py")

@@ -2,12 +2,29 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from pydy._backends.c.source import c_functions
 from pydy.export.model import Model, Variable
 
-__all__ = ["c_comment", "c_header", "c_literal", "c_model_source", "c_string", "functions_of"]
+__all__ = [
+    "c_comment",
+    "c_header",
+    "c_literal",
+    "c_model_source",
+    "c_string",
+    "functions_of",
+    "with_c_names",
+]
+
+# What any header may define: macros are written in capitals. Those in small letters are reserved
+# in all formats; B0 and the like are in termios.h.
+_MACRO = re.compile(
+    r"(?=.*[A-Z_].*[A-Z_])[A-Z][A-Z0-9_]*(?<!_)|I|B\d+|(PRI|SCN|M_|L_|P_|[AP]F_)\w+"
+)
+
 
 _DESCRIPTIONS = {
     "rates": "the derivatives of the states",
@@ -17,6 +34,21 @@ _DESCRIPTIONS = {
     "event_rates": "the derivatives of these by time, along the motion",
     "resets": "for each event the states after it, event by event",
 }
+
+
+def with_c_names(model: Model) -> Model:
+    """Return a model whose constants are called as no macro is."""
+    taken = {v.identifier for v in model.constants}
+    constants = []
+    for v in model.constants:
+        if _MACRO.fullmatch(v.identifier):
+            name = f"{v.identifier}_"
+            while name in taken:
+                name += "_"
+            taken.add(name)
+            v = replace(v, identifier=name)
+        constants.append(v)
+    return replace(model, constants=tuple(constants))
 
 
 def functions_of(model: Model) -> tuple[str, ...]:
@@ -76,15 +108,14 @@ def _signature(name: str, what: str) -> str:
     )
 
 
-def c_model_source(model: Model, header: str) -> str:
-    """Return the source, which includes the header of that file name."""
-    return "\n".join(_source(model, header))
+def c_model_source(model: Model, head: Sequence[str]) -> str:
+    """Return the source, which repeats the header: no file's name stands in it."""
+    return "\n".join([*_header(model, head), *_source(model)])
 
 
-def _source(model: Model, header: str) -> Iterator[str]:
+def _source(model: Model) -> Iterator[str]:
     name = model.name
     programs = {f"{name}_{what}_": model.program(what) for what in functions_of(model)}
-    yield f'#include "{header}"\n'
     yield c_functions(programs, static=True)
     values = ", ".join(c_literal(v.value) for v in model.constants) or "0"
     yield f"const {name}_constants {name}_defaults = {{{values}}};"
@@ -142,7 +173,7 @@ def c_string(text: str) -> str:
     """Return a string literal of C: UTF-8, octal where it is not plain ASCII."""
     plain = "".join(
         chr(b) if (chr(b).isalnum() and b < 128) or b in b" _()+-*.,:=[]" else f"\\{b:03o}"
-        for b in text.encode("utf-8")
+        for b in text.encode(errors="backslashreplace")
     )
     return f'"{plain}"'
 

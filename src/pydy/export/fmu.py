@@ -17,6 +17,7 @@ import sysconfig
 import tempfile
 import zipfile
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import quoteattr
@@ -45,7 +46,11 @@ def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
     GeneratorError
         There is no C compiler, or it failed.
     """
-    sources = _sources(model, fmi)
+    # Names of ours, which meet none in the hand-written sources.
+    constants = [replace(v, identifier=f"p_{k}") for k, v in enumerate(model.constants)]
+    sources = _sources(replace(model, name="pydy_model", constants=tuple(constants)), fmi)
+    # Names of Windows' paths have 260 letters in all.
+    model = replace(model, name=model.name[:100])
     token = _token(sources)
     sources["config.h"] = sources["config.h"].replace("{{TOKEN}}", c_string(token))
     entries: dict[str, bytes] = {
@@ -70,22 +75,19 @@ def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
 
 
 def _sources(model: Model, fmi: str) -> dict[str, str]:
-    header = f"{model.name}.h"
-    interface = f"fmi{fmi[0]}.c"
+    interface, head = f"fmi{fmi[0]}.c", [f"{model.title}: exported by pydy {__version__}."]
     return {
-        "all.c": f'#include "{interface}"\n#include "{model.name}.c"\n',
+        "all.c": f'#include "{interface}"\n#include "model.c"\n',
         interface: resource(interface),
         "fmu_core.c": resource("fmu_core.c"),
         "fmu_solver.c": resource("fmu_solver.c"),
-        "config.h": "\n".join(_config(model, header)),
-        header: c_header(model, [f"{model.title}: exported by pydy {__version__}."]),
-        f"{model.name}.c": c_model_source(model, header),
+        "config.h": "\n".join([c_header(model, head), *_config(model)]),
+        "model.c": c_model_source(model, head),
     }
 
 
-def _config(model: Model, header: str) -> Iterator[str]:
-    yield "/* The model's sizes, and the method behind Co-Simulation. */"
-    yield f'#include "{header}"\n'
+def _config(model: Model) -> Iterator[str]:
+    yield "/* The model's sizes, and the method behind Co-Simulation. */\n"
     yield f"#define MODEL(what) {model.name}_##what"
     yield "#define TOKEN {{TOKEN}}"
     yield f"#define START_TIME {c_literal(model.start)}"
@@ -216,13 +218,18 @@ class _Names:
         self.taken: set[str] = set()
 
     def __call__(self, name: str) -> str:
-        plain = "".join(c if c.isprintable() else " " for c in name)
+        plain = _plain(name)
         chosen, number = plain, 2
         while chosen in self.taken:
             chosen = f"{plain} {number}"
             number += 1
         self.taken.add(chosen)
         return chosen
+
+
+def _plain(name: str) -> str:
+    """Return a name without the characters that XML or UTF-8 forbid."""
+    return "".join(c if c.isprintable() else " " for c in name)
 
 
 def _attributes(**values: Any) -> str:
@@ -264,7 +271,7 @@ def _description_3(model: Model, token: str) -> Iterator[str]:
         "<fmiModelDescription"
         + _attributes(
             fmiVersion="3.0",
-            modelName=model.title,
+            modelName=_plain(model.title),
             instantiationToken=token,
             generationTool=f"pydy {__version__}",
             variableNamingConvention="flat",
@@ -308,7 +315,7 @@ def _description_2(model: Model, token: str) -> Iterator[str]:
         "<fmiModelDescription"
         + _attributes(
             fmiVersion="2.0",
-            modelName=model.title,
+            modelName=_plain(model.title),
             guid=token,
             generationTool=f"pydy {__version__}",
             variableNamingConvention="flat",

@@ -138,7 +138,8 @@ def with_inputs(program: Program, places: Sequence[int]) -> Program:
     return replace(program, num_specifieds=len(places), args=args)
 
 
-# Words of C, C++, JavaScript and Python, and the names that generated code uses itself.
+# Words of C, C++, JavaScript and Python, macros of C's headers in small letters, and the names that
+# generated code uses itself.
 _RESERVED = {
     *keyword.kwlist,
     *("auto", "break", "case", "char", "const", "continue", "default", "do", "double", "else"),
@@ -149,6 +150,20 @@ _RESERVED = {
     *("private", "protected", "public", "super", "template", "this", "throw", "true", "try"),
     *("typeof", "undefined", "using", "var", "virtual", "await", "yield", "arguments", "eval"),
     *("NAN", "INFINITY"),
+    *("alignas", "alignof", "and_eq", "bitand", "bitor", "char8_t", "char16_t", "char32_t"),
+    *("co_await", "co_return", "co_yield", "compl", "concept", "const_cast", "consteval"),
+    *("constexpr", "constinit", "contract_assert", "decltype", "dynamic_cast", "explicit"),
+    *("mutable", "noexcept", "not_eq", "nullptr", "or_eq", "reinterpret_cast", "requires"),
+    *("static_assert", "static_cast", "thread_local", "typeid", "typename", "typeof_unqual"),
+    *("wchar_t", "xor", "xor_eq", "debugger", "implements", "instanceof", "interface", "package"),
+    *("asm", "assert", "cdecl", "complex", "d_fileno", "errno", "far", "fortran", "h_addr"),
+    *("h_errno", "i386", "imaginary", "linux", "math_errhandling", "near", "noreturn", "offsetof"),
+    *("pascal", "s6_addr", "s6_addr16", "s6_addr32", "sa_handler", "sa_sigaction", "setjmp"),
+    *("sched_priority", "si_addr", "si_addr_lsb", "si_arch", "si_band", "si_call_addr", "si_fd"),
+    *("si_int", "si_lower", "si_overrun", "si_pid", "si_pkey", "si_ptr", "si_status", "si_stime"),
+    *("si_syscall", "si_timerid", "si_uid", "si_upper", "si_utime", "si_value", "small"),
+    *("sigev_notify_attributes", "sigev_notify_function", "st_atime", "st_ctime", "st_mtime"),
+    *("stderr", "stdin", "stdout", "unix", "va_arg", "va_copy", "va_end", "va_start"),
 }
 _LETTERS = re.compile(r"(?:GREEK|LATIN) (?:SMALL|CAPITAL) LETTER (?:FINAL )?([A-Z]+)\b")
 _WORDS = {"∫": "integral ", "'": "_prime", "′": "_prime", "″": "_second", "∂": "d", "Δ": "Delta"}
@@ -157,26 +172,31 @@ _WORDS = {"∫": "integral ", "'": "_prime", "′": "_prime", "″": "_second", 
 def identifiers(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
     """Return an identifier for each name, none twice and none a word of C, JavaScript or Python.
 
+    A name that is an identifier stays as it is, whatever others are spelled like.
+
     Examples
     --------
     >>> from pydy.export.model import identifiers
     >>> identifiers(["q1", "θ_1", "∫ N_r dt", "lambda", "q-1", "q+1"])
     ['q1', 'theta_1', 'integral_N_r_dt', 'lambda_', 'q_1', 'q_1_2']
     """
-    used = set(taken)
-    result = []
-    for name in names:
-        plain = re.sub(r"_*[^A-Za-z0-9_]+_*", "_", "".join(map(_spelled, name))).strip("_") or "v"
-        plain = f"_{plain}" if plain[0].isdigit() else plain
-        plain = re.sub(r"^_+", "v_", plain)  # C keeps names that begin with an underscore
-        plain = f"{plain}_" if plain in _RESERVED else plain
-        chosen, number = plain, 2
-        while chosen in used:
-            chosen = f"{plain}_{number}"
+    names, used = list(names), set(taken)
+    result = [*map(_identifier, names)]
+    for k in sorted(range(len(names)), key=lambda k: result[k] != names[k]):
+        plain, number = result[k], 2
+        while result[k] in used:
+            result[k] = f"{plain}_{number}"
             number += 1
-        used.add(chosen)
-        result.append(chosen)
+        used.add(result[k])
     return result
+
+
+def _identifier(name: str) -> str:
+    plain = re.sub(r"_*[^A-Za-z0-9_]+_*", "_", "".join(map(_spelled, name)))
+    # C keeps names that begin with an underscore.
+    plain = plain if plain == name and plain[:1] not in ("", "_") else plain.strip("_") or "v"
+    plain = f"v_{plain}" if plain[0].isdigit() else plain
+    return f"{plain}_" if plain in _RESERVED else plain
 
 
 def _spelled(letter: str) -> str:

@@ -10,7 +10,7 @@ from pydy._checks import choice, flag
 from pydy._files import write_files
 from pydy._names import nearest
 from pydy._version import __version__
-from pydy.export.c import c_header, c_model_source
+from pydy.export.c import c_header, c_model_source, with_c_names
 from pydy.export.fmu import write_fmu
 from pydy.export.javascript import javascript_module
 from pydy.export.model import Exported, Model
@@ -55,7 +55,9 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
         The format has no such option.
     """
     check_options(path, options)
-    files = _WRITERS[path.suffix.lower()](model, path, **options)
+    kind = path.suffix.lower()
+    model = with_c_names(model) if kind == ".c" else model
+    files = _WRITERS[kind](model, path, **options)
     return Exported(path, files, model.renamed)
 
 
@@ -87,8 +89,8 @@ def _head(model: Model) -> list[str]:
 
 def _write_c(model: Model, path: Path) -> tuple[Path, ...]:
     header = path.with_suffix(".h")
-    source = c_model_source(model, header.name)
-    write_files({path: source, header: c_header(model, _head(model))})
+    head = _head(model)
+    write_files({path: c_model_source(model, head), header: c_header(model, head)})
     return path, header
 
 

@@ -15,13 +15,14 @@ const defaults = (variables) => Float64Array.from(variables, (one) => one.value)
 function ordered(given, variables, what) {
   const values = defaults(variables);
   if (given === undefined || given === null) return values;
-  if (typeof given.length === "number") {
+  if (Array.isArray(given) || ArrayBuffer.isView(given)) { // an object may have a constant `length`
     if (given.length !== values.length) throw new RangeError(`${what}: expected ${values.length} numbers, got ${given.length}`);
     return Float64Array.from(given);
   }
   for (const [key, value] of Object.entries(given)) {
     const k = variables.findIndex((one) => one.id === key || one.name === key);
     if (k < 0) throw new RangeError(`${what}: no ${key}; there are ${variables.map((one) => one.id).join(", ")}`);
+    if (typeof value !== "number") throw new TypeError(`${what}: ${key} must be a number, got ${value}`);
     values[k] = value;
   }
   return values;
