@@ -12,6 +12,7 @@ from scipy.integrate import solve_ivp
 
 import zoo
 from cases import system_of
+from pydy._dataset import write_netcdf
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from pydy.trajectory import EventRecord, Trajectory
@@ -268,6 +269,85 @@ def test_a_file_keeps_events_and_odd_names(tmp_path):
     np.testing.assert_array_equal(event.after, [-1.5, 0.0])
     with pytest.raises(ValueError, match="contains no derivatives"):
         loaded.at([0.5])
+
+
+OURS = ["time", "quantity", "parameter", "sensitivity", "total_energy", "kinetic_energy", "q'"]
+
+
+def trajectory_of(names, kind, constants=(), sensitive=True):
+    """An oscillator's motion, with as many more quantities and constants as there are names."""
+    t = np.array([0.0, 1.0])
+    names = list(names)
+    if kind == "coordinate":
+        symbols, outputs = {"coordinate": ["q", *names], "speed": ["u"]}, np.empty((2, 0))
+        states = np.arange(2.0 * (2 + len(names))).reshape(2, -1)
+    else:
+        symbols = {"coordinate": ["q"], "speed": ["u"], "output": names}
+        states, outputs = np.array([[1.0, 2.0], [3.0, 4.0]]), 10.0 + np.arange(2.0 * len(names))
+    outputs = outputs.reshape(2, -1)
+    width = states.shape[1] + outputs.shape[1]
+    trajectory = Trajectory(
+        t,
+        states,
+        symbols,
+        outputs=outputs,
+        constants={sm.Symbol(n): 7.0 + k for k, n in enumerate(constants)},
+    )
+    trajectory._derivatives = -1.0 - np.arange(float(states.size)).reshape(states.shape)
+    trajectory._energy = 100.0 + np.arange(6.0).reshape(2, 3)
+    if sensitive:
+        trajectory._take_sensitivity(["k"], 200.0 + np.arange(2.0 * width).reshape(2, width, 1))
+    return trajectory
+
+
+@pytest.mark.parametrize("sensitive", [False, True])
+@pytest.mark.parametrize(
+    ("names", "kind", "constants"),
+    [
+        (OURS, "output", ["q (constant)", "m (constant)", "m"]),
+        (OURS, "coordinate", []),
+        (["m", "m (constant)"], "output", [*OURS, "m", "q", "u"]),
+    ],
+)
+def test_names_of_ours_are_kept_apart_from_the_users(names, kind, constants, sensitive, tmp_path):
+    pytest.importorskip("xarray")
+    trajectory = trajectory_of(names, kind, constants, sensitive)
+    trajectory.save(tmp_path / "run.nc")
+    loaded = Trajectory.load(tmp_path / "run.nc")
+    assert loaded.names == trajectory.names
+    for name in trajectory.names:
+        np.testing.assert_array_equal(loaded[name], trajectory[name])
+    assert loaded.constants == {s.name: value for s, value in trajectory.constants.items()}
+    for what in ("times", "derivatives", "energy"):
+        np.testing.assert_array_equal(getattr(loaded, what), getattr(trajectory, what))
+    if sensitive:
+        for name in trajectory.names:
+            np.testing.assert_array_equal(
+                loaded.sensitivity[name, "k"], trajectory.sensitivity[name, "k"]
+            )
+
+
+def test_files_without_labels_are_read_as_they_were_written(tmp_path):
+    xarray = pytest.importorskip("xarray")
+    role = {"role": "constant", "latex": "m"}
+    dataset = xarray.Dataset(
+        {"q": ("time", [1.0, 2.0], {"role": "coordinate", "latex": "q"})},
+        {
+            "time": [0.0, 1.0],
+            "q (constant)": ((), 3.0, role),
+            "parameter": ((), 4.0, role),
+        },
+    )
+    write_netcdf(dataset, tmp_path / "old.nc", None, [])
+    loaded = Trajectory.load(tmp_path / "old.nc")
+    assert loaded.constants == {"q": 3.0, "parameter": 4.0}
+    np.testing.assert_array_equal(loaded["q"], [1.0, 2.0])
+
+
+def test_an_output_may_not_have_the_name_of_a_state():
+    system = multi_mass_spring_damper()
+    with pytest.raises(ValueError, match=r"the name `x0`, but results already have the state `x0"):
+        system.outputs = {sm.Symbol("x0"): 2 * system.coordinates[0]}
 
 
 def test_a_file_of_something_else_is_refused(tmp_path):

@@ -6,6 +6,7 @@ themselves or by name.
 
 from __future__ import annotations
 
+from collections import UserDict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from math import isfinite
@@ -19,6 +20,7 @@ import numpy as np
 from pydy._names import name_of, nearest, told_apart, written_out
 
 __all__ = [
+    "Keyed",
     "Places",
     "check_mapping",
     "choice",
@@ -93,6 +95,8 @@ def check_mapping(argument: str, value: Any) -> dict[Any, Any]:
         return {}
     if isinstance(value, dict):
         return value
+    if isinstance(value, Keyed):
+        return value.data
     if isinstance(value, Mapping):
         return dict(value)
     raise TypeError(f"`{argument}` must be a dictionary, got {type(value).__name__}.")
@@ -226,6 +230,47 @@ def file_of(value: Any, what: str) -> Path:
     return path
 
 
+class Keyed(UserDict[Any, Any]):
+    """A user's dictionary, in which a symbol and its name are one key: the one that was first.
+
+    Changes are made in the dictionary itself.
+    """
+
+    def __init__(self, data: dict[Any, Any]) -> None:
+        self.data = data
+
+    def _own(self, key: Any) -> Any:
+        """Return the key that is there already, or this one."""
+        if key in self.data:
+            return key
+        spelled = _spellings(key)
+        alike = [
+            k
+            for k in self.data
+            if (isinstance(k, str) or isinstance(key, str)) and spelled & _spellings(k)
+        ]
+        return alike[0] if len(alike) == 1 else key
+
+    def __contains__(self, key: Any) -> bool:
+        return self._own(key) in self.data
+
+    def __getitem__(self, key: Any) -> Any:
+        return self.data[self._own(key)]
+
+    def __setitem__(self, key: Any, value: Any) -> None:
+        self.data[self._own(key)] = value
+
+    def __delitem__(self, key: Any) -> None:
+        del self.data[self._own(key)]
+
+
+def _spellings(key: Any) -> set[str]:
+    """Return the names that stand for a key: ``q`` and ``q(t)`` for either of them; no Dummy's."""
+    if hasattr(key, "dummy_index"):
+        return set()
+    return {name_of(key), str(key), str(key).removesuffix("(t)")}
+
+
 class Places:
     """Where each of some symbols lies in an array; its name stands for it where no other has it.
 
@@ -276,6 +321,13 @@ class Places:
                 )
             return alike[0] if alike else None
         return place
+
+    def meaning(self, key: Any, argument: str) -> Any:
+        """Return the symbol that a key stands for, or those in a tuple; other keys as they are."""
+        if isinstance(key, (tuple, list)):
+            return tuple(self.meaning(k, argument) for k in key)
+        place = self.get(key, argument)
+        return key if place is None else self.symbols[place]
 
     def find(self, key: Any, argument: str) -> int:
         """Return the place of a symbol or name.

@@ -60,57 +60,67 @@ class Parts:
 
 
 SENSITIVITY = "sensitivity"
+_CONSTANT = " (constant)"
 
 
 def to_dataset(
     xarray: Any,
     times: np.ndarray,
-    columns: Mapping[str, tuple[str, str, np.ndarray]],
+    columns: Sequence[tuple[str, str, str, np.ndarray]],
     constants: Mapping[str, tuple[str, float]],
     sensitivity: Any = None,
 ) -> Any:
-    """Return a Dataset of columns ``name: (role, latex, values)`` along ``time``.
+    """Return a Dataset of columns (name, role, latex, values) along ``time``.
 
-    A `pydy._sensitivity.Sensitivity` becomes a variable along ``quantity`` and ``parameter`` too.
+    A `pydy._sensitivity.Sensitivity` becomes a variable along ``quantity`` and ``parameter`` too. A
+    name that is taken gets its role behind it, and keeps itself as the attribute ``label``.
     """
-    variables: dict[str, tuple[Any, ...]] = {
-        name: ("time", values, {"role": role, "latex": latex})
-        for name, (role, latex, values) in columns.items()
-    }
-    coords: dict[str, tuple[Any, ...]] = {
-        f"{name} (constant)" if name in variables or name == "time" else name: (
-            (),
-            value,
-            {"role": "constant", "latex": latex},
-        )
-        for name, (latex, value) in constants.items()
-    }
+    variables: dict[str, tuple[Any, ...]] = {}
+    coords: dict[str, tuple[Any, ...]] = {"time": ("time", times)}
     if sensitivity is not None:
         dimensions = ("time", "quantity", "parameter")
         variables[SENSITIVITY] = (dimensions, sensitivity.table(), {"role": SENSITIVITY})
         coords["quantity"] = ("quantity", list(sensitivity.quantities), {})
         coords["parameter"] = ("parameter", list(sensitivity.names), {})
-    return xarray.Dataset(variables, {"time": ("time", times), **coords})
+
+    def labelled(name: str, role: str, latex: str) -> tuple[str, dict[str, str]]:
+        free = name
+        while free in variables or free in coords:
+            free += f" ({role})"
+        attrs = {"role": role, "latex": latex}
+        plain = free == name and not name.endswith(_CONSTANT)
+        return free, attrs if plain else {**attrs, "label": name}
+
+    for name, role, latex, values in columns:
+        free, attrs = labelled(name, role, latex)
+        variables[free] = ("time", values, attrs)
+    if sensitivity is not None:
+        variables[SENSITIVITY] = variables.pop(SENSITIVITY)  # the last one
+    for name, (latex, value) in constants.items():
+        free, attrs = labelled(name, "constant", latex)
+        coords[free] = ((), value, attrs)
+    return xarray.Dataset(variables, coords)
 
 
 def from_dataset(dataset: Any) -> Parts:
-    """Return what a Dataset of `to_dataset` holds."""
+    """Return what a Dataset of `to_dataset` holds; older files have no labels."""
     parts = Parts(np.array(dataset["time"]))
     for name, variable in dataset.variables.items():
-        if name in ("time", "quantity", "parameter"):
+        if name in dataset.dims:
             continue
         role = variable.attrs["role"]
+        label = variable.attrs.get("label", name.removesuffix(_CONSTANT))
         if role == SENSITIVITY:
             names = [str(parameter) for parameter in dataset["parameter"].values]
             parts.sensitivity = (names, np.array(variable))
             continue
         if role == "constant":
-            parts.constants[name.removesuffix(" (constant)")] = float(variable)
+            parts.constants[label] = float(variable)
         else:
             if variable.shape != parts.times.shape:
                 raise ValueError(f"'{name}' has the shape {variable.shape}")
-            parts.columns.setdefault(role, {})[name] = np.array(variable)
-        parts.latex[name] = variable.attrs["latex"]
+            parts.columns.setdefault(role, {})[label] = np.array(variable)
+        parts.latex[label] = variable.attrs["latex"]
     return parts
 
 

@@ -78,7 +78,8 @@ class Sensitivity:
             start += count
         symbols = (*states, *outputs)
         self.quantities = unique_names(symbols)
-        self._places = {name: k for k, name in enumerate(self.quantities)}
+        self._places: dict[Any, int] = {str(symbol): k for k, symbol in enumerate(symbols)}
+        self._places.update((name, k) for k, name in enumerate(self.quantities))
         self._places.update((symbol, k) for k, symbol in enumerate(symbols))
         self._evaluate = evaluate
         self._outputs: np.ndarray | None = None

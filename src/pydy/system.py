@@ -7,7 +7,7 @@ ordered arrays to compiled code.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, MutableMapping
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -17,7 +17,7 @@ import sympy as sm
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import check_expressions
-from pydy._checks import check_mapping, file_of, flag, text
+from pydy._checks import Keyed, check_mapping, file_of, flag, text
 from pydy._mechanics.extract import extract, method_of
 from pydy._names import nearest
 from pydy._system.analysis import linearize, variables
@@ -483,9 +483,13 @@ class System:
     # -- the numbers ------------------------------------------------------------------------------
 
     @property
-    def constants(self) -> dict[Any, Any]:
-        """Dictionary of the constants' values that the user has set; all others are 1.0."""
-        return self._constants
+    def constants(self) -> MutableMapping[Any, Any]:
+        """Dictionary of the constants' values that the user has set; all others are 1.0.
+
+        A symbol and its name are one key: ``system.constants['m'] = 2.0`` replaces the value
+        that was set by the symbol.
+        """
+        return Keyed(self._constants)
 
     @constants.setter
     def constants(self, constants: Mapping[Any, Any] | None) -> None:
@@ -496,7 +500,7 @@ class System:
         self.__dict__["_constants"] = values  # by itself, as a short call
 
     @property
-    def specifieds(self) -> dict[Any, Any]:
+    def specifieds(self) -> MutableMapping[Any, Any]:
         """Dictionary of the specifieds' values; all others are 0.0.
 
         In the first format keys are specifieds or tuples of them, values are numbers, arrays,
@@ -516,7 +520,7 @@ class System:
 
         The order of ``'symbols'`` is the order of r in the generated function.
         """
-        return self._specifieds
+        return Keyed(self._specifieds)
 
     @specifieds.setter
     def specifieds(self, specifieds: Mapping[Any, Any] | None) -> None:
@@ -527,9 +531,13 @@ class System:
         self._specifieds, self._told = values, told
 
     @property
-    def initial_conditions(self) -> dict[Any, Any]:
-        """Dictionary of the states' values at the first time; all others are 0.0."""
-        return self._initial_conditions
+    def initial_conditions(self) -> MutableMapping[Any, Any]:
+        """Dictionary of the states' values at the first time; all others are 0.0.
+
+        A symbol and its name are one key: ``system.initial_conditions['q1'] = 2.0`` replaces the
+        value that was set by the symbol.
+        """
+        return Keyed(self._initial_conditions)
 
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
@@ -547,7 +555,7 @@ class System:
         self._times = check_times(times)
 
     @property
-    def outputs(self) -> dict[Any, Any]:
+    def outputs(self) -> MutableMapping[Any, Any]:
         """Dictionary of the expressions that are evaluated together with the equations.
 
         Keys are names (symbols or functions of time) or tuples of names; values are the same number
@@ -563,7 +571,7 @@ class System:
         user's outputs are followed by the residuals of the constraints, and by the noncontributing
         forces if there are any.
         """
-        return self._outputs
+        return Keyed(self._outputs)
 
     @outputs.setter
     def outputs(self, outputs: Mapping[Any, Any] | None) -> None:

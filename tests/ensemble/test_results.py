@@ -314,3 +314,29 @@ def test_labels_of_one_dimension_must_agree(oscillator):
     b = xr.DataArray([1.0, 2.0], dims="run", coords={"run": [1, 0]})
     with pytest.raises(ValueError, match="labels must agree"):
         oscillator.integrate_ensemble(initial_conditions={x: a, v: b})
+
+
+@pytest.mark.parametrize("name", ["status", "steps", "end_time", "time", "occurrence"])
+def test_an_output_with_a_name_of_the_result_is_refused(oscillator, name):
+    oscillator.outputs = {name: 2 * oscillator.states[0]}
+    with pytest.raises(ValueError, match=f"has a variable or dimension `{name}` of its own"):
+        oscillator.integrate_ensemble(constants={"k0": [1.0, 4.0]})
+
+
+def test_an_output_named_like_a_start_is_kept_apart(oscillator):
+    x, _ = oscillator.states
+    oscillator.outputs = {"initial_x0": 2 * x}
+    results = oscillator.integrate_ensemble(initial_conditions={x: [1.0, 3.0]})
+    np.testing.assert_array_equal(results["initial_x0 (state)"], [1.0, 3.0])
+    np.testing.assert_array_equal(results["initial_x0"], 2 * results.x0)
+
+
+def test_reductions_that_would_overwrite_each_other_are_refused(oscillator):
+    x, v = oscillator.states
+    oscillator.outputs = {"x0_max": 2 * x, "stop_times": v}
+    with pytest.raises(ValueError, match="`reduce` gives two results the name `x0_max`"):
+        oscillator.integrate_ensemble(constants={"k0": [1.0]}, reduce=["final", ("max", x)])
+    with pytest.raises(ValueError, match="`reduce` gives two results the name `stop_times`"):
+        oscillator.integrate_ensemble(
+            constants={"k0": [1.0]}, reduce=["events", "final"], events=[Event(v, name="stop")]
+        )

@@ -9,6 +9,7 @@ import sympy.physics.mechanics as me
 
 import zoo
 from cases import close
+from pydy.analysis import Trial
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
@@ -78,6 +79,62 @@ def test_a_symbol_and_its_name_together_are_refused(system, argument):
     }[argument]
     with pytest.raises(ValueError, match=f"`{argument}` gives .* more than once"):
         setattr(system, argument, {symbol: 1.0, str(symbol): 1.0})
+
+
+def test_a_symbol_and_its_name_are_one_key(system):
+    x0, v0 = system.states
+    m0 = sm.Symbol("m0")
+    (f0,) = system.specifieds_symbols
+    own = {x0: 0.5}
+    system.initial_conditions = own
+    system.initial_conditions["x0"] = 0.3
+    assert own == system.initial_conditions == {x0: 0.3}
+    assert system.initial_conditions["x0(t)"] == 0.3
+    assert "x0" in system.initial_conditions
+    assert v0 not in system.initial_conditions
+    system.constants["m0"] = 2.0
+    system.constants[m0] = 4.0
+    assert system.constants == {"m0": 4.0}
+    system.specifieds = {f0: 1.0}
+    system.specifieds["f0"] = 2.0
+    close(system.evaluate_ode(), [0.0, (2.0 - 0.3) / 4.0])
+    del system.specifieds["f0(t)"], system.constants[m0]
+    close(system.evaluate_ode(), [0.0, -0.3])
+    system.outputs = {"twice": 2 * x0}
+    system.outputs["twice"] = 4 * x0
+    close(system.evaluate_outputs(), [1.2])
+
+
+def test_symbols_of_one_name_stay_two_keys():
+    with pytest.warns(PyDyUserWarning, match="several symbols of one name"):
+        system = two_masses()
+    system.constants[M] = 2.0
+    system.constants[HEAVY] = 6.0
+    assert system.constants == {M: 2.0, HEAVY: 6.0}
+    close(system.evaluate_ode([1.0, 0.0]), [0.0, -3.0])
+    with pytest.raises(KeyError):
+        system.constants["m"]
+
+
+def test_an_output_may_be_called_like_a_residual():
+    system = System(zoo.fourbar().kane)
+    residuals = dict(system.outputs)
+    system.outputs["c0"] = system.coordinates[0]
+    assert residuals.items() <= dict(system.outputs).items()
+
+
+def test_a_fit_takes_symbols_and_names_together(system):
+    x0, v0 = system.states
+    system.ode_solver, system.times = "dop853", np.linspace(0.0, 2.0, 11)
+    samples = np.cos(np.sqrt(2.0) * system.times)
+    system.constants = {sm.Symbol("m0"): 7.0, "c0": 0.0, sm.Symbol("k0"): 1.5}
+    system.initial_conditions = {x0: 0.5, v0: 0.0}
+    known = {"initial_conditions": {"x0": 1.0}, "constants": {"m0": 1.0}}
+    trial = Trial(system.times, {"x0": samples}, noise={x0: 0.1}, **known)
+    found = system.fit([sm.Symbol("k0")], trial, bounds={"k0": (1.0, 5.0)})
+    close(found.estimates, [2.0], 1e-7)
+    with pytest.raises(ValueError, match=r"gives `x0\(t\)` more than once, by the symbol"):
+        system.fit("k0", Trial(system.times, {"x0": samples, x0: samples}))
 
 
 def test_outputs_have_names(system):

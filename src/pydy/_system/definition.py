@@ -15,6 +15,7 @@ from pydy._checks import Places, check_mapping, describe, listed
 from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
+from pydy._names import name_of
 from pydy._system.inputs import check_forces, named_outputs, output_groups, sort_out
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 
@@ -184,6 +185,13 @@ def define(
             )
         if name in results[:k]:
             raise ValueError(f"`outputs` gives `{name}` more than once.")
+    states = {name_of(s): s for s in (*equations.coordinates, *equations.speeds)}
+    for name in (n for key in outputs for n in (key if isinstance(key, tuple) else (key,))):
+        if name_of(name) in states:
+            raise ValueError(
+                f"`outputs` has the name `{name}`, but results already have the state "
+                f"`{states[name_of(name)]}` under the name {name_of(name)!r}. Choose another name."
+            )
     more_constants, more_specifieds = sort_out(
         equations, [e for group in groups for e in group.expressions], results
     )

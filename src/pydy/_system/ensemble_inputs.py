@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -23,7 +23,7 @@ from pydy.ensemble.engine import Ensemble
 from pydy.ensemble.labels import PARAMETER, QUANTITY, SENSITIVITY
 from pydy.ensemble.model import Model
 from pydy.ensemble.samples import Coordinate, Samples, block_sizes
-from pydy.ensemble.work import Work, read_reductions
+from pydy.ensemble.work import COUNTS, Work, read_reductions
 from pydy.inputs import SampledInput
 from pydy.solvers.options import Options, read_options
 from pydy.solvers.solver import SOLVERS, Solver
@@ -45,18 +45,19 @@ class _Axes:
 
     def __init__(self, product: bool, taken: Iterable[str]) -> None:
         self.product = product
-        self.taken = {*taken, "time", "occurrence"}
+        self.taken = {*taken}
+        self.reserve(("time", "occurrence", *COUNTS))
         self.dims: dict[str, int] = {}
         self.coordinates: dict[str, Coordinate] = {}
         self._from: dict[str, str] = {}
 
     def reserve(self, names: Iterable[str]) -> None:
-        """Take further names; no state or output may have them."""
+        """Take names of what the result holds beside states and outputs; none of these has one."""
         for name in names:
             if name in self.taken:
                 raise ValueError(
-                    f"`sensitivities` give the result a variable or dimension `{name}`, which is "
-                    "the name of a state or output too. Rename that."
+                    f"The result of an ensemble has a variable or dimension `{name}` of its own, "
+                    "but that is the name of a state or output too. Rename that."
                 )
             self.taken.add(name)
 
@@ -226,6 +227,7 @@ def make_ensemble(
     if sensitivities[0] is not None:
         axes.reserve((SENSITIVITY, QUANTITY, PARAMETER))
     labels = {s: f"initial_{names[s]}" for s in definition.states}
+    labels = {s: f"{v} (state)" if v in axes.taken else v for s, v in labels.items()}
     others = (*definition.constants, *definition.specifieds)
     for s, name in zip(others, unique_names(others), strict=True):
         labels[s] = f"{name} (constant)" if name in axes.taken else name
@@ -273,8 +275,14 @@ def make_ensemble(
         jacobian=assembly.jacobian_program("rates", "x") if solver.name == "radau" else None,
         sensitivities=None if wanted is None else wanted.model,
     )
-    reductions = read_reductions(reduce, model, lambda key: names.get(key, name_of(key)))
-    described = _attributes(definition, names, units)
+    known = Places(variables, "states and outputs of the system")
+
+    def name_in(key: Any) -> str:
+        symbol = known.meaning(key, "reduce")
+        return names[symbol] if symbol in names else name_of(key)
+
+    reductions = read_reductions(reduce, model, name_in)
+    described = _attributes(definition, names, name_in, units)
     work = Work(model, reductions, described)
     # Work with few samples goes to all threads; large results come in pieces.
     row = 8.0 * len(names) * (len(times) if not reductions else 8)
@@ -319,7 +327,10 @@ def _check_tolerances(options: Options, n: int) -> None:
 
 
 def _attributes(
-    definition: Definition, names: Mapping[Any, str], units: Mapping[Any, str] | None
+    definition: Definition,
+    names: Mapping[Any, str],
+    name_in: Callable[[Any], str],
+    units: Mapping[Any, str] | None,
 ) -> dict[str, dict[str, Any]]:
     """Return the attributes of variables."""
     equations = definition.equations
@@ -330,7 +341,7 @@ def _attributes(
         name: {"role": roles.get(s, "output"), "latex": latex_of(s)} for s, name in names.items()
     }
     for key, unit in check_mapping("units", units).items():
-        name = names.get(key, name_of(key))
+        name = name_in(key)
         if name not in result:
             raise ValueError(
                 f"`units` has the key `{key}`, which is neither a state nor an output: "

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from copy import copy
 from dataclasses import dataclass
 from itertools import pairwise
@@ -101,14 +100,20 @@ class _Fit:
         start = [self._start(kind, symbol) for kind, symbol in self.shared]
         self.columns: list[int] = []
         self.initial = [self._initial(d) for d in self.data]
-        parameters = {str(s) for _, s in self.shared}
+        parameters = {symbol for _, symbol in self.shared}
 
-        def others(*given: Mapping[Any, Any]) -> dict[Any, Any]:
-            merged = {str(key): (key, value) for one in given for key, value in one.items()}
-            return {key: value for name, (key, value) in merged.items() if name not in parameters}
+        def others(argument: str, d: Data) -> dict[Any, Any]:
+            places = definition.places[argument]
+            given = (getattr(system, argument), getattr(d.trial, argument))
+            merged = {
+                places.meaning(key, argument): value
+                for one in given
+                for key, value in check_mapping(f"{argument} of {d.label}", one).items()
+            }
+            return {key: value for key, value in merged.items() if key not in parameters}
 
-        self.constants = [others(system.constants, d.trial.constants) for d in self.data]
-        self.specifieds = [others(system.specifieds, d.trial.specifieds) for d in self.data]
+        self.constants = [others("constants", d) for d in self.data]
+        self.specifieds = [others("specifieds", d) for d in self.data]
         for k, d in enumerate(self.data):
             self.columns.append(len(self.names))
             for symbol in d.unknown:
@@ -129,12 +134,9 @@ class _Fit:
         self.is_gap = np.empty(0, dtype=bool)
 
     def _initial(self, d: Data) -> dict[Any, float]:
-        states = self.system._now().definition.places["states"]
-        merged = {
-            **self.system.initial_conditions,
-            **check_mapping("initial_conditions", d.trial.initial_conditions),
-        }
-        x = states.read(f"initial_conditions of {d.label}", merged, 0.0)
+        now, argument = self.system._now(), f"initial_conditions of {d.label}"
+        states = now.definition.places["states"]
+        x = now.x_with(check_mapping(argument, d.trial.initial_conditions), argument)
         return dict(zip(states.symbols, x.tolist(), strict=True))
 
     def _start(self, kind: str, symbol: Any) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -85,6 +85,11 @@ def checked_trial(
     keys, columns = [], []
     for key, samples in measured.items():
         keys.append(_key(key, label, states, outputs, expressions))
+        if keys[-1] in keys[:-1]:
+            raise ValueError(
+                f"`measured` of {label} gives `{keys[-1]}` more than once, by the symbol or by its "
+                "name. Keep one of them."
+            )
         column = real_array(samples, f"`measured[{key}]` of {label}")
         if column.shape != times.shape:
             raise ValueError(
@@ -102,7 +107,16 @@ def checked_trial(
         for s in one_or_more("unknown", trial.unknown)
     ]
     names = list(unique_names(list(measured)))
-    noise = _noise(trial.noise, list(measured), names, values.shape, label)
+    known = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
+    everything = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
+    noise = _noise(
+        trial.noise,
+        keys,
+        lambda key: known.get(key, everything.meaning(key, "noise")),
+        names,
+        values.shape,
+        label,
+    )
     return Data(trial, label, times, begin, keys, names, values, noise, unknown)
 
 
@@ -120,15 +134,19 @@ def _key(key: Any, label: str, states: Places, outputs: Places, expressions: dic
 
 
 def _noise(
-    given: Any, keys: list[Any], names: list[str], shape: tuple[int, ...], label: str
+    given: Any,
+    keys: list[Any],
+    meaning: Callable[[Any], Any],
+    names: list[str],
+    shape: tuple[int, ...],
+    label: str,
 ) -> np.ndarray:
     noise = np.ones(shape)
     if given is None:
         return noise
     entries = [given] * len(keys)
     if isinstance(given, Mapping):
-        known = {**dict(zip(names, keys, strict=True)), **dict(zip(keys, keys, strict=True))}
-        chosen = {known.get(key, key): value for key, value in given.items()}
+        chosen = {meaning(key): value for key, value in given.items()}
         missing = [n for n, key in zip(names, keys, strict=True) if key not in chosen]
         if missing or len(chosen) != len(keys):
             raise ValueError(

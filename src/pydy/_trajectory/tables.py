@@ -34,19 +34,19 @@ def dataset_of(
 ) -> Any:
     """Return the Dataset of `Trajectory.to_xarray`."""
     derivatives, energy = flag(derivatives, "`derivatives`"), flag(energy, "`energy`")
-    columns = {
-        name: (kind, trajectory.latex(name), trajectory[name])
+    columns = [
+        (name, kind, trajectory.latex(name), trajectory[name])
         for kind in KINDS
         for name in trajectory.names_of(kind)
-    }
+    ]
     if derivatives:
         for k, name in enumerate(trajectory.names_of(*STATES)):
             latex = trajectory.latex_of_rate(name)
-            columns[f"{name}'"] = ("derivative", latex, trajectory.derivatives[:, k])
+            columns.append((f"{name}'", "derivative", latex, trajectory.derivatives[:, k]))
     if energy:
         for k, name in enumerate(ENERGIES):
             latex = rf"\text{{{name.replace('_', ' ')}}}"
-            columns[name] = ("energy", latex, trajectory.energy[:, k])
+            columns.append((name, "energy", latex, trajectory.energy[:, k]))
     names = unique_names(list(trajectory.constants))
     constants = {
         name: (latex_of(s), float(v))

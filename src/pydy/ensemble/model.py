@@ -75,7 +75,7 @@ class Results:
     ----------
     states : ndarray, shape (n, m, times)
     steps, rejected, evaluations, status : ndarray of int64, shape (m,)
-    reached : ndarray, shape (m,)
+    end_time : ndarray, shape (m,)
         The time up to which each was integrated.
     events : list
         For each sample, pairs of the number of an event and its time; empty without events.
@@ -90,7 +90,7 @@ class Results:
     rejected: np.ndarray
     evaluations: np.ndarray
     status: np.ndarray
-    reached: np.ndarray
+    end_time: np.ndarray
     events: list[list[tuple[int, float]]] = field(default_factory=list)
     columns: np.ndarray | None = None
     moments: list[list[np.ndarray]] = field(default_factory=list)
@@ -303,7 +303,7 @@ def _among(found: Results, started: np.ndarray, codes: np.ndarray, t: float) -> 
         placed(found.rejected, 0),
         placed(found.evaluations, 0),
         placed(found.status, 0) + codes,
-        placed(found.reached, t),
+        placed(found.end_time, t),
         events=[next(events, []) if one else [] for one in started],
         moments=[next(moments, []) if one else [] for one in started],
     )
@@ -365,7 +365,7 @@ def _run_one_by_one(
 def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:
     results.steps[k], results.rejected[k] = info["steps"], info["rejected"]
     results.evaluations[k], results.status[k] = info["evaluations"], info["code"]
-    results.reached[k] = info["time"]
+    results.end_time[k] = info["time"]
     records = info["events"]
     results.events.append([(record.index, record.time) for record in records])
     results.moments.append([record.time_sensitivity for record in records])

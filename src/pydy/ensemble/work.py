@@ -14,8 +14,10 @@ from pydy.ensemble.model import Model, Results, evaluate_output_columns, evaluat
 from pydy.ensemble.samples import Samples
 from pydy.solvers.outcome import OUTCOMES
 
-__all__ = ["Extreme", "Reduction", "Work", "read_reductions"]
+__all__ = ["COUNTS", "Extreme", "Reduction", "Work", "read_reductions"]
 
+COUNTS = ("steps", "rejected", "evaluations", "status", "end_time")
+"""What the result tells of each sample beside its states and outputs."""
 _OCCURRENCES = 8
 
 
@@ -90,6 +92,7 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
             result.append(_EventTimes(number))
         else:
             raise ValueError(_refusal(entry))
+    _refuse_twice([(name, entry) for entry in result for name in _produced(entry, model)])
     functions = [entry for entry in result if callable(entry)]
     if functions and len(result) > 1:
         raise ValueError(
@@ -97,6 +100,27 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
             "can do what they do."
         )
     return tuple(result)
+
+
+def _produced(entry: Reduction, model: Model) -> Sequence[str]:
+    """Return the names of a reduction's results; a function's are known when it has run."""
+    if isinstance(entry, Extreme):
+        return [f"{entry.name}_{entry.kind}"]
+    if isinstance(entry, _Final):
+        return (*model.states, *model.output_names)
+    events = model.options.events if isinstance(entry, _EventTimes) else None
+    return [f"{n}_{part}" for n in (events.names if events else ()) for part in ("count", "times")]
+
+
+def _refuse_twice(produced: Sequence[tuple[str, Reduction]]) -> None:
+    """Refuse reductions of which one would overwrite the other's results."""
+    known: dict[str, Reduction] = {}
+    for name, entry in produced:
+        if known.setdefault(name, entry) != entry or name in COUNTS:
+            raise ValueError(
+                f"`reduce` gives two results the name `{name}`. Rename the output or the event "
+                "that it comes from."
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,9 +175,8 @@ class Work:
                 lambda t, x: evaluate_outputs(model, r, p, t, x, stopped),
                 lambda t, x, s: evaluate_output_columns(model, r, p, t, x, s),
             )
-        for name in ("steps", "rejected", "evaluations", "status"):
+        for name in COUNTS:
             found[name] = Variable((), getattr(results, name))
-        found["end_time"] = Variable((), results.reached)
         shape, dims = samples.shape, tuple(samples.dims)
         variables = {
             name: Variable(
@@ -316,7 +339,7 @@ class Work:
                 f"`reduce` must leave samples and times in their places: `{moved[0]}` differs in "
                 "what it returns. Rename a dimension along which it selects or sorts."
             )
-        dims, kept = tuple(samples.dims), ("steps", "rejected", "evaluations", "status", "end_time")
+        dims = tuple(samples.dims)
         found = {}
         for name, array in result.data_vars.items():
             missing = [d for d in dims if array.sizes.get(d) != samples.dims[d]]
@@ -327,7 +350,7 @@ class Work:
                 )
             array = array.transpose(*dims, ...)
             found[str(name)] = Variable(array.dims, np.asarray(array), dict(array.attrs))
-        return {**{name: variables[name] for name in kept}, **found}
+        return {**{name: variables[name] for name in COUNTS}, **found}
 
 
 def _moved(result: Any, name: Any, given: Any) -> bool:
