@@ -229,3 +229,23 @@ def test_what_keeps_its_energy_is_not_warned_of(name):
         warnings.filterwarnings("error", "`tsit5` passed close", PyDyUserWarning)
         warnings.filterwarnings("ignore", "`tsit5` passed a singular", PyDyUserWarning)
         system.simulate(constraints="project", rtol=1e-10, atol=1e-10)
+
+
+BENNETT = [{}, {"rate": 6.0}, *(shape for name, shape in SHAPES if name == "spatial_four_bar")]
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
+@pytest.mark.parametrize("shape", BENNETT)
+def test_baumgarte_holds_all_rows_of_bennetts_linkage(shape, unit):
+    # The two rows that determine the dependent speeds lose rank where the linkage is regular.
+    lengths = tuple(unit * a for a in shape.get("lengths", (1.0, 1.5)))
+    system = loop("spatial_four_bar", **{**shape, "lengths": lengths})
+    system.constants = {loops.GRAVITY: 9.81 * unit}
+    system.times = np.linspace(0.0, 3.0, 61)
+    run = system.simulate(constraints="baumgarte", gain=10.0, rtol=1e-10, atol=1e-10)
+    rows = sm.lambdify([system.coordinates], system.eom_method.holonomic_constraints)
+    places = [system.states.index(q) for q in system.coordinates]
+    left = np.array([rows(x[places]) for x in run.states]) / ([unit] * 3 + [1.0] * 2)
+    assert np.abs(left).max() < 1e-5
+    energy = system.evaluate_energy(run.states, run.times)
+    assert np.abs(energy.total - energy.total[0]).max() < 1e-5 * np.ptp(energy.kinetic)

@@ -17,45 +17,62 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._graph.lower import lower
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
+from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import generic_inputs, values_of
+from pydy._mechanics.multipliers import accelerations_of_held
 
 __all__ = ["stabilised"]
 
 _TRIALS = 3
 
 
-def stabilised(assembly: Assembly, gain: float) -> Assembly:
+def stabilised(assembly: Assembly, equations: Equations, gain: float) -> Assembly:
     """Return the system whose constraint residuals c obey c'' + 2 g c' + g² c = 0.
 
-    A nonholonomic residual v obeys v' + 2 g v = 0.
+    A nonholonomic residual v obeys v' + 2 g v = 0. Where the rows that determine the dependent
+    speeds may change as the system moves, the redundant ones are stabilised with the others.
     """
-    graph, n = assembly.graph, len(assembly.speeds)
-    count = len(assembly.velocity)
-    share = _shares(assembly)
-    forcing = list(assembly.forcing)
-    for i, node in enumerate(assembly.velocity):
-        terms = [(forcing[n - count + i], 1.0), (node, -2.0 * gain)]
-        terms += [
-            (h, -gain * gain * float(s))
-            for h, s in zip(assembly.holonomic, share[i], strict=True)
-            if s
-        ]
-        forcing[n - count + i] = graph.sum(terms)
-    rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
-    first = graph.args[assembly.speeds[0]][1]
+    graph, speeds = assembly.graph, assembly.speeds
+    n, count, body = len(speeds), len(assembly.velocity), equations.multibody
+    closed, redundant = equations.left_out
+    holonomic = [*assembly.holonomic, *assembly.read(closed, "the holonomic constraints")]
+    velocity = [*assembly.velocity, *assembly.read(redundant, "the velocity constraints")]
+    pull = [
+        graph.sum(
+            [(v, 2.0 * gain)]
+            + [(h, gain * gain * float(s)) for h, s in zip(holonomic, shares, strict=True) if s]
+        )
+        for v, shares in zip(velocity, _shares(assembly, holonomic, velocity), strict=True)
+    ]
+    first = graph.args[speeds[0]][1]
     before = assembly.rates[first : first + n]
-    after = solve_accelerations(graph, rows, forcing, "lu", assembly.passes)
-    mapping = dict(zip(before, after, strict=True))
+    cells = assembly.kinetic_hessian if body is not None and body.changing else []
+    matrix = [cells[i * n : (i + 1) * n] for i in range(n if cells else 0)]
+    forcing = list(assembly.forcing)
+    if matrix and all(matrix[k][k] != graph.zero for k in range(n)):
+        table = dense_jacobian(graph, velocity, speeds)
+        rows = [table[i * n : (i + 1) * n] for i in range(len(velocity))]
+        pulled = accelerations_of_held(graph, matrix, [graph.zero] * n, rows, pull, count)
+        after = [graph.add(a, b) for a, b in zip(before, pulled, strict=True)]
+    else:
+        rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
+        for i in range(count):
+            forcing[n - count + i] = graph.sub(forcing[n - count + i], pull[i])
+        after = solve_accelerations(graph, rows, forcing, "lu", assembly.passes)
+    pairs = zip(before, after, strict=True)
+    mapping = {old: new for old, new in pairs if not graph.constant[old]}
+    rates = substitute(graph, assembly.rates, mapping)
+    rates[first : first + n] = after
     return replace(
         assembly,
         forcing=forcing,
-        rates=substitute(graph, assembly.rates, mapping),
+        rates=rates,
         outputs=substitute(graph, assembly.outputs, mapping),
         ordinary=substitute(graph, assembly.ordinary, mapping),
     )
 
 
-def _shares(assembly: Assembly) -> np.ndarray:
+def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np.ndarray:
     """Return, for each velocity constraint, of which holonomic ones it is the rate, and how much.
 
     Raises
@@ -69,8 +86,8 @@ def _shares(assembly: Assembly) -> np.ndarray:
     first = graph.args[speeds[0]][1]
     coordinates = [graph.input("x", k) for k in range(first)]
     names = {
-        "motion": (assembly.velocity, speeds),
-        "gradient": (assembly.holonomic, coordinates),
+        "motion": (velocity, speeds),
+        "gradient": (holonomic, coordinates),
         "kinematics": (assembly.rates[:first], speeds),
     }
     blocks = []
@@ -79,26 +96,36 @@ def _shares(assembly: Assembly) -> np.ndarray:
         blocks.append((name, (len(nodes), len(by)), cells))
     blocks.append(("rows", (count, n), assembly.mass_matrix[(n - count) * n :]))
     program = lower(graph, assembly.sizes, blocks)
-    found: list[np.ndarray] = []
-    for seed in range(_TRIALS):
-        values = values_of(program, *generic_inputs(assembly.sizes, [seed]))
-        part = {name: block[0] for name, block in values.items()}
-        if not np.allclose(part["rows"], part["motion"], rtol=SAME_RATE, atol=NO_SHARE):
-            raise ValueError(
-                "`constraints='baumgarte'` needs acceleration constraints that are the rates of "
-                "the velocity constraints, in the same order and not scaled; these are not. Use "
-                "constraints='project'."
-            )
-        reach = part["gradient"] @ part["kinematics"]
-        share, *_ = np.linalg.lstsq(reach.T, part["motion"].T, rcond=SAME_RATE)
-        residual = part["motion"] - share.T @ reach
-        left, size = (np.linalg.norm(rows, axis=1) for rows in (residual, part["motion"]))
-        genuine = left > SAME_SHARE * size
-        found.append(np.where(genuine[:, None], 0.0, share.T))
-    if not all(np.allclose(found[0], other, atol=SAME_SHARE) for other in found[1:]):
+    trials = _TRIALS + len(holonomic)
+    samples = [generic_inputs(assembly.sizes, [seed]) for seed in range(trials)]
+    found = [values_of(program, *inputs) for inputs in samples]
+    parts = {name: np.array([values[name][0] for values in found]) for name in found[0]}
+    if not np.allclose(parts["rows"], parts["motion"][:, :count], rtol=SAME_RATE, atol=NO_SHARE):
         raise ValueError(
-            "`constraints='baumgarte'` needs velocity constraints that are the rates of holonomic "
-            "ones with constant factors; here the factors depend on the state. Use "
-            "constraints='project', or write the velocity constraints as `holonomic.diff(t)`."
+            "`constraints='baumgarte'` needs acceleration constraints that are the rates of "
+            "the velocity constraints, in the same order and not scaled; these are not. Use "
+            "constraints='project'."
         )
-    return np.where(np.abs(found[0]) < NO_SHARE, 0.0, found[0])
+    reach, motion = parts["gradient"] @ parts["kinematics"], parts["motion"]
+    # At a single state other factors may do too: redundant rows depend on each other there.
+    share, left = _combined(np.concatenate([*reach.transpose(0, 2, 1)]), motion)
+    genuine = left > SAME_SHARE
+    for k in np.flatnonzero(genuine):
+        own = [_combined(a.T, b[None, k : k + 1])[1][0] for a, b in zip(reach, motion, strict=True)]
+        if max(own) <= SAME_SHARE and np.linalg.matrix_rank(reach[0]) < n:
+            raise ValueError(
+                "`constraints='baumgarte'` needs velocity constraints that are the rates of "
+                "holonomic ones with constant factors; here the factors depend on the state. Use "
+                "constraints='project', or write the velocity constraints as `holonomic.diff(t)`."
+            )
+    share[genuine] = 0.0
+    return np.where(np.abs(share) < NO_SHARE, 0.0, share)
+
+
+def _combined(columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the factors with which columns give rows at all states, and what share is left."""
+    right = rows.transpose(0, 2, 1).reshape(len(columns), -1)
+    share = np.linalg.lstsq(columns, right, rcond=SAME_RATE)[0]
+    left = np.linalg.norm(right - columns @ share, axis=0)
+    size = np.linalg.norm(right, axis=0)
+    return share.T, left / np.where(size > 0.0, size, 1.0)

@@ -17,7 +17,7 @@ from pydy._errors import few
 from pydy._graph.identities import signatures
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
-from pydy._mechanics.generic import Block, GenericStates
+from pydy._mechanics.generic import Block, GenericStates, row_units
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, SMALL_PIVOT
 
@@ -188,17 +188,11 @@ def _choose(
             "Check what they divide by."
         )
     if not samples:
-        best = min(every, key=lambda s: float(np.abs(s["residuals"]).max()))["residuals"]
-        names = [("holonomic", k, e) for k, e in enumerate(equations.holonomic)]
-        names += [("velocity", k, e) for k, e in enumerate(equations.velocity)]
+        best = every[int(np.argmin(_openness(every)))]["residuals"]
+        names = [f"holonomic constraint {k}, `{e}`" for k, e in enumerate(equations.holonomic)]
+        names += [f"velocity constraint {k}, `{e}`" for k, e in enumerate(equations.velocity)]
         worst = [k for k in np.argsort(-np.abs(best)) if abs(best[k]) > _SHARE * np.abs(best).max()]
-        open_ones = few(
-            [
-                f"the {names[k][0]} constraint {names[k][1]}, `{names[k][2]}`, is left at "
-                f"{best[k]:.3g}"
-                for k in worst
-            ]
-        )
+        open_ones = few([f"the {names[k]}, is left at {best[k]:.3g}" for k in worst])
         raise ValueError(
             "The constraints contradict each other: no state was found that satisfies all of them; "
             f"{open_ones}. Leave out one of them, or correct it."
@@ -242,7 +236,16 @@ def _check_linear(equations: Equations, states: GenericStates, tables: Sequence[
 
 
 def _closed(samples: list[dict[str, np.ndarray]]) -> list[dict[str, np.ndarray]]:
-    return [s for s in samples if np.abs(s["residuals"]).max(initial=0.0) < OPEN]
+    if not samples:
+        return samples
+    return [s for s, size in zip(samples, _openness(samples), strict=True) if size < OPEN]
+
+
+def _openness(samples: list[dict[str, np.ndarray]]) -> list[float]:
+    """Return how far states are from the constraints, whatever the units of the rows."""
+    units = [row_units(np.array([s[name] for s in samples])) for name in ("holonomic", "velocity")]
+    every = np.concatenate(units)
+    return [float(np.abs(s["residuals"] / every).max(initial=0.0)) for s in samples]
 
 
 def _seem_redundant(matrices: list[np.ndarray]) -> bool:

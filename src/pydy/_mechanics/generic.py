@@ -25,7 +25,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import CLOSED, FULL_STEPS
 
-__all__ = ["Block", "GenericStates", "generic_inputs", "values_of"]
+__all__ = ["Block", "GenericStates", "generic_inputs", "row_units", "values_of"]
 
 _STEPS = 50
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
@@ -174,6 +174,7 @@ class GenericStates:
             return values_of(closing, t[rows], x[rows], r[rows], p)
 
         searching, usable = list(range(trials)), list(range(trials))
+        units = row_units(residuals(searching)["gradient"])
         for share in FULL_STEPS:
             for _ in range(_STEPS):
                 if not searching:
@@ -184,7 +185,7 @@ class GenericStates:
                 ):
                     if not (np.isfinite(gradient).all() and np.isfinite(left).all()):
                         usable.remove(k)
-                    elif np.abs(left).max(initial=0.0) >= CLOSED:
+                    elif np.abs(left / units).max(initial=0.0) >= CLOSED:
                         step = -_solved(gradient, left, share)
                         x[k, :n] += step[:n]
                         r[k] += step[n:]
@@ -204,6 +205,17 @@ def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.nda
     rows, right = gradient / scale[:, None], residuals / scale
     step: np.ndarray = np.linalg.lstsq(rows, right, rcond=share)[0]
     return step
+
+
+def row_units(tables: np.ndarray) -> np.ndarray:
+    """Return the unit of each row of tables at several states: a power of 1024, as SI's prefixes.
+
+    It is that of the longest, since rows may vanish in singular positions.
+    """
+    sizes = np.linalg.norm(tables, axis=2)
+    longest = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, 0.0).max(axis=0)
+    found: np.ndarray = np.exp2(10.0 * np.round(np.log2(np.where(longest, longest, 1.0)) / 10.0))
+    return found
 
 
 def generic_inputs(sizes: tuple[int, int, int], seeds: Sequence[int]) -> Inputs:

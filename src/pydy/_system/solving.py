@@ -94,7 +94,7 @@ def prepare(
         if gain <= 0.0:
             raise ValueError(f"`gain` must be positive, got {gain}.")
         key = ("baumgarte", gain)
-        model = model.changed(key, lambda assembly: stabilised(assembly, gain))
+        model = model.changed(key, lambda assembly: stabilised(assembly, equations, gain))
     if not native and (constraints == "project" or events is not None):
         what = "constraints='project'" if constraints == "project" else "events"
         raise ValueError(
