@@ -247,11 +247,12 @@ class CompiledModel:
         key : hashable
             The latest eight are kept.
         change : callable
-            Makes the other equations from these; sizes and layout stay.
+            Makes the other equations from these, in a graph of their own, so that what is compiled
+            later does not depend on what was tried before; sizes and layout stay.
         """
         other = self._variants.pop(key, None)
         if other is None:
-            changed = change(self.assembly)
+            changed = change(self.assembly.fork())
             other = CompiledModel(self.layout, changed, self.backend, self.solver, self.definition)
         self._variants[key] = other
         while len(self._variants) > _VARIANTS:

@@ -47,18 +47,16 @@ def find_symbols(expressions: Iterable[Any]) -> dict[Any, None]:
     graph of distinct objects by orders of magnitude; this walk does not.
     """
     found: dict[Any, None] = {}
-    seen: set[int] = set()
-    made: list[Any] = []  # keeps ids unique
+    seen: dict[int, Any] = {}  # by identity, and with the objects: what is freed lends its id
     stack = list(expressions)
     while stack:
         expr = stack.pop()
         key = id(expr)
         if key in seen:
             continue
-        seen.add(key)
+        seen[key] = expr
         if is_unevaluated(expr):
-            made.append(differentiated(expr))
-            stack.append(made[-1])
+            stack.append(differentiated(expr))
         elif isinstance(expr, (AppliedUndef, sm.Derivative, sm.Symbol)):
             found[expr] = None
         else:

@@ -41,9 +41,8 @@ def node_of(assembly: Assembly, term: Any, argument: str) -> int:
 
 def extended(term: Any, marked: bool, assembly: Assembly) -> Assembly:
     """Return the equations with the integral and the marker of samples as their last states."""
-    own = assembly.fork()
-    n, s, c = own.sizes
-    more = [] if term is None else [node_of(own, term, "`integral`")]
+    n, s, c = assembly.sizes
+    more = [] if term is None else [node_of(assembly, term, "`integral`")]
     if marked:
-        more.append(own.graph.input("r", s))
-    return replace(own, sizes=(n + len(more), s + marked, c), rates=[*own.rates, *more])
+        more.append(assembly.graph.input("r", s))
+    return replace(assembly, sizes=(n + len(more), s + marked, c), rates=[*assembly.rates, *more])

@@ -1,0 +1,88 @@
+"""Print digests of Programs and bits of results: ``python tests/digests.py best backward 1``.
+
+The first argument says which machine code runs, 'first' (compiled quickly) or 'best'; the second in
+which order models are tried; the third how many steps compiled loops take between two looks from
+Python. What is printed is the same for all of them, in every process.
+"""
+
+import hashlib
+import sys
+import warnings
+
+import numpy as np
+
+import joints
+import loops
+import zoo
+from cases import system_of
+from pydy._backends.llvm import background, compiling, native, tiers
+from pydy.solvers.run import integration
+from pydy.system import System
+
+
+def choose(tier, steps):
+    """Have one sort of machine code run, and slices of so many steps."""
+    background.submit = lambda task: None  # nothing takes its place meanwhile
+    if tier == "best":
+        tiers.Tiers.at_hand = lambda self: (self.best(compiling.object_code), native.Quality.BEST)
+    else:
+        tiers.jit.find = lambda source, calls=None: None
+
+        def settled(entry):
+            entry.begin()
+            entry.complete()
+            return entry.addresses
+
+        native.Entry.settled = settled
+    integration.first_budget = lambda *_: steps
+    integration.SLICE = 0.0 if steps == 1 else integration.SLICE
+
+
+def systems():
+    """Yield names and systems; those of `loops` have redundant rows."""
+    for name, model in zoo.MODELS.items():
+        yield name, system_of(model())
+    for name in ("tied_cart_pendulum", "four_bar", "chaos_pendulum"):
+        yield name, System(getattr(joints, name)())
+    for name in ("parallelogram", "sarrus"):
+        definition, start, *_ = getattr(loops, name)()
+        yield name, System(definition, initial_conditions=start)
+
+
+def digest(values):
+    return hashlib.sha256(np.ascontiguousarray(values, dtype=float).tobytes()).hexdigest()[:16]
+
+
+def said_of(name, system):
+    """Yield lines."""
+    random = np.random.default_rng(1)
+    x = random.uniform(0.2, 0.9, (11, len(system.states)))  # eight lanes and a rest
+    t = np.sort(random.uniform(0.3, 2.0, 11))
+    yield "symbols", system.constants_symbols, system.specifieds_symbols, system.states
+    yield "rates", digest(system.evaluate_ode(x, t)), digest(system.evaluate_ode(x[0], t[0]))
+    yield "Jacobian", digest(system.evaluate_jacobian(x, t))
+    system.times = [0.0, 0.1, 0.3]
+    if system.initial_conditions or not system.constraints:
+        system.initial_conditions = system.initial_conditions or dict(
+            zip(system.states, x[0], strict=True)
+        )
+        for solver in ("vern9", "radau"):
+            system.ode_solver = solver
+            for option in (None, "project") if system.constraints else (None,):
+                yield solver, option, digest(system.integrate(constraints=option))
+    for key, kernel in system._now().model._kernels.items():
+        yield "Program", str(key), kernel.program.digest
+
+
+def main(tier, order, steps):
+    choose(tier, int(steps))
+    warnings.simplefilter("ignore")
+    models = list(systems())
+    lines = []
+    for name, system in models if order == "forward" else models[::-1]:
+        lines += [f"{name}: {' '.join(map(str, line))}" for line in said_of(name, system)]
+    sys.stdout.write("\n".join(sorted(lines)) + "\n")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
