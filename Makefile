@@ -3,6 +3,8 @@
 
 PYTHON ?= python3
 JOBS ?= 2
+# Neighbouring tests stay in one process, which derives their models once.
+PYTEST_JOBS := -n $(JOBS) --dist worksteal
 VENV := .venv
 PY := $(VENV)/bin/python
 PIP_INSTALL := -m pip install --quiet --disable-pip-version-check
@@ -43,14 +45,14 @@ test: $(VENV)/.installed-test
 	$(PY) -m ruff check
 	$(PY) -m ruff format --check
 	$(PY) -m mypy src tests/typing/usage.py
-	$(PY) -m pytest -n $(JOBS)
+	$(PY) -m pytest $(PYTEST_JOBS)
 
 # A folder of its own, so that pytest's default run does not need a browser.
 test-browser: $(VENV)/.installed-test $(VENV)/.installed-browser
 	$(PY) -m pytest tests/browser
 
 test-fuzz: $(VENV)/.installed-test
-	PYDY_FUZZ_PARTS=1 $(PY) -m pytest -n $(JOBS) tests/fuzz
+	PYDY_FUZZ_PARTS=1 $(PY) -m pytest $(PYTEST_JOBS) tests/fuzz
 
 # Each in an environment of its own, .venv-lowest and .venv-newest.
 test-lowest test-newest: test-%:

@@ -1,4 +1,4 @@
-"""Settings for all tests: compiled code goes to a folder of its own, and no windows open."""
+"""Settings for all tests: compiled code goes to a folder of their own, and no windows open."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from pathlib import Path
 
 import pytest
 
-_FOLDER = tempfile.TemporaryDirectory(prefix="pydy-tests-", ignore_cleanup_errors=True)
-os.environ["PYDY_CACHE_DIR"] = _FOLDER.name
+if "PYTEST_XDIST_WORKER" not in os.environ:  # workers share that of the process that starts them
+    _FOLDER = tempfile.TemporaryDirectory(prefix="pydy-tests-", ignore_cleanup_errors=True)
+    os.environ["PYDY_CACHE_DIR"] = _FOLDER.name
 os.environ.setdefault("MPLBACKEND", "Agg")  # pictures are drawn, not shown
 
 

@@ -120,7 +120,7 @@ def main(which: str, jobs: str) -> int:
     python = prepared(which)
     if python is None:
         return 0
-    command = [python, "-m", "pytest", "-q", "-n", jobs, *SELECTION]
+    command = [python, "-m", "pytest", "-q", "-n", jobs, "--dist", "worksteal", *SELECTION]
     # What old packages say of their own dependencies, and new ones of what is to come, is no
     # failure of ours; results are.
     command += ["-p", "no:cacheprovider", "-o", "filterwarnings=default", "--disable-warnings"]
