@@ -34,6 +34,7 @@ ENTRIES = {
     "project": "loop.projection",
     "project_columns": "loop.projection",
     "scan_events": "loop.event_detection",
+    "extend": "loop.extension",
     "step_back": "adjoint.stepper",
 }
 # What entries may call: of libm, where LLVM does not write it in line; nothing of Python or numba.

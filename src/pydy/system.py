@@ -1555,7 +1555,7 @@ class System:
             ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
             ``'dense_output'`` are used by the trajectory, and the rest is its `statistics`.
             `scipy.integrate.odeint` and the solvers of `pydy.solvers` are called with
-            ``full_output=True``.
+            ``full_output=True``, the latter with ``dense_output=True`` unless you pass False.
 
         Returns
         -------

@@ -45,7 +45,8 @@ class Trajectory:
     model : Model, optional
         Evaluates derivatives, outputs and energy at other times.
     dense : callable, optional
-        The solver's own interpolant: times (k,) to states (k, n).
+        The solver's own interpolant: times (k,) to states (k, n), with their sensitivities after
+        them if it has these.
     sensitivities : (parameters, values), optional
         Parameters, mapped to their numbers of columns, and the derivatives of the states with
         respect to them, shape (m, n, k).
@@ -297,11 +298,12 @@ class Trajectory:
     def at(self, times: Any) -> Trajectory:
         """Return the trajectory at other times.
 
-        The states come from the solver's dense output if there is one. Otherwise they are cubic
-        Hermite interpolants of the states and their exact derivatives, with an error of fourth
-        order in the spacing of `times` (doubling the number of times makes it 16 times smaller);
-        resets at events are nodes on both sides. Outputs and specifieds are evaluated again;
-        without a model, as after `load`, they are interpolated linearly.
+        The states come from the solver's dense output if there is one, as after `System.simulate`
+        with a native solver. Otherwise, also after pickling and `load`, they are cubic Hermite
+        interpolants of the states and their exact derivatives, with an error of fourth order in the
+        spacing of `times` (doubling the number of times makes it 16 times smaller). At the time of
+        an event it is the state after it. Outputs and specifieds are evaluated again; without a
+        model, as after `load`, they are interpolated linearly.
 
         Parameters
         ----------

@@ -115,22 +115,22 @@ EXPLICIT = (
 
 def test_an_entry_is_compiled_once_and_kept(tmp_path):
     assert run(ASK, PYDY_CACHE_DIR=str(tmp_path)) == ["True"]
-    (entry,) = tmp_path.glob("*.code")
+    (entry,) = tmp_path.rglob("*.code")
     entry.touch()
     before = entry.stat().st_ino
     assert run(ASK, PYDY_CACHE_DIR=str(tmp_path)) == ["True"]
-    assert [path.stat().st_ino for path in tmp_path.glob("*.code")] == [before]
+    assert [path.stat().st_ino for path in tmp_path.rglob("*.code")] == [before]
 
 
 def test_an_explicit_method_compiles_its_own_loop_and_the_way_into_it(tmp_path):
     run(EXPLICIT, PYDY_CACHE_DIR=str(tmp_path))
-    assert len(list(tmp_path.glob("*.code"))) == 2
+    assert len(list(tmp_path.rglob("*.code"))) == 2
 
 
 @pytest.mark.parametrize("share", [0.0, 0.5])
 def test_a_damaged_entry_is_compiled_again(tmp_path, share):
     run(ASK, PYDY_CACHE_DIR=str(tmp_path))
-    (entry,) = tmp_path.glob("*.code")
+    (entry,) = tmp_path.rglob("*.code")
     whole = entry.read_bytes()
     entry.write_bytes(whole[: int(share * len(whole))])
     assert run(ASK, PYDY_CACHE_DIR=str(tmp_path)) == ["True"]

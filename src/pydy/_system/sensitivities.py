@@ -412,6 +412,11 @@ class Wanted:
         counts = {parameter.symbol: parameter.count for parameter in sensitive.parameters}
         return states, {"sensitivities": (counts, values), "sensitivity_model": sensitive}
 
+    def select(self, whole: np.ndarray) -> np.ndarray:
+        """Return the states of a solver's result, and after them the wanted sensitivities."""
+        states, values = self.sensitive.columns.apart(whole)
+        return np.hstack([states, values[..., : self.sensitive.count].reshape(len(whole), -1)])
+
     def cut(self, error: Any) -> None:
         """Leave the sensitivities out of what an error holds."""
         n = self.sensitive.columns.states

@@ -66,6 +66,8 @@ def simulate(
     """
     if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
         options = {"full_output": True, **options}
+    if isinstance(solver, Solver):
+        options = {"dense_output": True, **options}
     wanted, n = None, len(now.definition.states)
     parameters, control, dependent = sensitivities
     if parameters is not None:
@@ -78,7 +80,9 @@ def simulate(
     if reached is not None:
         times, states = times[:reached], states[:reached]
     events = statistics.pop("events", ())
-    dense = statistics.pop("dense_output", None) if wanted is None else None
+    dense = statistics.pop("dense_output", None)
+    if wanted is not None and dense is not None:
+        dense = dense.selected(wanted.select) if isinstance(solver, Solver) else None
     times = np.array(times, dtype=float)
     states = np.array(real_array(states, "What the `ode_solver` returns"))
     width = n if wanted is None else wanted.sensitive.columns.size

@@ -59,7 +59,7 @@ class Samples:
     events : sequence of EventRecord
     model : Model or None
     dense : callable or None
-        The solver's own interpolant.
+        The solver's own interpolant; of the states, or of the sensitivities too.
     sensitivities : ndarray, shape (m, n, k), or None
     sensitivity_model : SensitivityModel or None
     """
@@ -75,15 +75,14 @@ class Samples:
 
     def at(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
         """Return the states at other times, and the sensitivities if there are any."""
-        if self.sensitivities is None:
-            return (self.dense or self._hermite)(times), None
-        n, values, m = self.states.shape[1], self.sensitivities, len(self.times)
-        whole = self._hermite(times)
-        if self.sensitivity_model is None:  # no derivatives by time: straight lines
+        values, (m, n) = self.sensitivities, self.states.shape
+        whole = (self.dense or self._hermite)(times)
+        if values is None:
+            return whole, None
+        if whole.shape[1] == n:  # no derivatives by time: straight lines
             columns = [np.interp(times, self.times, v) for v in values.reshape(m, -1).T]
             whole = np.column_stack([whole, *columns])
-        states = whole[:, :n] if self.dense is None else self.dense(times)
-        return states, whole[:, n:].reshape(len(times), n, -1)
+        return whole[:, :n].copy(), whole[:, n:].reshape(len(times), n, -1)
 
     def _hermite(self, times: np.ndarray) -> np.ndarray:
         """Return the states, and after them the sensitivities if their derivatives are known."""

@@ -38,6 +38,7 @@ class SolverOptions(StepOptions, total=False):
     """Options of a solver called directly, except `full_output`; see `Options`."""
 
     progress: bool
+    dense_output: bool
     events: CompiledEvents | None
     constraints: CompiledConstraints | None
     sensitivities: CompiledSensitivities | None
@@ -70,6 +71,8 @@ class Options:
         state alone.
     recording : Recording or None
         What notes the steps.
+    dense_output : bool
+        Whether the steps are kept, so that the solution between them is known.
     """
 
     rtol: Any = _DEFAULT
@@ -84,6 +87,7 @@ class Options:
     constraints: CompiledConstraints | None = None
     sensitivities: CompiledSensitivities | None = None
     recording: Recording | None = None
+    dense_output: bool = False
 
 
 _MOST = 2**62
@@ -151,7 +155,7 @@ def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, An
 
 def _check_kinds(given: Mapping[str, Any]) -> None:
     """Refuse flags that are no flags, and events and constraints that are not compiled."""
-    for name in given.keys() & {"full_output", "progress"}:
+    for name in given.keys() & {"full_output", "progress", "dense_output"}:
         value = given[name]
         if not isinstance(value, bool | np.bool_ | int) or value not in (0, 1):
             raise TypeError(f"`{name}` must be True or False, got {value!r}.")

@@ -149,6 +149,10 @@ class Solver:
         full_output : bool, optional
         progress : bool, optional
             Show a progress bar of simulated time.
+        dense_output : bool, optional
+            Keep the steps, up to 128 MB of them: with `full_output`, ``info['dense_output']`` is
+            then a function of ascending times, shape (k,), that returns the states, shape (k, n),
+            by the interpolant of the method; None where they needed more memory.
         events, constraints
             Made by `System.integrate` from its arguments of these names.
 

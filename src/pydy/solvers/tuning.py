@@ -31,6 +31,7 @@ __all__ = [
     "SLIVER",
     "SLOW",
     "STARTING_MOVE",
+    "STEPS_MEMORY",
     "TRIAL_PART",
     "TRIAL_SIZE",
     "WHOLE",
@@ -116,6 +117,9 @@ RESOLVED = 0.0625
 
 WHOLE = 1.0 - 1e-12
 """What rounding may add to a whole number of steps, up to 10 000 roundings."""
+
+STEPS_MEMORY = 2**27
+"""Bytes of kept steps above which a run keeps none: 400 000 steps of a model with 20 states."""
 
 LEAST_TOLERANCE = 1e-300
 """In place of an absolute tolerance of zero: 0 / 0 would be no error."""

@@ -62,7 +62,7 @@ def _(v):
     return rk4(world().plain, [1.0, 0.0], TIMES, step=v)
 
 
-for _name in ("full_output", "progress"):
+for _name in ("full_output", "progress", "dense_output"):
 
     @target(f"integrate.{_name}", flags)
     def _(v, name=_name):

@@ -1,4 +1,4 @@
-; sources 048d52c4a2f07408ae71a5f6dcfef66f975e0e81f36a6e64af3f9089cff195be
+; sources c32cc0cf9834991fc056df8c5e10ba02812dd185052e4b1032f66b5f1fb37ab4
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, i64 %5, ptr %6, i64 %7, ptr %8, i64 %9, i64 %10, double %11) unnamed_addr #0 {
@@ -963,1765 +963,1859 @@ define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
   br label %211
 
 226:                                              ; preds = %188
-  br label %1398
+  br label %1466
 
 227:                                              ; preds = %188
-  %228 = load i64, ptr %26, align 8, !noalias !15
-  %229 = load i64, ptr %191, align 8, !noalias !15
-  %230 = icmp eq i64 %229, 1
-  %231 = getelementptr i8, ptr %26, i64 8
+  %228 = getelementptr i8, ptr %24, i64 1032
+  %229 = load i64, ptr %228, align 8, !noalias !15
+  %230 = inttoptr i64 %229 to ptr
+  %231 = getelementptr i8, ptr %24, i64 1056
   %232 = load i64, ptr %231, align 8, !noalias !15
-  %233 = icmp slt i64 %232, 1
-  %234 = mul nsw i64 %228, %86
-  %235 = shl i64 %234, 3
-  %236 = add i64 %235, %116
-  %237 = call i64 @llvm.smin.i64(i64 %148, i64 0)
-  %238 = getelementptr double, ptr %149, i64 %148
-  %239 = getelementptr i8, ptr %238, i64 -8
-  %240 = getelementptr double, ptr %239, i64 %237
-  %241 = load double, ptr %240, align 8, !noalias !15
-  %242 = load double, ptr %139, align 8, !noalias !15
-  %243 = getelementptr i8, ptr %139, i64 8
-  %244 = load double, ptr %243, align 8, !noalias !15
-  %245 = load i64, ptr %144, align 8, !noalias !15
-  %246 = icmp eq i64 %245, 0
-  br i1 %246, label %247, label %417
+  %233 = getelementptr i8, ptr %24, i64 1064
+  %234 = load i64, ptr %233, align 8, !noalias !15
+  %235 = getelementptr i8, ptr %24, i64 1072
+  %236 = load i64, ptr %235, align 8, !noalias !15
+  %237 = inttoptr i64 %232 to ptr
+  %238 = load i64, ptr %26, align 8, !noalias !15
+  %239 = load i64, ptr %191, align 8, !noalias !15
+  %240 = icmp eq i64 %239, 1
+  %241 = getelementptr i8, ptr %26, i64 8
+  %242 = load i64, ptr %241, align 8, !noalias !15
+  %243 = icmp slt i64 %242, 1
+  %244 = mul nsw i64 %238, %86
+  %245 = shl i64 %244, 3
+  %246 = add i64 %245, %116
+  %247 = call i64 @llvm.smin.i64(i64 %148, i64 0)
+  %248 = getelementptr double, ptr %149, i64 %148
+  %249 = getelementptr i8, ptr %248, i64 -8
+  %250 = getelementptr double, ptr %249, i64 %247
+  %251 = load double, ptr %250, align 8, !noalias !15
+  %252 = load double, ptr %139, align 8, !noalias !15
+  %253 = getelementptr i8, ptr %139, i64 8
+  %254 = load double, ptr %253, align 8, !noalias !15
+  %255 = load i64, ptr %144, align 8, !noalias !15
+  %256 = icmp eq i64 %255, 0
+  br i1 %256, label %257, label %427
 
-247:                                              ; preds = %227
-  %248 = getelementptr i8, ptr %144, i64 24
-  %249 = load i64, ptr %248, align 8, !noalias !15
-  %250 = add nsw i64 %249, 1
-  store i64 %250, ptr %248, align 8, !noalias !15
+257:                                              ; preds = %227
+  %258 = getelementptr i8, ptr %144, i64 24
+  %259 = load i64, ptr %258, align 8, !noalias !15
+  %260 = add nsw i64 %259, 1
+  store i64 %260, ptr %258, align 8, !noalias !15
   store ptr null, ptr %12, align 8, !noalias !28
   store ptr null, ptr %13, align 8, !noalias !28
-  store double %242, ptr %55, align 8, !noalias !28
-  %251 = icmp sgt i64 %67, 0
-  br i1 %251, label %252, label %255
+  store double %252, ptr %55, align 8, !noalias !28
+  %261 = icmp sgt i64 %67, 0
+  br i1 %261, label %262, label %265
 
-252:                                              ; preds = %247
+262:                                              ; preds = %257
   store ptr null, ptr %12, align 8, !noalias !28
-  %253 = call fastcc i32 @_sample(ptr nonnull %12, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %242) #2
-  switch i32 %253, label %254 [
-    i32 -2, label %255
-    i32 0, label %255
+  %263 = call fastcc i32 @_sample(ptr nonnull %12, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %252) #2
+  switch i32 %263, label %264 [
+    i32 -2, label %265
+    i32 0, label %265
   ], !prof !35
 
-254:                                              ; preds = %252
-  br label %255
+264:                                              ; preds = %262
+  br label %265
 
-255:                                              ; preds = %252, %252, %247, %254
-  %256 = phi i32 [ %253, %254 ], [ 0, %247 ], [ 0, %252 ], [ 0, %252 ]
-  switch i32 %256, label %261 [
-    i32 -2, label %257
-    i32 0, label %257
+265:                                              ; preds = %262, %262, %257, %264
+  %266 = phi i32 [ %263, %264 ], [ 0, %257 ], [ 0, %262 ], [ 0, %262 ]
+  switch i32 %266, label %271 [
+    i32 -2, label %267
+    i32 0, label %267
   ], !prof !35
 
-257:                                              ; preds = %255, %255
-  %258 = load i64, ptr %52, align 8, !noalias !36
-  %259 = inttoptr i64 %258 to ptr
-  %260 = call i32 %259(ptr nonnull %55, ptr %87, ptr %60, ptr %63, ptr %119) #2, !noalias !36
-  br label %261
+267:                                              ; preds = %265, %265
+  %268 = load i64, ptr %52, align 8, !noalias !36
+  %269 = inttoptr i64 %268 to ptr
+  %270 = call i32 %269(ptr nonnull %55, ptr %87, ptr %60, ptr %63, ptr %119) #2, !noalias !36
+  br label %271
 
-261:                                              ; preds = %255, %257
-  %262 = phi i32 [ %260, %257 ], [ 0, %255 ]
-  %263 = phi i32 [ 0, %257 ], [ %256, %255 ]
-  switch i32 %263, label %1218 [
-    i32 -2, label %1216
-    i32 0, label %1216
+271:                                              ; preds = %265, %267
+  %272 = phi i32 [ %270, %267 ], [ 0, %265 ]
+  %273 = phi i32 [ 0, %267 ], [ %266, %265 ]
+  switch i32 %273, label %1282 [
+    i32 -2, label %1280
+    i32 0, label %1280
   ], !prof !35
 
-264:                                              ; preds = %1216
-  %265 = getelementptr i8, ptr %144, i64 72
-  store i64 3, ptr %265, align 8, !noalias !15
-  %266 = icmp slt i32 %262, 0
-  %267 = select i1 %266, i64 -4, i64 2
-  br label %1398
+274:                                              ; preds = %1280
+  %275 = getelementptr i8, ptr %144, i64 72
+  store i64 3, ptr %275, align 8, !noalias !15
+  %276 = icmp slt i32 %272, 0
+  %277 = select i1 %276, i64 -4, i64 2
+  br label %1466
 
-268:                                              ; preds = %1216
+278:                                              ; preds = %1280
   store i64 1, ptr %144, align 8, !noalias !15
-  %269 = getelementptr i8, ptr %49, i64 40
-  %270 = load double, ptr %269, align 8, !noalias !15
-  %271 = getelementptr i8, ptr %139, i64 24
-  store double 1.000000e-04, ptr %271, align 8, !noalias !15
-  %272 = getelementptr i8, ptr %139, i64 40
-  store double %270, ptr %272, align 8, !noalias !15
-  store i8 0, ptr %19, align 1, !noalias !15
-  %273 = call fastcc i32 @write_reached(ptr nonnull %19, ptr %52, ptr %87, i64 %86, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %273, label %1222 [
-    i32 -2, label %1219
-    i32 0, label %1219
-  ], !prof !35
-
-274:                                              ; preds = %1219
-  br label %1398
-
-275:                                              ; preds = %1219
-  %276 = fcmp oeq double %244, 0.000000e+00
-  br i1 %276, label %277, label %417
-
-277:                                              ; preds = %275
-  %278 = load i64, ptr %150, align 8, !noalias !15
-  %279 = getelementptr i8, ptr %139, i64 16
+  %279 = getelementptr i8, ptr %49, i64 40
   %280 = load double, ptr %279, align 8, !noalias !15
-  %281 = getelementptr i8, ptr %52, i64 24
-  %282 = load i64, ptr %281, align 8, !noalias !15
+  %281 = getelementptr i8, ptr %139, i64 24
+  store double 1.000000e-04, ptr %281, align 8, !noalias !15
+  %282 = getelementptr i8, ptr %139, i64 40
+  store double %280, ptr %282, align 8, !noalias !15
+  store i8 0, ptr %19, align 1, !noalias !15
+  %283 = call fastcc i32 @write_reached(ptr nonnull %19, ptr %52, ptr %87, i64 %86, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
+  switch i32 %283, label %1286 [
+    i32 -2, label %1283
+    i32 0, label %1283
+  ], !prof !35
+
+284:                                              ; preds = %1283
+  br label %1466
+
+285:                                              ; preds = %1283
+  %286 = fcmp oeq double %254, 0.000000e+00
+  br i1 %286, label %287, label %427
+
+287:                                              ; preds = %285
+  %288 = load i64, ptr %150, align 8, !noalias !15
+  %289 = getelementptr i8, ptr %139, i64 16
+  %290 = load double, ptr %289, align 8, !noalias !15
+  %291 = getelementptr i8, ptr %52, i64 24
+  %292 = load i64, ptr %291, align 8, !noalias !15
   store double 0.000000e+00, ptr %17, align 8, !noalias !37
   store double 0.000000e+00, ptr %18, align 8, !noalias !37
   store double 0.000000e+00, ptr %17, align 8, !noalias !37
-  %283 = call fastcc i32 @norm(ptr nonnull %17, ptr %87, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
-  %284 = load double, ptr %17, align 8, !noalias !37
-  switch i32 %283, label %1223 [
-    i32 -2, label %285
-    i32 0, label %285
+  %293 = call fastcc i32 @norm(ptr nonnull %17, ptr %87, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %292) #2
+  %294 = load double, ptr %17, align 8, !noalias !37
+  switch i32 %293, label %1287 [
+    i32 -2, label %295
+    i32 0, label %295
   ], !prof !35
 
-285:                                              ; preds = %277, %277
+295:                                              ; preds = %287, %287
   store double 0.000000e+00, ptr %18, align 8, !noalias !37
-  %286 = call fastcc i32 @norm(ptr nonnull %18, ptr %119, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
-  %287 = load double, ptr %18, align 8, !noalias !37
-  switch i32 %286, label %1223 [
-    i32 -2, label %288
-    i32 0, label %288
+  %296 = call fastcc i32 @norm(ptr nonnull %18, ptr %119, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %292) #2
+  %297 = load double, ptr %18, align 8, !noalias !37
+  switch i32 %296, label %1287 [
+    i32 -2, label %298
+    i32 0, label %298
   ], !prof !35
 
-288:                                              ; preds = %285, %285
-  %289 = fcmp olt double %284, 1.000000e-05
-  %290 = fcmp olt double %287, 1.000000e-05
-  %291 = or i1 %289, %290
-  %292 = fmul double %284, 1.000000e-02
-  %293 = fdiv double %292, %287
-  %294 = select i1 %291, double 0x3EB0C6F7A0B5ED8D, double %293
-  %295 = fcmp olt double %280, %294
-  %296 = select i1 %295, double %280, double %294
-  %297 = call i64 @llvm.smax.i64(i64 %278, i64 0)
-  br label %298
+298:                                              ; preds = %295, %295
+  %299 = fcmp olt double %294, 1.000000e-05
+  %300 = fcmp olt double %297, 1.000000e-05
+  %301 = or i1 %299, %300
+  %302 = fmul double %294, 1.000000e-02
+  %303 = fdiv double %302, %297
+  %304 = select i1 %301, double 0x3EB0C6F7A0B5ED8D, double %303
+  %305 = fcmp olt double %290, %304
+  %306 = select i1 %305, double %290, double %304
+  %307 = call i64 @llvm.smax.i64(i64 %288, i64 0)
+  br label %308
 
-298:                                              ; preds = %288, %1224
-  %299 = phi i64 [ 0, %288 ], [ %1226, %1224 ]
-  %300 = phi i64 [ %297, %288 ], [ %1225, %1224 ]
-  %301 = icmp sgt i64 %300, 0
-  br i1 %301, label %1224, label %302
+308:                                              ; preds = %298, %1288
+  %309 = phi i64 [ 0, %298 ], [ %1290, %1288 ]
+  %310 = phi i64 [ %307, %298 ], [ %1289, %1288 ]
+  %311 = icmp sgt i64 %310, 0
+  br i1 %311, label %1288, label %312
 
-302:                                              ; preds = %298
-  %303 = load i64, ptr %248, align 8, !noalias !15
-  %304 = add nsw i64 %303, 1
-  store i64 %304, ptr %248, align 8, !noalias !15
-  %305 = shl i64 %86, 3
-  %306 = add i64 %305, %116
-  %307 = fadd double %242, %296
+312:                                              ; preds = %308
+  %313 = load i64, ptr %258, align 8, !noalias !15
+  %314 = add nsw i64 %313, 1
+  store i64 %314, ptr %258, align 8, !noalias !15
+  %315 = shl i64 %86, 3
+  %316 = add i64 %315, %116
+  %317 = fadd double %252, %306
   store ptr null, ptr %14, align 8, !noalias !41
   store ptr null, ptr %15, align 8, !noalias !41
-  store double %307, ptr %55, align 8, !noalias !41
-  br i1 %251, label %308, label %311
+  store double %317, ptr %55, align 8, !noalias !41
+  br i1 %261, label %318, label %321
 
-308:                                              ; preds = %302
+318:                                              ; preds = %312
   store ptr null, ptr %14, align 8, !noalias !41
-  %309 = call fastcc i32 @_sample(ptr nonnull %14, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %307) #2
-  switch i32 %309, label %310 [
-    i32 -2, label %311
-    i32 0, label %311
+  %319 = call fastcc i32 @_sample(ptr nonnull %14, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %317) #2
+  switch i32 %319, label %320 [
+    i32 -2, label %321
+    i32 0, label %321
   ], !prof !35
 
-310:                                              ; preds = %308
-  br label %311
+320:                                              ; preds = %318
+  br label %321
 
-311:                                              ; preds = %308, %308, %302, %310
-  %312 = phi i32 [ %309, %310 ], [ 0, %302 ], [ 0, %308 ], [ 0, %308 ]
-  switch i32 %312, label %319 [
-    i32 -2, label %313
-    i32 0, label %313
+321:                                              ; preds = %318, %318, %312, %320
+  %322 = phi i32 [ %319, %320 ], [ 0, %312 ], [ 0, %318 ], [ 0, %318 ]
+  switch i32 %322, label %329 [
+    i32 -2, label %323
+    i32 0, label %323
   ], !prof !35
 
-313:                                              ; preds = %311, %311
-  %314 = load i64, ptr %52, align 8, !noalias !48
-  %315 = inttoptr i64 %314 to ptr
-  %316 = inttoptr i64 %306 to ptr
-  %317 = call i32 %315(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %316) #2, !noalias !48
-  %318 = icmp eq i32 %317, 0
-  br label %319
-
-319:                                              ; preds = %311, %313
-  %320 = phi i1 [ %318, %313 ], [ true, %311 ]
-  %321 = phi i32 [ 0, %313 ], [ %312, %311 ]
-  switch i32 %321, label %1242 [
-    i32 -2, label %1241
-    i32 0, label %1241
-  ], !prof !35
-
-322:                                              ; preds = %1241
-  %323 = fmul double %296, 1.000000e-03
-  br label %412
-
-324:                                              ; preds = %1241
-  store double 0.000000e+00, ptr %16, align 8, !noalias !49
-  %325 = icmp slt i64 %86, 0
-  %326 = select i1 %325, i64 %118, i64 0
-  %327 = add i64 %86, %326
-  %328 = icmp slt i64 %327, 0
-  br i1 %328, label %335, label %336, !prof !4
-
-329:                                              ; preds = %340, %344
-  %330 = phi i64 [ 0, %340 ], [ %346, %344 ]
-  %331 = phi i64 [ %343, %340 ], [ %345, %344 ]
-  %332 = icmp sgt i64 %331, 0
-  br i1 %332, label %344, label %333
-
-333:                                              ; preds = %329
-  store double 0.000000e+00, ptr %16, align 8, !noalias !49
-  %334 = call fastcc i32 @norm(ptr nonnull %16, ptr %342, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %282) #2
-  switch i32 %334, label %1243 [
-    i32 -2, label %352
-    i32 0, label %352
-  ], !prof !35
-
-335:                                              ; preds = %324
-  br label %336
-
-336:                                              ; preds = %335, %324
-  %337 = phi i64 [ 0, %335 ], [ %327, %324 ]
-  %338 = icmp slt i64 %327, %118
-  br i1 %338, label %340, label %339, !prof !8
-
-339:                                              ; preds = %336
-  br label %340
-
-340:                                              ; preds = %339, %336
-  %341 = phi i64 [ %118, %339 ], [ %337, %336 ]
-  %342 = getelementptr double, ptr %119, i64 %341
-  %343 = call i64 @llvm.smax.i64(i64 %282, i64 0)
+323:                                              ; preds = %321, %321
+  %324 = load i64, ptr %52, align 8, !noalias !48
+  %325 = inttoptr i64 %324 to ptr
+  %326 = inttoptr i64 %316 to ptr
+  %327 = call i32 %325(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %326) #2, !noalias !48
+  %328 = icmp eq i32 %327, 0
   br label %329
 
-344:                                              ; preds = %329
-  %345 = add nsw i64 %331, -1
-  %346 = add i64 %330, 1
-  %347 = getelementptr double, ptr %342, i64 %330
-  %348 = load double, ptr %347, align 8, !noalias !49
-  %349 = getelementptr double, ptr %119, i64 %330
-  %350 = load double, ptr %349, align 8, !noalias !49
-  %351 = fsub double %348, %350
-  store double %351, ptr %347, align 8, !noalias !49
-  br label %329
+329:                                              ; preds = %321, %323
+  %330 = phi i1 [ %328, %323 ], [ true, %321 ]
+  %331 = phi i32 [ 0, %323 ], [ %322, %321 ]
+  switch i32 %331, label %1306 [
+    i32 -2, label %1305
+    i32 0, label %1305
+  ], !prof !35
 
-352:                                              ; preds = %333, %333
-  %353 = load double, ptr %16, align 8, !noalias !49
-  %354 = fdiv double %353, %296
-  %355 = fcmp ogt double %287, %354
-  %356 = select i1 %355, double %287, double %354
-  %357 = fcmp ogt double %356, 1.000000e-15
-  %358 = fdiv double 1.000000e-02, %356
-  %359 = select i1 %357, double %358, double 1.000000e+13
-  %360 = load double, ptr %49, align 8, !noalias !49
-  %361 = bitcast double %359 to i64
-  %362 = add nsw i64 %361, -4604544271217802189
-  %363 = ashr i64 %362, 52
-  %364 = and i64 %362, -4503599627370496
-  %365 = sub i64 %361, %364
-  %366 = bitcast i64 %365 to double
-  %367 = fadd double %366, -1.000000e+00
-  %368 = fadd double %366, 1.000000e+00
-  %369 = fdiv double %367, %368
-  %370 = fmul double %369, %369
-  %371 = call double @llvm.fma.f64(double %370, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %372 = call double @llvm.fma.f64(double %371, double %370, double 0x3FE2776C50EF9BFE)
-  %373 = call double @llvm.fma.f64(double %372, double %370, double 0x3FEEC709DC3A03FD)
-  %374 = call double @llvm.fma.f64(double %373, double %370, double 0x40071547652B82FE)
-  %375 = fmul double %374, %369
-  %376 = trunc nsw i64 %363 to i32
-  %377 = sitofp i32 %376 to double
-  %378 = fadd double %375, %377
-  %379 = fmul double %378, %360
-  %380 = fcmp ogt double %379, -1.000000e+03
-  %381 = select i1 %380, double %379, double -1.000000e+03
-  %382 = fcmp olt double %381, 1.000000e+03
-  %383 = select i1 %382, double %381, double 1.000000e+03
-  %384 = call double @llvm.rint.f64(double %383)
-  %385 = fsub double %383, %384
-  %386 = call double @llvm.fma.f64(double %385, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %387 = call double @llvm.fma.f64(double %386, double %385, double 0x3F55D87FE78A6730)
-  %388 = call double @llvm.fma.f64(double %387, double %385, double 0x3F83B2AB6FBA4E77)
-  %389 = call double @llvm.fma.f64(double %388, double %385, double 0x3FAC6B08D704A0BF)
-  %390 = call double @llvm.fma.f64(double %389, double %385, double 0x3FCEBFBDFF82C58E)
-  %391 = call double @llvm.fma.f64(double %390, double %385, double 0x3FE62E42FEFA39EF)
-  %392 = call double @llvm.fma.f64(double %391, double %385, double 1.000000e+00)
-  %393 = fptosi double %384 to i32
-  %394 = zext i32 %393 to i64
-  %395 = shl i64 %394, 52
-  %396 = bitcast double %392 to i64
-  %397 = add i64 %395, %396
-  %398 = bitcast i64 %397 to double
-  %399 = fmul double %296, 1.000000e-03
-  %400 = fcmp olt double %399, 0x3EB0C6F7A0B5ED8D
-  %401 = select i1 %400, double 0x3EB0C6F7A0B5ED8D, double %399
-  %402 = fmul double %296, 1.000000e+02
-  %403 = select i1 %357, double %398, double %401
-  %404 = fcmp olt double %402, %403
-  %405 = select i1 %404, double %402, double %403
-  %406 = call double @llvm.fabs.f64(double %242)
-  %407 = fmul double %406, 0x3D30000000000000
-  %408 = fcmp ogt double %407, %405
-  %409 = select i1 %408, double %407, double %405
-  %410 = fcmp olt double %280, %409
-  %411 = select i1 %410, double %280, double %409
-  br label %412
-
-412:                                              ; preds = %352, %322
-  %413 = phi double [ %323, %322 ], [ %411, %352 ]
-  %414 = call i1 @llvm.is.fpclass.f64(double %413, i32 384)
-  br i1 %414, label %417, label %415
-
-415:                                              ; preds = %412
-  %416 = getelementptr i8, ptr %144, i64 72
-  store i64 4, ptr %416, align 8, !noalias !15
-  br label %417
-
-417:                                              ; preds = %412, %415, %275, %227
-  %418 = phi double [ %413, %412 ], [ %413, %415 ], [ %244, %275 ], [ %244, %227 ]
-  br label %419
-
-419:                                              ; preds = %1210, %417
-  %420 = phi double [ %418, %417 ], [ %1212, %1210 ]
-  %421 = phi double [ %242, %417 ], [ %424, %1210 ]
+332:                                              ; preds = %1305
+  %333 = fmul double %306, 1.000000e-03
   br label %422
 
-422:                                              ; preds = %1141, %419
-  %423 = phi double [ %420, %419 ], [ %1135, %1141 ]
-  %424 = phi double [ %421, %419 ], [ %467, %1141 ]
-  %425 = load i64, ptr %195, align 8, !noalias !15
-  %426 = icmp eq i64 %425, 0
-  br i1 %426, label %427, label %428
+334:                                              ; preds = %1305
+  store double 0.000000e+00, ptr %16, align 8, !noalias !49
+  %335 = icmp slt i64 %86, 0
+  %336 = select i1 %335, i64 %118, i64 0
+  %337 = add i64 %86, %336
+  %338 = icmp slt i64 %337, 0
+  br i1 %338, label %345, label %346, !prof !4
 
-427:                                              ; preds = %422
-  store double %423, ptr %243, align 8, !noalias !15
-  br label %1398
+339:                                              ; preds = %350, %354
+  %340 = phi i64 [ 0, %350 ], [ %356, %354 ]
+  %341 = phi i64 [ %353, %350 ], [ %355, %354 ]
+  %342 = icmp sgt i64 %341, 0
+  br i1 %342, label %354, label %343
 
-428:                                              ; preds = %422
-  %429 = add nsw i64 %425, -1
-  store i64 %429, ptr %195, align 8, !noalias !15
-  %430 = getelementptr i8, ptr %144, i64 8
-  %431 = load i64, ptr %430, align 8, !noalias !15
-  %432 = getelementptr i8, ptr %144, i64 16
-  %433 = load i64, ptr %432, align 8, !noalias !15
-  %434 = add nsw i64 %431, %433
-  %435 = getelementptr i8, ptr %144, i64 64
-  %436 = load i64, ptr %435, align 8, !noalias !15
-  %437 = icmp slt i64 %434, %436
-  br i1 %437, label %439, label %438
+343:                                              ; preds = %339
+  store double 0.000000e+00, ptr %16, align 8, !noalias !49
+  %344 = call fastcc i32 @norm(ptr nonnull %16, ptr %352, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %292) #2
+  switch i32 %344, label %1307 [
+    i32 -2, label %362
+    i32 0, label %362
+  ], !prof !35
 
-438:                                              ; preds = %428
-  store double %423, ptr %243, align 8, !noalias !15
-  br label %1398
+345:                                              ; preds = %334
+  br label %346
 
-439:                                              ; preds = %428
-  br i1 %233, label %445, label %440
+346:                                              ; preds = %345, %334
+  %347 = phi i64 [ 0, %345 ], [ %337, %334 ]
+  %348 = icmp slt i64 %337, %118
+  br i1 %348, label %350, label %349, !prof !8
 
-440:                                              ; preds = %439
-  %441 = getelementptr i8, ptr %139, i64 16
-  %442 = load double, ptr %441, align 8, !noalias !15
-  %443 = fcmp olt double %423, %442
-  %444 = select i1 %443, double %423, double %442
-  br label %458
+349:                                              ; preds = %346
+  br label %350
 
-445:                                              ; preds = %439
-  %446 = getelementptr i8, ptr %144, i64 48
-  %447 = load i64, ptr %446, align 8, !noalias !15
-  %448 = icmp slt i64 %447, 0
-  %449 = select i1 %448, i64 %148, i64 0
-  %450 = getelementptr double, ptr %149, i64 %447
-  %451 = getelementptr double, ptr %450, i64 %449
-  %452 = load double, ptr %451, align 8, !noalias !15
-  %453 = fsub double %452, %424
-  %454 = fdiv double %453, %423
-  %455 = fmul double %454, 0x3FEFFFFFFFFFDCD1
-  %456 = call double @llvm.ceil.f64(double %455)
-  %457 = fdiv double %453, %456
-  br label %458
+350:                                              ; preds = %349, %346
+  %351 = phi i64 [ %118, %349 ], [ %347, %346 ]
+  %352 = getelementptr double, ptr %119, i64 %351
+  %353 = call i64 @llvm.smax.i64(i64 %292, i64 0)
+  br label %339
 
-458:                                              ; preds = %445, %440
-  %459 = phi double [ %241, %440 ], [ %452, %445 ]
-  %460 = phi double [ %444, %440 ], [ %457, %445 ]
-  %461 = fadd double %424, %460
-  %462 = fmul double %460, 1.000000e-03
-  %463 = fsub double %459, %462
-  %464 = fcmp ogt double %461, %463
-  %465 = fsub double %459, %424
-  %466 = select i1 %464, double %465, double %460
-  %467 = select i1 %464, double %459, double %461
-  %468 = fmul double %466, 6.250000e-02
-  %469 = fadd double %424, %468
-  %470 = fcmp ogt double %469, %424
-  %471 = fcmp oeq double %467, %459
-  %472 = or i1 %470, %471
-  br i1 %472, label %473, label %1214
+354:                                              ; preds = %339
+  %355 = add nsw i64 %341, -1
+  %356 = add i64 %340, 1
+  %357 = getelementptr double, ptr %352, i64 %340
+  %358 = load double, ptr %357, align 8, !noalias !49
+  %359 = getelementptr double, ptr %119, i64 %340
+  %360 = load double, ptr %359, align 8, !noalias !49
+  %361 = fsub double %358, %360
+  store double %361, ptr %357, align 8, !noalias !49
+  br label %339
 
-473:                                              ; preds = %458
-  %474 = call i64 @llvm.smax.i64(i64 %101, i64 0)
-  br label %475
+362:                                              ; preds = %343, %343
+  %363 = load double, ptr %16, align 8, !noalias !49
+  %364 = fdiv double %363, %306
+  %365 = fcmp ogt double %297, %364
+  %366 = select i1 %365, double %297, double %364
+  %367 = fcmp ogt double %366, 1.000000e-15
+  %368 = fdiv double 1.000000e-02, %366
+  %369 = select i1 %367, double %368, double 1.000000e+13
+  %370 = load double, ptr %49, align 8, !noalias !49
+  %371 = bitcast double %369 to i64
+  %372 = add nsw i64 %371, -4604544271217802189
+  %373 = ashr i64 %372, 52
+  %374 = and i64 %372, -4503599627370496
+  %375 = sub i64 %371, %374
+  %376 = bitcast i64 %375 to double
+  %377 = fadd double %376, -1.000000e+00
+  %378 = fadd double %376, 1.000000e+00
+  %379 = fdiv double %377, %378
+  %380 = fmul double %379, %379
+  %381 = call double @llvm.fma.f64(double %380, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %382 = call double @llvm.fma.f64(double %381, double %380, double 0x3FE2776C50EF9BFE)
+  %383 = call double @llvm.fma.f64(double %382, double %380, double 0x3FEEC709DC3A03FD)
+  %384 = call double @llvm.fma.f64(double %383, double %380, double 0x40071547652B82FE)
+  %385 = fmul double %384, %379
+  %386 = trunc nsw i64 %373 to i32
+  %387 = sitofp i32 %386 to double
+  %388 = fadd double %385, %387
+  %389 = fmul double %388, %370
+  %390 = fcmp ogt double %389, -1.000000e+03
+  %391 = select i1 %390, double %389, double -1.000000e+03
+  %392 = fcmp olt double %391, 1.000000e+03
+  %393 = select i1 %392, double %391, double 1.000000e+03
+  %394 = call double @llvm.rint.f64(double %393)
+  %395 = fsub double %393, %394
+  %396 = call double @llvm.fma.f64(double %395, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %397 = call double @llvm.fma.f64(double %396, double %395, double 0x3F55D87FE78A6730)
+  %398 = call double @llvm.fma.f64(double %397, double %395, double 0x3F83B2AB6FBA4E77)
+  %399 = call double @llvm.fma.f64(double %398, double %395, double 0x3FAC6B08D704A0BF)
+  %400 = call double @llvm.fma.f64(double %399, double %395, double 0x3FCEBFBDFF82C58E)
+  %401 = call double @llvm.fma.f64(double %400, double %395, double 0x3FE62E42FEFA39EF)
+  %402 = call double @llvm.fma.f64(double %401, double %395, double 1.000000e+00)
+  %403 = fptosi double %394 to i32
+  %404 = zext i32 %403 to i64
+  %405 = shl i64 %404, 52
+  %406 = bitcast double %402 to i64
+  %407 = add i64 %405, %406
+  %408 = bitcast i64 %407 to double
+  %409 = fmul double %306, 1.000000e-03
+  %410 = fcmp olt double %409, 0x3EB0C6F7A0B5ED8D
+  %411 = select i1 %410, double 0x3EB0C6F7A0B5ED8D, double %409
+  %412 = fmul double %306, 1.000000e+02
+  %413 = select i1 %367, double %408, double %411
+  %414 = fcmp olt double %412, %413
+  %415 = select i1 %414, double %412, double %413
+  %416 = call double @llvm.fabs.f64(double %252)
+  %417 = fmul double %416, 0x3D30000000000000
+  %418 = fcmp ogt double %417, %415
+  %419 = select i1 %418, double %417, double %415
+  %420 = fcmp olt double %290, %419
+  %421 = select i1 %420, double %290, double %419
+  br label %422
 
-475:                                              ; preds = %473, %1244
-  %476 = phi i64 [ 0, %473 ], [ %1246, %1244 ]
-  %477 = phi i64 [ %474, %473 ], [ %1245, %1244 ]
-  %478 = icmp sgt i64 %477, 0
-  br i1 %478, label %1244, label %479
+422:                                              ; preds = %362, %332
+  %423 = phi double [ %333, %332 ], [ %421, %362 ]
+  %424 = call i1 @llvm.is.fpclass.f64(double %423, i32 384)
+  br i1 %424, label %427, label %425
 
-479:                                              ; preds = %475
-  %480 = load i64, ptr %26, align 8, !noalias !15
-  %481 = add i64 %480, -1
-  %482 = call i64 @llvm.smax.i64(i64 %481, i64 0)
-  br label %483
+425:                                              ; preds = %422
+  %426 = getelementptr i8, ptr %144, i64 72
+  store i64 4, ptr %426, align 8, !noalias !15
+  br label %427
 
-483:                                              ; preds = %1284, %479
-  %484 = phi i64 [ 1, %479 ], [ %1253, %1284 ]
-  %485 = phi i64 [ %482, %479 ], [ %1252, %1284 ]
-  %486 = icmp slt i64 %485, 1
-  br i1 %486, label %489, label %1251
+427:                                              ; preds = %422, %425, %285, %227
+  %428 = phi double [ %423, %422 ], [ %423, %425 ], [ %254, %285 ], [ %254, %227 ]
+  br label %429
 
-487:                                              ; preds = %1284
-  %488 = sext i32 %1281 to i64
-  br label %491
+429:                                              ; preds = %1274, %427
+  %430 = phi double [ %428, %427 ], [ %1276, %1274 ]
+  %431 = phi double [ %252, %427 ], [ %434, %1274 ]
+  br label %432
 
-489:                                              ; preds = %483
+432:                                              ; preds = %1205, %429
+  %433 = phi double [ %430, %429 ], [ %1199, %1205 ]
+  %434 = phi double [ %431, %429 ], [ %486, %1205 ]
+  %435 = load i64, ptr %195, align 8, !noalias !15
+  %436 = icmp eq i64 %435, 0
+  br i1 %436, label %437, label %438
+
+437:                                              ; preds = %432
+  store double %433, ptr %253, align 8, !noalias !15
+  br label %1466
+
+438:                                              ; preds = %432
+  %439 = getelementptr i8, ptr %230, i64 8
+  %440 = load i64, ptr %439, align 8, !noalias !53
+  %441 = icmp sgt i64 %440, 0
+  br i1 %441, label %442, label %447
+
+442:                                              ; preds = %438
+  %443 = load i64, ptr %230, align 8, !noalias !53
+  %444 = add nsw i64 %443, 3
+  %445 = icmp slt i64 %440, %444
+  br i1 %445, label %446, label %447
+
+446:                                              ; preds = %442
+  store double %433, ptr %253, align 8, !noalias !15
+  br label %1466
+
+447:                                              ; preds = %438, %442
+  %448 = add nsw i64 %435, -1
+  store i64 %448, ptr %195, align 8, !noalias !15
+  %449 = getelementptr i8, ptr %144, i64 8
+  %450 = load i64, ptr %449, align 8, !noalias !15
+  %451 = getelementptr i8, ptr %144, i64 16
+  %452 = load i64, ptr %451, align 8, !noalias !15
+  %453 = add nsw i64 %450, %452
+  %454 = getelementptr i8, ptr %144, i64 64
+  %455 = load i64, ptr %454, align 8, !noalias !15
+  %456 = icmp slt i64 %453, %455
+  br i1 %456, label %458, label %457
+
+457:                                              ; preds = %447
+  store double %433, ptr %253, align 8, !noalias !15
+  br label %1466
+
+458:                                              ; preds = %447
+  br i1 %243, label %464, label %459
+
+459:                                              ; preds = %458
+  %460 = getelementptr i8, ptr %139, i64 16
+  %461 = load double, ptr %460, align 8, !noalias !15
+  %462 = fcmp olt double %433, %461
+  %463 = select i1 %462, double %433, double %461
+  br label %477
+
+464:                                              ; preds = %458
+  %465 = getelementptr i8, ptr %144, i64 48
+  %466 = load i64, ptr %465, align 8, !noalias !15
+  %467 = icmp slt i64 %466, 0
+  %468 = select i1 %467, i64 %148, i64 0
+  %469 = getelementptr double, ptr %149, i64 %466
+  %470 = getelementptr double, ptr %469, i64 %468
+  %471 = load double, ptr %470, align 8, !noalias !15
+  %472 = fsub double %471, %434
+  %473 = fdiv double %472, %433
+  %474 = fmul double %473, 0x3FEFFFFFFFFFDCD1
+  %475 = call double @llvm.ceil.f64(double %474)
+  %476 = fdiv double %472, %475
+  br label %477
+
+477:                                              ; preds = %464, %459
+  %478 = phi double [ %251, %459 ], [ %471, %464 ]
+  %479 = phi double [ %463, %459 ], [ %476, %464 ]
+  %480 = fadd double %434, %479
+  %481 = fmul double %479, 1.000000e-03
+  %482 = fsub double %478, %481
+  %483 = fcmp ogt double %480, %482
+  %484 = fsub double %478, %434
+  %485 = select i1 %483, double %484, double %479
+  %486 = select i1 %483, double %478, double %480
+  %487 = fmul double %485, 6.250000e-02
+  %488 = fadd double %434, %487
+  %489 = fcmp ogt double %488, %434
+  %490 = fcmp oeq double %486, %478
+  %491 = or i1 %489, %490
+  br i1 %491, label %492, label %1278
+
+492:                                              ; preds = %477
+  %493 = call i64 @llvm.smax.i64(i64 %101, i64 0)
+  br label %494
+
+494:                                              ; preds = %492, %1308
+  %495 = phi i64 [ 0, %492 ], [ %1310, %1308 ]
+  %496 = phi i64 [ %493, %492 ], [ %1309, %1308 ]
+  %497 = icmp sgt i64 %496, 0
+  br i1 %497, label %1308, label %498
+
+498:                                              ; preds = %494
+  %499 = load i64, ptr %26, align 8, !noalias !15
+  %500 = add i64 %499, -1
+  %501 = call i64 @llvm.smax.i64(i64 %500, i64 0)
+  br label %502
+
+502:                                              ; preds = %1348, %498
+  %503 = phi i64 [ 1, %498 ], [ %1317, %1348 ]
+  %504 = phi i64 [ %501, %498 ], [ %1316, %1348 ]
+  %505 = icmp slt i64 %504, 1
+  br i1 %505, label %508, label %1315
+
+506:                                              ; preds = %1348
+  %507 = sext i32 %1345 to i64
+  br label %510
+
+508:                                              ; preds = %502
   store ptr null, ptr %21, align 8, !noalias !15
-  %490 = call fastcc i32 @_combine_latest(ptr nonnull %21, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %480, i64 %89, double %466) #2
-  switch i32 %490, label %1287 [
-    i32 -2, label %491
-    i32 0, label %491
+  %509 = call fastcc i32 @_combine_latest(ptr nonnull %21, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %499, i64 %89, double %485) #2
+  switch i32 %509, label %1351 [
+    i32 -2, label %510
+    i32 0, label %510
   ], !prof !35
 
-491:                                              ; preds = %489, %489, %487
-  %492 = phi i64 [ %488, %487 ], [ 0, %489 ], [ 0, %489 ]
-  br i1 %486, label %493, label %516
+510:                                              ; preds = %508, %508, %506
+  %511 = phi i64 [ %507, %506 ], [ 0, %508 ], [ 0, %508 ]
+  br i1 %505, label %512, label %535
 
-493:                                              ; preds = %491
-  %494 = getelementptr i8, ptr %26, i64 32
-  %495 = load i64, ptr %494, align 8, !noalias !15
-  %496 = icmp eq i64 %495, 1
-  br i1 %496, label %497, label %516
+512:                                              ; preds = %510
+  %513 = getelementptr i8, ptr %26, i64 32
+  %514 = load i64, ptr %513, align 8, !noalias !15
+  %515 = icmp eq i64 %514, 1
+  br i1 %515, label %516, label %535
 
-497:                                              ; preds = %493
-  %498 = getelementptr i8, ptr %144, i64 24
-  %499 = load i64, ptr %498, align 8, !noalias !15
-  %500 = add nsw i64 %499, 1
-  store i64 %500, ptr %498, align 8, !noalias !15
-  store ptr null, ptr %8, align 8, !noalias !53
-  store ptr null, ptr %9, align 8, !noalias !53
-  store double %467, ptr %55, align 8, !noalias !53
-  %501 = icmp sgt i64 %67, 0
-  br i1 %501, label %502, label %505
+516:                                              ; preds = %512
+  %517 = getelementptr i8, ptr %144, i64 24
+  %518 = load i64, ptr %517, align 8, !noalias !15
+  %519 = add nsw i64 %518, 1
+  store i64 %519, ptr %517, align 8, !noalias !15
+  store ptr null, ptr %8, align 8, !noalias !56
+  store ptr null, ptr %9, align 8, !noalias !56
+  store double %486, ptr %55, align 8, !noalias !56
+  %520 = icmp sgt i64 %67, 0
+  br i1 %520, label %521, label %524
 
-502:                                              ; preds = %497
-  store ptr null, ptr %8, align 8, !noalias !53
-  %503 = call fastcc i32 @_sample(ptr nonnull %8, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %467) #2
-  switch i32 %503, label %504 [
-    i32 -2, label %505
-    i32 0, label %505
+521:                                              ; preds = %516
+  store ptr null, ptr %8, align 8, !noalias !56
+  %522 = call fastcc i32 @_sample(ptr nonnull %8, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %486) #2
+  switch i32 %522, label %523 [
+    i32 -2, label %524
+    i32 0, label %524
   ], !prof !35
 
-504:                                              ; preds = %502
-  br label %505
+523:                                              ; preds = %521
+  br label %524
 
-505:                                              ; preds = %502, %502, %497, %504
-  %506 = phi i32 [ %503, %504 ], [ 0, %497 ], [ 0, %502 ], [ 0, %502 ]
-  switch i32 %506, label %513 [
-    i32 -2, label %507
-    i32 0, label %507
+524:                                              ; preds = %521, %521, %516, %523
+  %525 = phi i32 [ %522, %523 ], [ 0, %516 ], [ 0, %521 ], [ 0, %521 ]
+  switch i32 %525, label %532 [
+    i32 -2, label %526
+    i32 0, label %526
   ], !prof !35
 
-507:                                              ; preds = %505, %505
-  %508 = load i64, ptr %52, align 8, !noalias !60
-  %509 = inttoptr i64 %508 to ptr
-  %510 = inttoptr i64 %236 to ptr
-  %511 = call i32 %509(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %510) #2, !noalias !60
-  %512 = sext i32 %511 to i64
-  br label %513
-
-513:                                              ; preds = %505, %507
-  %514 = phi i64 [ %512, %507 ], [ 0, %505 ]
-  %515 = phi i32 [ 0, %507 ], [ %506, %505 ]
-  switch i32 %515, label %1288 [
-    i32 -2, label %516
-    i32 0, label %516
-  ], !prof !35
-
-516:                                              ; preds = %513, %513, %493, %491
-  %517 = phi i64 [ %492, %491 ], [ 0, %493 ], [ %514, %513 ], [ %514, %513 ]
-  %518 = icmp slt i64 %517, 0
-  br i1 %518, label %519, label %520
-
-519:                                              ; preds = %516
-  br label %1398
-
-520:                                              ; preds = %516
-  %521 = icmp eq i64 %517, 0
-  br i1 %521, label %522, label %722
-
-522:                                              ; preds = %520
-  br i1 %233, label %682, label %523
-
-523:                                              ; preds = %522
-  %524 = getelementptr i8, ptr %52, i64 24
-  %525 = load i64, ptr %524, align 8, !noalias !61
-  %526 = getelementptr i8, ptr %52, i64 32
-  %527 = load i64, ptr %526, align 8, !noalias !61
-  %528 = load i64, ptr %231, align 8, !noalias !61
-  %529 = load i64, ptr %26, align 8, !noalias !61
-  %530 = add nsw i64 %529, 1
-  %531 = call i64 @llvm.smax.i64(i64 %528, i64 0)
+526:                                              ; preds = %524, %524
+  %527 = load i64, ptr %52, align 8, !noalias !63
+  %528 = inttoptr i64 %527 to ptr
+  %529 = inttoptr i64 %246 to ptr
+  %530 = call i32 %528(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %529) #2, !noalias !63
+  %531 = sext i32 %530 to i64
   br label %532
 
-532:                                              ; preds = %523, %613
-  %533 = phi i64 [ 0, %523 ], [ %615, %613 ]
-  %534 = phi i64 [ %531, %523 ], [ %614, %613 ]
-  %535 = icmp sgt i64 %534, 0
-  br i1 %535, label %613, label %635
+532:                                              ; preds = %524, %526
+  %533 = phi i64 [ %531, %526 ], [ 0, %524 ]
+  %534 = phi i32 [ 0, %526 ], [ %525, %524 ]
+  switch i32 %534, label %1352 [
+    i32 -2, label %535
+    i32 0, label %535
+  ], !prof !35
 
-536:                                              ; preds = %645, %649
-  %537 = phi i64 [ 0, %645 ], [ %651, %649 ]
-  %538 = phi i64 [ %648, %645 ], [ %650, %649 ]
-  %539 = phi double [ 0.000000e+00, %645 ], [ %681, %649 ]
-  %540 = phi double [ 0.000000e+00, %645 ], [ %679, %649 ]
-  %541 = icmp sgt i64 %538, 0
-  br i1 %541, label %649, label %542
+535:                                              ; preds = %532, %532, %512, %510
+  %536 = phi i64 [ %511, %510 ], [ 0, %512 ], [ %533, %532 ], [ %533, %532 ]
+  %537 = icmp slt i64 %536, 0
+  br i1 %537, label %538, label %539
 
-542:                                              ; preds = %536
-  %543 = load i64, ptr %150, align 8, !noalias !61
-  %544 = add nsw i64 %543, -3
-  %545 = sub i64 %544, %525
-  %546 = add nuw i64 %545, 3
-  %547 = lshr i64 %546, 2
-  %548 = icmp sgt i64 %545, 0
-  %549 = select i1 %548, i64 %547, i64 0
-  br label %550
+538:                                              ; preds = %535
+  br label %1466
 
-550:                                              ; preds = %542, %574
-  %551 = phi i64 [ %525, %542 ], [ %576, %574 ]
-  %552 = phi i64 [ %549, %542 ], [ %575, %574 ]
-  %553 = phi double [ 0.000000e+00, %542 ], [ %580, %574 ]
-  %554 = phi double [ 0.000000e+00, %542 ], [ %584, %574 ]
-  %555 = phi double [ 0.000000e+00, %542 ], [ %588, %574 ]
-  %556 = phi double [ 0.000000e+00, %542 ], [ %592, %574 ]
-  %557 = icmp sgt i64 %552, 0
-  br i1 %557, label %574, label %558
+539:                                              ; preds = %535
+  %540 = icmp eq i64 %536, 0
+  br i1 %540, label %541, label %741
 
-558:                                              ; preds = %550
-  %559 = sub nsw i64 %543, %525
-  %560 = and i64 %559, 3
-  %561 = sub nsw i64 %543, %560
-  br label %562
+541:                                              ; preds = %539
+  br i1 %243, label %701, label %542
 
-562:                                              ; preds = %558, %593
-  %563 = phi i64 [ %561, %558 ], [ %595, %593 ]
-  %564 = phi i64 [ %560, %558 ], [ %594, %593 ]
-  %565 = phi double [ %553, %558 ], [ %599, %593 ]
-  %566 = icmp sgt i64 %564, 0
-  br i1 %566, label %593, label %567
+542:                                              ; preds = %541
+  %543 = getelementptr i8, ptr %52, i64 24
+  %544 = load i64, ptr %543, align 8, !noalias !64
+  %545 = getelementptr i8, ptr %52, i64 32
+  %546 = load i64, ptr %545, align 8, !noalias !64
+  %547 = load i64, ptr %241, align 8, !noalias !64
+  %548 = load i64, ptr %26, align 8, !noalias !64
+  %549 = add nsw i64 %548, 1
+  %550 = call i64 @llvm.smax.i64(i64 %547, i64 0)
+  br label %551
 
-567:                                              ; preds = %562
-  %568 = fadd double %565, %554
-  %569 = fadd double %555, %556
-  %570 = fadd double %568, %569
-  %571 = fadd double %540, %570
-  %572 = freeze double %571
-  %573 = icmp eq i64 %528, 2
-  br i1 %573, label %600, label %609
+551:                                              ; preds = %542, %632
+  %552 = phi i64 [ 0, %542 ], [ %634, %632 ]
+  %553 = phi i64 [ %550, %542 ], [ %633, %632 ]
+  %554 = icmp sgt i64 %553, 0
+  br i1 %554, label %632, label %654
 
-574:                                              ; preds = %550
-  %575 = add nsw i64 %552, -1
-  %576 = add i64 %551, 4
-  %577 = getelementptr double, ptr %92, i64 %551
-  %578 = load double, ptr %577, align 8, !noalias !65
-  %579 = fmul double %578, 0.000000e+00
-  %580 = fadd double %553, %579
-  %581 = getelementptr i8, ptr %577, i64 8
-  %582 = load double, ptr %581, align 8, !noalias !65
-  %583 = fmul double %582, 0.000000e+00
-  %584 = fadd double %554, %583
-  %585 = getelementptr i8, ptr %577, i64 16
-  %586 = load double, ptr %585, align 8, !noalias !65
-  %587 = fmul double %586, 0.000000e+00
-  %588 = fadd double %555, %587
-  %589 = getelementptr i8, ptr %577, i64 24
-  %590 = load double, ptr %589, align 8, !noalias !65
-  %591 = fmul double %590, 0.000000e+00
-  %592 = fadd double %556, %591
-  br label %550
+555:                                              ; preds = %664, %668
+  %556 = phi i64 [ 0, %664 ], [ %670, %668 ]
+  %557 = phi i64 [ %667, %664 ], [ %669, %668 ]
+  %558 = phi double [ 0.000000e+00, %664 ], [ %700, %668 ]
+  %559 = phi double [ 0.000000e+00, %664 ], [ %698, %668 ]
+  %560 = icmp sgt i64 %557, 0
+  br i1 %560, label %668, label %561
 
-593:                                              ; preds = %562
-  %594 = add nsw i64 %564, -1
-  %595 = add i64 %563, 1
-  %596 = getelementptr double, ptr %92, i64 %563
-  %597 = load double, ptr %596, align 8, !noalias !65
+561:                                              ; preds = %555
+  %562 = load i64, ptr %150, align 8, !noalias !64
+  %563 = add nsw i64 %562, -3
+  %564 = sub i64 %563, %544
+  %565 = add nuw i64 %564, 3
+  %566 = lshr i64 %565, 2
+  %567 = icmp sgt i64 %564, 0
+  %568 = select i1 %567, i64 %566, i64 0
+  br label %569
+
+569:                                              ; preds = %561, %593
+  %570 = phi i64 [ %544, %561 ], [ %595, %593 ]
+  %571 = phi i64 [ %568, %561 ], [ %594, %593 ]
+  %572 = phi double [ 0.000000e+00, %561 ], [ %599, %593 ]
+  %573 = phi double [ 0.000000e+00, %561 ], [ %603, %593 ]
+  %574 = phi double [ 0.000000e+00, %561 ], [ %607, %593 ]
+  %575 = phi double [ 0.000000e+00, %561 ], [ %611, %593 ]
+  %576 = icmp sgt i64 %571, 0
+  br i1 %576, label %593, label %577
+
+577:                                              ; preds = %569
+  %578 = sub nsw i64 %562, %544
+  %579 = and i64 %578, 3
+  %580 = sub nsw i64 %562, %579
+  br label %581
+
+581:                                              ; preds = %577, %612
+  %582 = phi i64 [ %580, %577 ], [ %614, %612 ]
+  %583 = phi i64 [ %579, %577 ], [ %613, %612 ]
+  %584 = phi double [ %572, %577 ], [ %618, %612 ]
+  %585 = icmp sgt i64 %583, 0
+  br i1 %585, label %612, label %586
+
+586:                                              ; preds = %581
+  %587 = fadd double %584, %573
+  %588 = fadd double %574, %575
+  %589 = fadd double %587, %588
+  %590 = fadd double %559, %589
+  %591 = freeze double %590
+  %592 = icmp eq i64 %547, 2
+  br i1 %592, label %619, label %628
+
+593:                                              ; preds = %569
+  %594 = add nsw i64 %571, -1
+  %595 = add i64 %570, 4
+  %596 = getelementptr double, ptr %92, i64 %570
+  %597 = load double, ptr %596, align 8, !noalias !68
   %598 = fmul double %597, 0.000000e+00
-  %599 = fadd double %565, %598
-  br label %562
+  %599 = fadd double %572, %598
+  %600 = getelementptr i8, ptr %596, i64 8
+  %601 = load double, ptr %600, align 8, !noalias !68
+  %602 = fmul double %601, 0.000000e+00
+  %603 = fadd double %573, %602
+  %604 = getelementptr i8, ptr %596, i64 16
+  %605 = load double, ptr %604, align 8, !noalias !68
+  %606 = fmul double %605, 0.000000e+00
+  %607 = fadd double %574, %606
+  %608 = getelementptr i8, ptr %596, i64 24
+  %609 = load double, ptr %608, align 8, !noalias !68
+  %610 = fmul double %609, 0.000000e+00
+  %611 = fadd double %575, %610
+  br label %569
 
-600:                                              ; preds = %567
-  %601 = fmul double %539, 1.000000e-02
-  %602 = fadd double %572, %601
-  %603 = sitofp i64 %525 to double
-  %604 = fmul double %602, %603
-  %605 = call double @llvm.sqrt.f64(double %604)
-  %606 = fcmp oeq double %572, 0.000000e+00
-  %607 = fdiv double %572, %605
-  %608 = select i1 %606, double 0.000000e+00, double %607
-  br label %689
+612:                                              ; preds = %581
+  %613 = add nsw i64 %583, -1
+  %614 = add i64 %582, 1
+  %615 = getelementptr double, ptr %92, i64 %582
+  %616 = load double, ptr %615, align 8, !noalias !68
+  %617 = fmul double %616, 0.000000e+00
+  %618 = fadd double %584, %617
+  br label %581
 
-609:                                              ; preds = %567
-  %610 = sitofp i64 %525 to double
-  %611 = fdiv double %572, %610
-  %612 = call double @llvm.sqrt.f64(double %611)
-  br label %689
+619:                                              ; preds = %586
+  %620 = fmul double %558, 1.000000e-02
+  %621 = fadd double %591, %620
+  %622 = sitofp i64 %544 to double
+  %623 = fmul double %621, %622
+  %624 = call double @llvm.sqrt.f64(double %623)
+  %625 = fcmp oeq double %591, 0.000000e+00
+  %626 = fdiv double %591, %624
+  %627 = select i1 %625, double 0.000000e+00, double %626
+  br label %708
 
-613:                                              ; preds = %532
-  %614 = add nsw i64 %534, -1
-  %615 = add i64 %533, 1
-  %616 = mul nsw i64 %533, %86
-  %617 = shl i64 %616, 3
-  %618 = add i64 %617, %111
-  %619 = add nsw i64 %530, %533
-  %620 = icmp slt i64 %619, 0
-  %621 = select i1 %620, i64 %30, i64 0
-  %622 = getelementptr i64, ptr %31, i64 %619
-  %623 = getelementptr i64, ptr %622, i64 %621
-  %624 = load i64, ptr %623, align 8, !noalias !69
-  %625 = shl i64 %624, 3
-  %626 = add i64 %625, %33
-  %627 = add i64 %625, %38
-  %628 = icmp slt i64 %619, -1
-  %629 = select i1 %628, i64 %30, i64 0
-  %630 = getelementptr i8, ptr %622, i64 8
-  %631 = getelementptr i64, ptr %630, i64 %629
-  %632 = load i64, ptr %631, align 8, !noalias !69
-  %633 = xor i64 %624, -1
-  %634 = add i64 %632, %633
-  call fastcc void @pydy_combine(i64 %618, i64 %109, i64 %99, i64 %116, i64 %626, i64 %627, i64 %634, i64 1, i64 %527) #2, !noalias !69
-  br label %532
+628:                                              ; preds = %586
+  %629 = sitofp i64 %544 to double
+  %630 = fdiv double %591, %629
+  %631 = call double @llvm.sqrt.f64(double %630)
+  br label %708
 
-635:                                              ; preds = %532
-  %636 = icmp slt i64 %86, 0
-  %637 = select i1 %636, i64 %113, i64 0
-  %638 = add i64 %86, %637
+632:                                              ; preds = %551
+  %633 = add nsw i64 %553, -1
+  %634 = add i64 %552, 1
+  %635 = mul nsw i64 %552, %86
+  %636 = shl i64 %635, 3
+  %637 = add i64 %636, %111
+  %638 = add nsw i64 %549, %552
   %639 = icmp slt i64 %638, 0
-  br i1 %639, label %640, label %641, !prof !4
+  %640 = select i1 %639, i64 %30, i64 0
+  %641 = getelementptr i64, ptr %31, i64 %638
+  %642 = getelementptr i64, ptr %641, i64 %640
+  %643 = load i64, ptr %642, align 8, !noalias !72
+  %644 = shl i64 %643, 3
+  %645 = add i64 %644, %33
+  %646 = add i64 %644, %38
+  %647 = icmp slt i64 %638, -1
+  %648 = select i1 %647, i64 %30, i64 0
+  %649 = getelementptr i8, ptr %641, i64 8
+  %650 = getelementptr i64, ptr %649, i64 %648
+  %651 = load i64, ptr %650, align 8, !noalias !72
+  %652 = xor i64 %643, -1
+  %653 = add i64 %651, %652
+  call fastcc void @pydy_combine(i64 %637, i64 %109, i64 %99, i64 %116, i64 %645, i64 %646, i64 %653, i64 1, i64 %546) #2, !noalias !72
+  br label %551
 
-640:                                              ; preds = %635
-  br label %641
+654:                                              ; preds = %551
+  %655 = icmp slt i64 %86, 0
+  %656 = select i1 %655, i64 %113, i64 0
+  %657 = add i64 %86, %656
+  %658 = icmp slt i64 %657, 0
+  br i1 %658, label %659, label %660, !prof !4
 
-641:                                              ; preds = %640, %635
-  %642 = phi i64 [ 0, %640 ], [ %638, %635 ]
-  %643 = icmp slt i64 %638, %113
-  br i1 %643, label %645, label %644, !prof !8
+659:                                              ; preds = %654
+  br label %660
 
-644:                                              ; preds = %641
-  br label %645
+660:                                              ; preds = %659, %654
+  %661 = phi i64 [ 0, %659 ], [ %657, %654 ]
+  %662 = icmp slt i64 %657, %113
+  br i1 %662, label %664, label %663, !prof !8
 
-645:                                              ; preds = %644, %641
-  %646 = phi i64 [ %113, %644 ], [ %642, %641 ]
-  %647 = getelementptr double, ptr %114, i64 %646
-  %648 = call i64 @llvm.smax.i64(i64 %525, i64 0)
-  br label %536
+663:                                              ; preds = %660
+  br label %664
 
-649:                                              ; preds = %536
-  %650 = add nsw i64 %538, -1
-  %651 = add i64 %537, 1
-  %652 = getelementptr double, ptr %87, i64 %537
-  %653 = load double, ptr %652, align 8, !noalias !61
-  %654 = getelementptr double, ptr %92, i64 %537
-  %655 = load double, ptr %654, align 8, !noalias !61
-  %656 = icmp slt i64 %537, 0
-  %657 = select i1 %656, i64 %133, i64 0
-  %658 = getelementptr double, ptr %134, i64 %537
-  %659 = getelementptr double, ptr %658, i64 %657
-  %660 = load double, ptr %659, align 8, !noalias !72
-  %661 = select i1 %656, i64 %128, i64 0
-  %662 = getelementptr double, ptr %129, i64 %537
-  %663 = getelementptr double, ptr %662, i64 %661
-  %664 = load double, ptr %663, align 8, !noalias !72
-  %665 = call double @llvm.fabs.f64(double %653)
-  %666 = call double @llvm.fabs.f64(double %655)
-  %667 = fcmp ogt double %665, %666
-  %668 = select i1 %667, double %665, double %666
-  %669 = fmul double %664, %668
-  %670 = fadd double %660, %669
-  %671 = fdiv double 1.000000e+00, %670
-  %672 = getelementptr double, ptr %114, i64 %537
-  %673 = load double, ptr %672, align 8, !noalias !61
-  %674 = fmul double %673, %671
-  %675 = getelementptr double, ptr %647, i64 %537
-  %676 = load double, ptr %675, align 8, !noalias !61
-  %677 = fmul double %676, %671
-  %678 = fmul double %674, %674
-  %679 = fadd double %540, %678
-  %680 = fmul double %677, %677
-  %681 = fadd double %539, %680
-  br label %536
+664:                                              ; preds = %663, %660
+  %665 = phi i64 [ %113, %663 ], [ %661, %660 ]
+  %666 = getelementptr double, ptr %114, i64 %665
+  %667 = call i64 @llvm.smax.i64(i64 %544, i64 0)
+  br label %555
 
-682:                                              ; preds = %522
-  %683 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %684
+668:                                              ; preds = %555
+  %669 = add nsw i64 %557, -1
+  %670 = add i64 %556, 1
+  %671 = getelementptr double, ptr %87, i64 %556
+  %672 = load double, ptr %671, align 8, !noalias !64
+  %673 = getelementptr double, ptr %92, i64 %556
+  %674 = load double, ptr %673, align 8, !noalias !64
+  %675 = icmp slt i64 %556, 0
+  %676 = select i1 %675, i64 %133, i64 0
+  %677 = getelementptr double, ptr %134, i64 %556
+  %678 = getelementptr double, ptr %677, i64 %676
+  %679 = load double, ptr %678, align 8, !noalias !75
+  %680 = select i1 %675, i64 %128, i64 0
+  %681 = getelementptr double, ptr %129, i64 %556
+  %682 = getelementptr double, ptr %681, i64 %680
+  %683 = load double, ptr %682, align 8, !noalias !75
+  %684 = call double @llvm.fabs.f64(double %672)
+  %685 = call double @llvm.fabs.f64(double %674)
+  %686 = fcmp ogt double %684, %685
+  %687 = select i1 %686, double %684, double %685
+  %688 = fmul double %683, %687
+  %689 = fadd double %679, %688
+  %690 = fdiv double 1.000000e+00, %689
+  %691 = getelementptr double, ptr %114, i64 %556
+  %692 = load double, ptr %691, align 8, !noalias !64
+  %693 = fmul double %692, %690
+  %694 = getelementptr double, ptr %666, i64 %556
+  %695 = load double, ptr %694, align 8, !noalias !64
+  %696 = fmul double %695, %690
+  %697 = fmul double %693, %693
+  %698 = fadd double %559, %697
+  %699 = fmul double %696, %696
+  %700 = fadd double %558, %699
+  br label %555
 
-684:                                              ; preds = %682, %1289
-  %685 = phi i64 [ 0, %682 ], [ %1291, %1289 ]
-  %686 = phi i64 [ %683, %682 ], [ %1290, %1289 ]
-  %687 = phi double [ 0.000000e+00, %682 ], [ %1298, %1289 ]
-  %688 = icmp sgt i64 %686, 0
-  br i1 %688, label %1289, label %689
+701:                                              ; preds = %541
+  %702 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %703
 
-689:                                              ; preds = %684, %609, %600
-  %690 = phi double [ %687, %684 ], [ %612, %609 ], [ %608, %600 ]
-  %691 = fcmp olt double %690, 1.000000e+00
-  br i1 %691, label %692, label %722
+703:                                              ; preds = %701, %1353
+  %704 = phi i64 [ 0, %701 ], [ %1355, %1353 ]
+  %705 = phi i64 [ %702, %701 ], [ %1354, %1353 ]
+  %706 = phi double [ 0.000000e+00, %701 ], [ %1362, %1353 ]
+  %707 = icmp sgt i64 %705, 0
+  br i1 %707, label %1353, label %708
 
-692:                                              ; preds = %689
-  br i1 %230, label %697, label %693
+708:                                              ; preds = %703, %628, %619
+  %709 = phi double [ %706, %703 ], [ %631, %628 ], [ %627, %619 ]
+  %710 = fcmp olt double %709, 1.000000e+00
+  br i1 %710, label %711, label %741
 
-693:                                              ; preds = %692
-  %694 = getelementptr i8, ptr %26, i64 32
-  %695 = load i64, ptr %694, align 8, !noalias !15
-  %696 = icmp eq i64 %695, 0
-  br i1 %696, label %703, label %722
+711:                                              ; preds = %708
+  br i1 %240, label %716, label %712
 
-697:                                              ; preds = %692
-  %698 = getelementptr i8, ptr %191, i64 56
-  %699 = load i64, ptr %698, align 8, !noalias !15
-  %700 = inttoptr i64 %699 to ptr
-  %701 = call i64 %700(i64 %0, double %467, i64 %89) #2, !noalias !15
-  %702 = icmp eq i64 %701, 0
-  br i1 %702, label %703, label %722
+712:                                              ; preds = %711
+  %713 = getelementptr i8, ptr %26, i64 32
+  %714 = load i64, ptr %713, align 8, !noalias !15
+  %715 = icmp eq i64 %714, 0
+  br i1 %715, label %722, label %741
 
-703:                                              ; preds = %693, %697
-  %704 = getelementptr i8, ptr %144, i64 24
-  %705 = load i64, ptr %704, align 8, !noalias !15
-  %706 = add nsw i64 %705, 1
-  store i64 %706, ptr %704, align 8, !noalias !15
-  store ptr null, ptr %6, align 8, !noalias !75
-  store ptr null, ptr %7, align 8, !noalias !75
-  store double %467, ptr %55, align 8, !noalias !75
-  %707 = icmp sgt i64 %67, 0
-  br i1 %707, label %708, label %711
+716:                                              ; preds = %711
+  %717 = getelementptr i8, ptr %191, i64 56
+  %718 = load i64, ptr %717, align 8, !noalias !15
+  %719 = inttoptr i64 %718 to ptr
+  %720 = call i64 %719(i64 %0, double %486, i64 %89) #2, !noalias !15
+  %721 = icmp eq i64 %720, 0
+  br i1 %721, label %722, label %741
 
-708:                                              ; preds = %703
-  store ptr null, ptr %6, align 8, !noalias !75
-  %709 = call fastcc i32 @_sample(ptr nonnull %6, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %467) #2
-  switch i32 %709, label %710 [
-    i32 -2, label %711
-    i32 0, label %711
+722:                                              ; preds = %712, %716
+  %723 = getelementptr i8, ptr %144, i64 24
+  %724 = load i64, ptr %723, align 8, !noalias !15
+  %725 = add nsw i64 %724, 1
+  store i64 %725, ptr %723, align 8, !noalias !15
+  store ptr null, ptr %6, align 8, !noalias !78
+  store ptr null, ptr %7, align 8, !noalias !78
+  store double %486, ptr %55, align 8, !noalias !78
+  %726 = icmp sgt i64 %67, 0
+  br i1 %726, label %727, label %730
+
+727:                                              ; preds = %722
+  store ptr null, ptr %6, align 8, !noalias !78
+  %728 = call fastcc i32 @_sample(ptr nonnull %6, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %486) #2
+  switch i32 %728, label %729 [
+    i32 -2, label %730
+    i32 0, label %730
   ], !prof !35
 
-710:                                              ; preds = %708
-  br label %711
+729:                                              ; preds = %727
+  br label %730
 
-711:                                              ; preds = %708, %708, %703, %710
-  %712 = phi i32 [ %709, %710 ], [ 0, %703 ], [ 0, %708 ], [ 0, %708 ]
-  switch i32 %712, label %718 [
-    i32 -2, label %713
-    i32 0, label %713
+730:                                              ; preds = %727, %727, %722, %729
+  %731 = phi i32 [ %728, %729 ], [ 0, %722 ], [ 0, %727 ], [ 0, %727 ]
+  switch i32 %731, label %737 [
+    i32 -2, label %732
+    i32 0, label %732
   ], !prof !35
 
-713:                                              ; preds = %711, %711
-  %714 = load i64, ptr %52, align 8, !noalias !82
-  %715 = inttoptr i64 %714 to ptr
-  %716 = inttoptr i64 %236 to ptr
-  %717 = call i32 %715(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %716) #2, !noalias !82
-  br label %718
+732:                                              ; preds = %730, %730
+  %733 = load i64, ptr %52, align 8, !noalias !85
+  %734 = inttoptr i64 %733 to ptr
+  %735 = inttoptr i64 %246 to ptr
+  %736 = call i32 %734(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %735) #2, !noalias !85
+  br label %737
 
-718:                                              ; preds = %711, %713
-  %719 = phi i32 [ %717, %713 ], [ 0, %711 ]
-  %720 = phi i32 [ 0, %713 ], [ %712, %711 ]
-  switch i32 %720, label %1302 [
-    i32 -2, label %1299
-    i32 0, label %1299
+737:                                              ; preds = %730, %732
+  %738 = phi i32 [ %736, %732 ], [ 0, %730 ]
+  %739 = phi i32 [ 0, %732 ], [ %731, %730 ]
+  switch i32 %739, label %1366 [
+    i32 -2, label %1363
+    i32 0, label %1363
   ], !prof !35
 
-721:                                              ; preds = %1299
-  br label %1398
+740:                                              ; preds = %1363
+  br label %1466
 
-722:                                              ; preds = %1299, %697, %693, %689, %520
-  %723 = phi i1 [ true, %520 ], [ false, %689 ], [ true, %693 ], [ true, %697 ], [ true, %1299 ]
-  %724 = phi i64 [ %517, %520 ], [ 0, %689 ], [ 0, %693 ], [ 0, %697 ], [ %1300, %1299 ]
-  %725 = phi double [ 0.000000e+00, %520 ], [ %690, %689 ], [ %690, %693 ], [ %690, %697 ], [ %690, %1299 ]
-  %726 = phi i1 [ true, %520 ], [ true, %689 ], [ true, %693 ], [ false, %697 ], [ true, %1299 ]
-  %727 = icmp eq i64 %724, 0
-  %728 = and i1 %727, %723
-  %729 = and i1 %728, %726
-  br i1 %729, label %730, label %1145
+741:                                              ; preds = %1363, %716, %712, %708, %539
+  %742 = phi i1 [ true, %539 ], [ false, %708 ], [ true, %712 ], [ true, %716 ], [ true, %1363 ]
+  %743 = phi i64 [ %536, %539 ], [ 0, %708 ], [ 0, %712 ], [ 0, %716 ], [ %1364, %1363 ]
+  %744 = phi double [ 0.000000e+00, %539 ], [ %709, %708 ], [ %709, %712 ], [ %709, %716 ], [ %709, %1363 ]
+  %745 = phi i1 [ true, %539 ], [ true, %708 ], [ true, %712 ], [ false, %716 ], [ true, %1363 ]
+  %746 = icmp eq i64 %743, 0
+  %747 = and i1 %746, %742
+  %748 = and i1 %747, %745
+  br i1 %748, label %749, label %1209
 
-730:                                              ; preds = %722
-  %731 = load i64, ptr %430, align 8, !noalias !15
-  %732 = add nsw i64 %731, 1
-  store i64 %732, ptr %430, align 8, !noalias !15
-  store double %467, ptr %139, align 8, !noalias !15
-  %733 = getelementptr i8, ptr %139, i64 32
-  store double %466, ptr %733, align 8, !noalias !15
-  %734 = getelementptr i8, ptr %194, i64 8
-  %735 = load i64, ptr %734, align 8, !noalias !15
-  %736 = icmp eq i64 %735, 0
-  br i1 %736, label %737, label %748
+749:                                              ; preds = %741
+  %750 = load i64, ptr %449, align 8, !noalias !15
+  %751 = add nsw i64 %750, 1
+  store i64 %751, ptr %449, align 8, !noalias !15
+  store double %486, ptr %139, align 8, !noalias !15
+  %752 = getelementptr i8, ptr %139, i64 32
+  store double %485, ptr %752, align 8, !noalias !15
+  %753 = load i64, ptr %439, align 8, !noalias !86
+  %754 = icmp eq i64 %753, 0
+  br i1 %754, label %1367, label %755
 
-737:                                              ; preds = %730
-  %738 = getelementptr i8, ptr %144, i64 48
-  %739 = load i64, ptr %738, align 8, !noalias !15
-  %740 = icmp slt i64 %739, 0
-  %741 = select i1 %740, i64 %148, i64 0
-  %742 = getelementptr double, ptr %149, i64 %739
-  %743 = getelementptr double, ptr %742, i64 %741
-  %744 = load double, ptr %743, align 8, !noalias !15
-  %745 = fcmp ult double %744, %467
-  br i1 %745, label %748, label %746
+755:                                              ; preds = %749
+  %756 = load i64, ptr %230, align 8, !noalias !86
+  %757 = load i64, ptr %150, align 8, !noalias !86
+  %758 = icmp slt i64 %756, 0
+  %759 = select i1 %758, i64 %234, i64 0
+  %760 = add i64 %756, %759
+  %761 = mul i64 %760, %236
+  %762 = getelementptr double, ptr %237, i64 %761
+  store double %434, ptr %762, align 8, !noalias !86
+  %763 = getelementptr i8, ptr %762, i64 8
+  store double %485, ptr %763, align 8, !noalias !86
+  %764 = add nsw i64 %756, 1
+  %765 = icmp slt i64 %756, -1
+  %766 = select i1 %765, i64 %234, i64 0
+  %767 = add i64 %764, %766
+  %768 = mul i64 %767, %236
+  %769 = getelementptr double, ptr %237, i64 %768
+  store double %486, ptr %769, align 8, !noalias !86
+  %770 = getelementptr i8, ptr %769, i64 8
+  store double 0.000000e+00, ptr %770, align 8, !noalias !86
+  %771 = call i64 @llvm.smax.i64(i64 %757, i64 0)
+  br label %772
 
-746:                                              ; preds = %737
+772:                                              ; preds = %777, %755
+  %773 = phi i64 [ 0, %755 ], [ %779, %777 ]
+  %774 = phi i64 [ %771, %755 ], [ %778, %777 ]
+  %775 = icmp sgt i64 %774, 0
+  br i1 %775, label %777, label %776
+
+776:                                              ; preds = %772
+  store i64 %764, ptr %230, align 8, !noalias !86
+  br label %1367
+
+777:                                              ; preds = %772
+  %778 = add nsw i64 %774, -1
+  %779 = add i64 %773, 1
+  %780 = icmp slt i64 %773, 0
+  %781 = select i1 %780, i64 %86, i64 0
+  %782 = getelementptr double, ptr %87, i64 %773
+  %783 = getelementptr double, ptr %782, i64 %781
+  %784 = load double, ptr %783, align 8, !noalias !86
+  %785 = select i1 %780, i64 %91, i64 0
+  %786 = getelementptr double, ptr %92, i64 %773
+  %787 = getelementptr double, ptr %786, i64 %785
+  %788 = load double, ptr %787, align 8, !noalias !86
+  %789 = icmp slt i64 %773, -2
+  %790 = select i1 %789, i64 %236, i64 0
+  %791 = getelementptr double, ptr %762, i64 %773
+  %792 = getelementptr i8, ptr %791, i64 16
+  %793 = getelementptr double, ptr %792, i64 %790
+  store double %784, ptr %793, align 8, !noalias !86
+  %794 = getelementptr double, ptr %769, i64 %773
+  %795 = getelementptr i8, ptr %794, i64 16
+  %796 = getelementptr double, ptr %795, i64 %790
+  store double %788, ptr %796, align 8, !noalias !86
+  br label %772
+
+797:                                              ; preds = %1367
+  %798 = getelementptr i8, ptr %144, i64 48
+  %799 = load i64, ptr %798, align 8, !noalias !15
+  %800 = icmp slt i64 %799, 0
+  %801 = select i1 %800, i64 %148, i64 0
+  %802 = getelementptr double, ptr %149, i64 %799
+  %803 = getelementptr double, ptr %802, i64 %801
+  %804 = load double, ptr %803, align 8, !noalias !15
+  %805 = fcmp ult double %804, %486
+  br i1 %805, label %808, label %806
+
+806:                                              ; preds = %797
   store i8 0, ptr %22, align 1, !noalias !15
-  %747 = call fastcc i32 @write_reached(ptr nonnull %22, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %747, label %1303 [
-    i32 -2, label %1026
-    i32 0, label %1026
+  %807 = call fastcc i32 @write_reached(ptr nonnull %22, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
+  switch i32 %807, label %1371 [
+    i32 -2, label %1090
+    i32 0, label %1090
   ], !prof !35
 
-748:                                              ; preds = %737, %730
-  %749 = load i64, ptr %26, align 8, !noalias !15
-  %750 = getelementptr i8, ptr %26, i64 16
-  %751 = load i64, ptr %750, align 8, !noalias !15
-  %752 = call i64 @llvm.smax.i64(i64 %751, i64 0)
-  br label %753
+808:                                              ; preds = %1367, %797
+  %809 = load i64, ptr %26, align 8, !noalias !15
+  %810 = getelementptr i8, ptr %26, i64 16
+  %811 = load i64, ptr %810, align 8, !noalias !15
+  %812 = call i64 @llvm.smax.i64(i64 %811, i64 0)
+  br label %813
 
-753:                                              ; preds = %1351, %748
-  %754 = phi i64 [ %749, %748 ], [ %756, %1351 ]
-  %755 = phi i64 [ %752, %748 ], [ %1352, %1351 ]
-  %756 = add i64 %754, 1
-  %757 = icmp sgt i64 %755, 0
-  br i1 %757, label %1304, label %762
+813:                                              ; preds = %1419, %808
+  %814 = phi i64 [ %809, %808 ], [ %816, %1419 ]
+  %815 = phi i64 [ %812, %808 ], [ %1420, %1419 ]
+  %816 = add i64 %814, 1
+  %817 = icmp sgt i64 %815, 0
+  br i1 %817, label %1372, label %822
 
-758:                                              ; preds = %1351
-  %759 = getelementptr i8, ptr %144, i64 72
-  store i64 3, ptr %759, align 8, !noalias !15
-  store double %424, ptr %139, align 8, !noalias !15
-  %760 = icmp slt i32 %1349, 0
-  %761 = select i1 %760, i64 -4, i64 2
-  br label %1398
+818:                                              ; preds = %1419
+  %819 = getelementptr i8, ptr %144, i64 72
+  store i64 3, ptr %819, align 8, !noalias !15
+  store double %434, ptr %139, align 8, !noalias !15
+  %820 = icmp slt i32 %1417, 0
+  %821 = select i1 %820, i64 -4, i64 2
+  br label %1466
 
-762:                                              ; preds = %753
-  %763 = load i64, ptr %150, align 8, !noalias !83
-  %764 = load i64, ptr %26, align 8, !noalias !83
-  %765 = mul nsw i64 %764, %86
-  %766 = icmp slt i64 %765, 0
-  %767 = select i1 %766, i64 %118, i64 0
-  %768 = add i64 %765, %767
-  %769 = icmp slt i64 %768, 0
-  br i1 %769, label %788, label %789, !prof !4
+822:                                              ; preds = %813
+  %823 = load i64, ptr %150, align 8, !noalias !89
+  %824 = load i64, ptr %26, align 8, !noalias !89
+  %825 = mul nsw i64 %824, %86
+  %826 = icmp slt i64 %825, 0
+  %827 = select i1 %826, i64 %118, i64 0
+  %828 = add i64 %825, %827
+  %829 = icmp slt i64 %828, 0
+  br i1 %829, label %848, label %849, !prof !4
 
-770:                                              ; preds = %816, %820
-  %771 = phi i64 [ 0, %816 ], [ %822, %820 ]
-  %772 = phi i64 [ %819, %816 ], [ %821, %820 ]
-  %773 = icmp sgt i64 %772, 0
-  br i1 %773, label %820, label %774
+830:                                              ; preds = %876, %880
+  %831 = phi i64 [ 0, %876 ], [ %882, %880 ]
+  %832 = phi i64 [ %879, %876 ], [ %881, %880 ]
+  %833 = icmp sgt i64 %832, 0
+  br i1 %833, label %880, label %834
 
-774:                                              ; preds = %770
-  %775 = add nsw i64 %764, 1
-  %776 = load i64, ptr %231, align 8, !noalias !83
-  %777 = add nsw i64 %775, %776
-  %778 = load i64, ptr %750, align 8, !noalias !83
-  %779 = add nsw i64 %777, %778
-  %780 = getelementptr i8, ptr %26, i64 24
-  %781 = load i64, ptr %780, align 8, !noalias !83
-  %782 = add i64 %781, -3
-  %783 = call i64 @llvm.smax.i64(i64 %782, i64 0)
-  br label %784
+834:                                              ; preds = %830
+  %835 = add nsw i64 %824, 1
+  %836 = load i64, ptr %241, align 8, !noalias !89
+  %837 = add nsw i64 %835, %836
+  %838 = load i64, ptr %810, align 8, !noalias !89
+  %839 = add nsw i64 %837, %838
+  %840 = getelementptr i8, ptr %26, i64 24
+  %841 = load i64, ptr %840, align 8, !noalias !89
+  %842 = add i64 %841, -3
+  %843 = call i64 @llvm.smax.i64(i64 %842, i64 0)
+  br label %844
 
-784:                                              ; preds = %774, %840
-  %785 = phi i64 [ 3, %774 ], [ %842, %840 ]
-  %786 = phi i64 [ %783, %774 ], [ %841, %840 ]
-  %787 = icmp sgt i64 %786, 0
-  br i1 %787, label %840, label %1355
+844:                                              ; preds = %834, %900
+  %845 = phi i64 [ 3, %834 ], [ %902, %900 ]
+  %846 = phi i64 [ %843, %834 ], [ %901, %900 ]
+  %847 = icmp sgt i64 %846, 0
+  br i1 %847, label %900, label %1423
 
-788:                                              ; preds = %762
-  br label %789
+848:                                              ; preds = %822
+  br label %849
 
-789:                                              ; preds = %788, %762
-  %790 = phi i64 [ 0, %788 ], [ %768, %762 ]
-  %791 = icmp slt i64 %768, %118
-  br i1 %791, label %793, label %792, !prof !8
+849:                                              ; preds = %848, %822
+  %850 = phi i64 [ 0, %848 ], [ %828, %822 ]
+  %851 = icmp slt i64 %828, %118
+  br i1 %851, label %853, label %852, !prof !8
 
-792:                                              ; preds = %789
-  br label %793
+852:                                              ; preds = %849
+  br label %853
 
-793:                                              ; preds = %792, %789
-  %794 = phi i64 [ %118, %792 ], [ %790, %789 ]
-  %795 = getelementptr double, ptr %119, i64 %794
-  %796 = icmp slt i64 %86, 0
-  %797 = select i1 %796, i64 %123, i64 0
-  %798 = add i64 %86, %797
-  %799 = icmp slt i64 %798, 0
-  br i1 %799, label %800, label %801, !prof !4
+853:                                              ; preds = %852, %849
+  %854 = phi i64 [ %118, %852 ], [ %850, %849 ]
+  %855 = getelementptr double, ptr %119, i64 %854
+  %856 = icmp slt i64 %86, 0
+  %857 = select i1 %856, i64 %123, i64 0
+  %858 = add i64 %86, %857
+  %859 = icmp slt i64 %858, 0
+  br i1 %859, label %860, label %861, !prof !4
 
-800:                                              ; preds = %793
-  br label %801
+860:                                              ; preds = %853
+  br label %861
 
-801:                                              ; preds = %800, %793
-  %802 = phi i64 [ 0, %800 ], [ %798, %793 ]
-  %803 = icmp slt i64 %798, %123
-  br i1 %803, label %805, label %804, !prof !8
+861:                                              ; preds = %860, %853
+  %862 = phi i64 [ 0, %860 ], [ %858, %853 ]
+  %863 = icmp slt i64 %858, %123
+  br i1 %863, label %865, label %864, !prof !8
 
-804:                                              ; preds = %801
-  br label %805
+864:                                              ; preds = %861
+  br label %865
 
-805:                                              ; preds = %804, %801
-  %806 = phi i64 [ %123, %804 ], [ %802, %801 ]
-  %807 = getelementptr double, ptr %124, i64 %806
-  %808 = shl nsw i64 %86, 1
-  %809 = add i64 %808, %797
-  %810 = icmp slt i64 %809, 0
-  br i1 %810, label %811, label %812, !prof !4
+865:                                              ; preds = %864, %861
+  %866 = phi i64 [ %123, %864 ], [ %862, %861 ]
+  %867 = getelementptr double, ptr %124, i64 %866
+  %868 = shl nsw i64 %86, 1
+  %869 = add i64 %868, %857
+  %870 = icmp slt i64 %869, 0
+  br i1 %870, label %871, label %872, !prof !4
 
-811:                                              ; preds = %805
-  br label %812
-
-812:                                              ; preds = %811, %805
-  %813 = phi i64 [ 0, %811 ], [ %809, %805 ]
-  %814 = icmp slt i64 %809, %123
-  br i1 %814, label %816, label %815, !prof !8
-
-815:                                              ; preds = %812
-  br label %816
-
-816:                                              ; preds = %815, %812
-  %817 = phi i64 [ %123, %815 ], [ %813, %812 ]
-  %818 = getelementptr double, ptr %124, i64 %817
-  %819 = call i64 @llvm.smax.i64(i64 %763, i64 0)
-  br label %770
-
-820:                                              ; preds = %770
-  %821 = add nsw i64 %772, -1
-  %822 = add i64 %771, 1
-  %823 = getelementptr double, ptr %92, i64 %771
-  %824 = load double, ptr %823, align 8, !noalias !83
-  %825 = getelementptr double, ptr %87, i64 %771
-  %826 = load double, ptr %825, align 8, !noalias !83
-  %827 = fsub double %824, %826
-  %828 = getelementptr double, ptr %119, i64 %771
-  %829 = load double, ptr %828, align 8, !noalias !83
-  %830 = fmul double %466, %829
-  %831 = fsub double %830, %827
-  %832 = getelementptr double, ptr %124, i64 %771
-  store double %827, ptr %832, align 8, !noalias !83
-  %833 = getelementptr double, ptr %807, i64 %771
-  store double %831, ptr %833, align 8, !noalias !83
-  %834 = fsub double %827, %831
-  %835 = getelementptr double, ptr %795, i64 %771
-  %836 = load double, ptr %835, align 8, !noalias !83
-  %837 = fmul double %466, %836
-  %838 = fsub double %834, %837
-  %839 = getelementptr double, ptr %818, i64 %771
-  store double %838, ptr %839, align 8, !noalias !83
-  br label %770
-
-840:                                              ; preds = %784
-  %841 = add nsw i64 %786, -1
-  %842 = add i64 %785, 1
-  %843 = mul nsw i64 %785, %86
-  %844 = shl i64 %843, 3
-  %845 = add i64 %844, %121
-  %846 = add nsw i64 %779, %785
-  %847 = getelementptr i8, ptr %52, i64 16
-  %848 = load i64, ptr %847, align 8, !noalias !87
-  %849 = icmp slt i64 %846, 3
-  %850 = select i1 %849, i64 %30, i64 0
-  %851 = getelementptr i64, ptr %31, i64 %846
-  %852 = getelementptr i8, ptr %851, i64 -24
-  %853 = getelementptr i64, ptr %852, i64 %850
-  %854 = load i64, ptr %853, align 8, !noalias !91
-  %855 = shl i64 %854, 3
-  %856 = add i64 %855, %33
-  %857 = add i64 %855, %38
-  %858 = icmp slt i64 %846, 2
-  %859 = select i1 %858, i64 %30, i64 0
-  %860 = getelementptr i8, ptr %851, i64 -16
-  %861 = getelementptr i64, ptr %860, i64 %859
-  %862 = load i64, ptr %861, align 8, !noalias !91
-  %863 = xor i64 %854, -1
-  %864 = add i64 %862, %863
-  call fastcc void @pydy_combine(i64 %845, i64 %109, i64 %99, i64 %116, i64 %856, i64 %857, i64 %864, i64 1, i64 %848) #2, !noalias !91
-  br label %784
-
-865:                                              ; preds = %1355
-  %866 = getelementptr i8, ptr %194, i64 16
-  %867 = load i64, ptr %866, align 8, !noalias !15
-  %868 = inttoptr i64 %867 to ptr
-  %869 = call i64 %868(i64 %0, double %424, double %466) #2, !noalias !15
-  %870 = getelementptr i8, ptr %139, i64 48
-  %871 = load double, ptr %870, align 8, !noalias !15
+871:                                              ; preds = %865
   br label %872
 
-872:                                              ; preds = %865, %1355
-  %873 = phi double [ %871, %865 ], [ 1.000000e+00, %1355 ]
-  %874 = phi i64 [ %869, %865 ], [ 0, %1355 ]
-  %875 = fcmp oeq double %873, 1.000000e+00
-  br i1 %875, label %876, label %878
+872:                                              ; preds = %871, %865
+  %873 = phi i64 [ 0, %871 ], [ %869, %865 ]
+  %874 = icmp slt i64 %869, %123
+  br i1 %874, label %876, label %875, !prof !8
 
-876:                                              ; preds = %872
-  %877 = load double, ptr %139, align 8, !noalias !15
-  br label %881
+875:                                              ; preds = %872
+  br label %876
 
-878:                                              ; preds = %872
-  %879 = fmul double %873, %466
-  %880 = fadd double %424, %879
-  br label %881
+876:                                              ; preds = %875, %872
+  %877 = phi i64 [ %123, %875 ], [ %873, %872 ]
+  %878 = getelementptr double, ptr %124, i64 %877
+  %879 = call i64 @llvm.smax.i64(i64 %823, i64 0)
+  br label %830
 
-881:                                              ; preds = %878, %876
-  %882 = phi double [ %877, %876 ], [ %880, %878 ]
-  %883 = icmp eq i64 %874, -4
-  %884 = select i1 %883, i64 -4, i64 0
-  br i1 %883, label %938, label %885
+880:                                              ; preds = %830
+  %881 = add nsw i64 %832, -1
+  %882 = add i64 %831, 1
+  %883 = getelementptr double, ptr %92, i64 %831
+  %884 = load double, ptr %883, align 8, !noalias !89
+  %885 = getelementptr double, ptr %87, i64 %831
+  %886 = load double, ptr %885, align 8, !noalias !89
+  %887 = fsub double %884, %886
+  %888 = getelementptr double, ptr %119, i64 %831
+  %889 = load double, ptr %888, align 8, !noalias !89
+  %890 = fmul double %485, %889
+  %891 = fsub double %890, %887
+  %892 = getelementptr double, ptr %124, i64 %831
+  store double %887, ptr %892, align 8, !noalias !89
+  %893 = getelementptr double, ptr %867, i64 %831
+  store double %891, ptr %893, align 8, !noalias !89
+  %894 = fsub double %887, %891
+  %895 = getelementptr double, ptr %855, i64 %831
+  %896 = load double, ptr %895, align 8, !noalias !89
+  %897 = fmul double %485, %896
+  %898 = fsub double %894, %897
+  %899 = getelementptr double, ptr %878, i64 %831
+  store double %898, ptr %899, align 8, !noalias !89
+  br label %830
 
-885:                                              ; preds = %881
-  %886 = fcmp uge double %873, 1.000000e+00
-  %887 = load i64, ptr %150, align 8, !noalias !15
-  %888 = load i64, ptr %191, align 8, !noalias !15
-  %889 = icmp eq i64 %888, 1
-  %890 = getelementptr i8, ptr %144, i64 48
-  %891 = load i64, ptr %890, align 8, !noalias !15
-  %892 = icmp slt i64 %891, %148
-  br i1 %892, label %893, label %936
+900:                                              ; preds = %844
+  %901 = add nsw i64 %846, -1
+  %902 = add i64 %845, 1
+  %903 = mul nsw i64 %845, %86
+  %904 = shl i64 %903, 3
+  %905 = add i64 %904, %121
+  %906 = add nsw i64 %839, %845
+  %907 = getelementptr i8, ptr %52, i64 16
+  %908 = load i64, ptr %907, align 8, !noalias !93
+  %909 = icmp slt i64 %906, 3
+  %910 = select i1 %909, i64 %30, i64 0
+  %911 = getelementptr i64, ptr %31, i64 %906
+  %912 = getelementptr i8, ptr %911, i64 -24
+  %913 = getelementptr i64, ptr %912, i64 %910
+  %914 = load i64, ptr %913, align 8, !noalias !97
+  %915 = shl i64 %914, 3
+  %916 = add i64 %915, %33
+  %917 = add i64 %915, %38
+  %918 = icmp slt i64 %906, 2
+  %919 = select i1 %918, i64 %30, i64 0
+  %920 = getelementptr i8, ptr %911, i64 -16
+  %921 = getelementptr i64, ptr %920, i64 %919
+  %922 = load i64, ptr %921, align 8, !noalias !97
+  %923 = xor i64 %914, -1
+  %924 = add i64 %922, %923
+  call fastcc void @pydy_combine(i64 %905, i64 %109, i64 %99, i64 %116, i64 %916, i64 %917, i64 %924, i64 1, i64 %908) #2, !noalias !97
+  br label %844
 
-893:                                              ; preds = %885
-  %894 = icmp slt i64 %891, 0
-  %895 = select i1 %894, i64 %148, i64 0
-  %896 = getelementptr double, ptr %149, i64 %891
-  %897 = getelementptr double, ptr %896, i64 %895
-  %898 = load double, ptr %897, align 8, !noalias !15
-  %899 = fcmp uge double %898, %882
-  %900 = fcmp une double %898, %882
-  %901 = or i1 %900, %886
-  %902 = and i1 %899, %901
-  br i1 %902, label %936, label %903
-
-903:                                              ; preds = %926, %893
-  %904 = phi i64 [ %891, %893 ], [ %924, %926 ]
-  %905 = icmp slt i64 %904, 0
-  %906 = select i1 %905, i64 %148, i64 0
-  %907 = getelementptr double, ptr %149, i64 %904
-  %908 = getelementptr double, ptr %907, i64 %906
-  %909 = load double, ptr %908, align 8, !noalias !15
-  %910 = fsub double %909, %424
-  %911 = fdiv double %910, %466
-  %912 = mul nsw i64 %904, %887
-  %913 = shl i64 %912, 3
-  %914 = add i64 %913, %1
-  %915 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %1358
-
-916:                                              ; preds = %1362
-  %917 = getelementptr i8, ptr %191, i64 56
-  %918 = load i64, ptr %917, align 8, !noalias !15
-  %919 = load double, ptr %908, align 8, !noalias !15
-  %920 = inttoptr i64 %918 to ptr
-  %921 = call i64 %920(i64 %0, double %919, i64 %914) #2, !noalias !15
-  %922 = icmp eq i64 %921, 0
-  br i1 %922, label %923, label %938
-
-923:                                              ; preds = %1362, %916
-  %924 = add nsw i64 %904, 1
-  %925 = icmp slt i64 %924, %148
-  br i1 %925, label %926, label %936
-
-926:                                              ; preds = %923
-  %927 = icmp slt i64 %904, -1
-  %928 = select i1 %927, i64 %148, i64 0
-  %929 = getelementptr double, ptr %149, i64 %924
-  %930 = getelementptr double, ptr %929, i64 %928
+925:                                              ; preds = %1423
+  %926 = getelementptr i8, ptr %194, i64 16
+  %927 = load i64, ptr %926, align 8, !noalias !15
+  %928 = inttoptr i64 %927 to ptr
+  %929 = call i64 %928(i64 %0, double %434, double %485) #2, !noalias !15
+  %930 = getelementptr i8, ptr %139, i64 48
   %931 = load double, ptr %930, align 8, !noalias !15
-  %932 = fcmp uge double %931, %882
-  %933 = fcmp une double %931, %882
-  %934 = or i1 %933, %886
-  %935 = and i1 %932, %934
-  br i1 %935, label %936, label %903
+  br label %932
 
-936:                                              ; preds = %926, %893, %923, %885
-  %937 = phi i64 [ %891, %893 ], [ %924, %926 ], [ %924, %923 ], [ %891, %885 ]
-  store i64 %937, ptr %890, align 8, !noalias !15
-  br label %938
+932:                                              ; preds = %925, %1423
+  %933 = phi double [ %931, %925 ], [ 1.000000e+00, %1423 ]
+  %934 = phi i64 [ %929, %925 ], [ 0, %1423 ]
+  %935 = fcmp oeq double %933, 1.000000e+00
+  br i1 %935, label %936, label %938
 
-938:                                              ; preds = %916, %936, %881
-  %939 = phi i64 [ %884, %881 ], [ 0, %936 ], [ %921, %916 ]
-  %940 = icmp eq i64 %939, 0
-  %941 = icmp ne i64 %874, 0
-  %942 = select i1 %940, i1 %941, i1 false
-  %943 = fcmp olt double %873, 1.000000e+00
-  %944 = and i1 %942, %943
-  br i1 %944, label %945, label %983
+936:                                              ; preds = %932
+  %937 = load double, ptr %139, align 8, !noalias !15
+  br label %941
 
-945:                                              ; preds = %938
-  %946 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %947
+938:                                              ; preds = %932
+  %939 = fmul double %933, %485
+  %940 = fadd double %434, %939
+  br label %941
 
-947:                                              ; preds = %945, %971
-  %948 = phi i64 [ 0, %945 ], [ %973, %971 ]
-  %949 = phi i64 [ %946, %945 ], [ %972, %971 ]
-  %950 = icmp sgt i64 %949, 0
-  br i1 %950, label %971, label %951
+941:                                              ; preds = %938, %936
+  %942 = phi double [ %937, %936 ], [ %940, %938 ]
+  %943 = icmp eq i64 %934, -4
+  %944 = select i1 %943, i64 -4, i64 0
+  br i1 %943, label %998, label %945
 
-951:                                              ; preds = %947
-  %952 = load i64, ptr %780, align 8, !noalias !94
-  %953 = getelementptr i8, ptr %52, i64 16
-  %954 = load i64, ptr %953, align 8, !noalias !94
-  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %952, i64 %104, i64 %954) #2, !noalias !94
-  %955 = call i64 @llvm.smax.i64(i64 %91, i64 0)
-  br label %956
+945:                                              ; preds = %941
+  %946 = fcmp uge double %933, 1.000000e+00
+  %947 = load i64, ptr %150, align 8, !noalias !15
+  %948 = load i64, ptr %191, align 8, !noalias !15
+  %949 = icmp eq i64 %948, 1
+  %950 = getelementptr i8, ptr %144, i64 48
+  %951 = load i64, ptr %950, align 8, !noalias !15
+  %952 = icmp slt i64 %951, %148
+  br i1 %952, label %953, label %996
 
-956:                                              ; preds = %960, %951
-  %957 = phi i64 [ 0, %951 ], [ %962, %960 ]
-  %958 = phi i64 [ %955, %951 ], [ %961, %960 ]
-  %959 = icmp sgt i64 %958, 0
-  br i1 %959, label %960, label %1373
+953:                                              ; preds = %945
+  %954 = icmp slt i64 %951, 0
+  %955 = select i1 %954, i64 %148, i64 0
+  %956 = getelementptr double, ptr %149, i64 %951
+  %957 = getelementptr double, ptr %956, i64 %955
+  %958 = load double, ptr %957, align 8, !noalias !15
+  %959 = fcmp uge double %958, %942
+  %960 = fcmp une double %958, %942
+  %961 = or i1 %960, %946
+  %962 = and i1 %959, %961
+  br i1 %962, label %996, label %963
 
-960:                                              ; preds = %956
-  %961 = add nsw i64 %958, -1
-  %962 = add i64 %957, 1
-  %963 = icmp slt i64 %957, 0
-  %964 = select i1 %963, i64 %96, i64 0
-  %965 = getelementptr double, ptr %97, i64 %957
-  %966 = getelementptr double, ptr %965, i64 %964
-  %967 = load double, ptr %966, align 8, !noalias !98
-  %968 = select i1 %963, i64 %91, i64 0
-  %969 = getelementptr double, ptr %92, i64 %957
-  %970 = getelementptr double, ptr %969, i64 %968
-  store double %967, ptr %970, align 8, !noalias !98
-  br label %956
+963:                                              ; preds = %986, %953
+  %964 = phi i64 [ %951, %953 ], [ %984, %986 ]
+  %965 = icmp slt i64 %964, 0
+  %966 = select i1 %965, i64 %148, i64 0
+  %967 = getelementptr double, ptr %149, i64 %964
+  %968 = getelementptr double, ptr %967, i64 %966
+  %969 = load double, ptr %968, align 8, !noalias !15
+  %970 = fsub double %969, %434
+  %971 = fdiv double %970, %485
+  %972 = mul nsw i64 %964, %947
+  %973 = shl i64 %972, 3
+  %974 = add i64 %973, %1
+  %975 = call i64 @llvm.smax.i64(i64 %106, i64 0)
+  br label %1426
 
-971:                                              ; preds = %947
-  %972 = add nsw i64 %949, -1
-  %973 = add i64 %948, 1
-  %974 = icmp slt i64 %948, 0
-  %975 = select i1 %974, i64 %106, i64 0
-  %976 = getelementptr double, ptr %107, i64 %948
-  %977 = getelementptr double, ptr %976, i64 %975
-  store double %873, ptr %977, align 8, !noalias !94
-  br label %947
+976:                                              ; preds = %1430
+  %977 = getelementptr i8, ptr %191, i64 56
+  %978 = load i64, ptr %977, align 8, !noalias !15
+  %979 = load double, ptr %968, align 8, !noalias !15
+  %980 = inttoptr i64 %978 to ptr
+  %981 = call i64 %980(i64 %0, double %979, i64 %974) #2, !noalias !15
+  %982 = icmp eq i64 %981, 0
+  br i1 %982, label %983, label %998
 
-978:                                              ; preds = %1373
-  %979 = getelementptr i8, ptr %191, i64 56
-  %980 = load i64, ptr %979, align 8, !noalias !15
-  %981 = inttoptr i64 %980 to ptr
-  %982 = call i64 %981(i64 %0, double %882, i64 %89) #2, !noalias !15
-  br label %983
-
-983:                                              ; preds = %1373, %978, %938
-  %984 = phi i64 [ %982, %978 ], [ 0, %1373 ], [ %939, %938 ]
-  %985 = icmp eq i64 %984, 0
-  br i1 %985, label %987, label %986
+983:                                              ; preds = %1430, %976
+  %984 = add nsw i64 %964, 1
+  %985 = icmp slt i64 %984, %148
+  br i1 %985, label %986, label %996
 
 986:                                              ; preds = %983
-  store double %424, ptr %139, align 8, !noalias !15
-  store double %466, ptr %243, align 8, !noalias !15
-  br label %1009
+  %987 = icmp slt i64 %964, -1
+  %988 = select i1 %987, i64 %148, i64 0
+  %989 = getelementptr double, ptr %149, i64 %984
+  %990 = getelementptr double, ptr %989, i64 %988
+  %991 = load double, ptr %990, align 8, !noalias !15
+  %992 = fcmp uge double %991, %942
+  %993 = fcmp une double %991, %942
+  %994 = or i1 %993, %946
+  %995 = and i1 %992, %994
+  br i1 %995, label %996, label %963
 
-987:                                              ; preds = %983
-  br i1 %875, label %988, label %990
+996:                                              ; preds = %986, %953, %983, %945
+  %997 = phi i64 [ %951, %953 ], [ %984, %986 ], [ %984, %983 ], [ %951, %945 ]
+  store i64 %997, ptr %950, align 8, !noalias !15
+  br label %998
 
-988:                                              ; preds = %987
+998:                                              ; preds = %976, %996, %941
+  %999 = phi i64 [ %944, %941 ], [ 0, %996 ], [ %981, %976 ]
+  %1000 = icmp eq i64 %999, 0
+  %1001 = icmp ne i64 %934, 0
+  %1002 = select i1 %1000, i1 %1001, i1 false
+  %1003 = fcmp olt double %933, 1.000000e+00
+  %1004 = and i1 %1002, %1003
+  br i1 %1004, label %1005, label %1043
+
+1005:                                             ; preds = %998
+  %1006 = call i64 @llvm.smax.i64(i64 %106, i64 0)
+  br label %1007
+
+1007:                                             ; preds = %1005, %1031
+  %1008 = phi i64 [ 0, %1005 ], [ %1033, %1031 ]
+  %1009 = phi i64 [ %1006, %1005 ], [ %1032, %1031 ]
+  %1010 = icmp sgt i64 %1009, 0
+  br i1 %1010, label %1031, label %1011
+
+1011:                                             ; preds = %1007
+  %1012 = load i64, ptr %840, align 8, !noalias !100
+  %1013 = getelementptr i8, ptr %52, i64 16
+  %1014 = load i64, ptr %1013, align 8, !noalias !100
+  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %1012, i64 %104, i64 %1014) #2, !noalias !100
+  %1015 = call i64 @llvm.smax.i64(i64 %91, i64 0)
+  br label %1016
+
+1016:                                             ; preds = %1020, %1011
+  %1017 = phi i64 [ 0, %1011 ], [ %1022, %1020 ]
+  %1018 = phi i64 [ %1015, %1011 ], [ %1021, %1020 ]
+  %1019 = icmp sgt i64 %1018, 0
+  br i1 %1019, label %1020, label %1441
+
+1020:                                             ; preds = %1016
+  %1021 = add nsw i64 %1018, -1
+  %1022 = add i64 %1017, 1
+  %1023 = icmp slt i64 %1017, 0
+  %1024 = select i1 %1023, i64 %96, i64 0
+  %1025 = getelementptr double, ptr %97, i64 %1017
+  %1026 = getelementptr double, ptr %1025, i64 %1024
+  %1027 = load double, ptr %1026, align 8, !noalias !104
+  %1028 = select i1 %1023, i64 %91, i64 0
+  %1029 = getelementptr double, ptr %92, i64 %1017
+  %1030 = getelementptr double, ptr %1029, i64 %1028
+  store double %1027, ptr %1030, align 8, !noalias !104
+  br label %1016
+
+1031:                                             ; preds = %1007
+  %1032 = add nsw i64 %1009, -1
+  %1033 = add i64 %1008, 1
+  %1034 = icmp slt i64 %1008, 0
+  %1035 = select i1 %1034, i64 %106, i64 0
+  %1036 = getelementptr double, ptr %107, i64 %1008
+  %1037 = getelementptr double, ptr %1036, i64 %1035
+  store double %933, ptr %1037, align 8, !noalias !100
+  br label %1007
+
+1038:                                             ; preds = %1441
+  %1039 = getelementptr i8, ptr %191, i64 56
+  %1040 = load i64, ptr %1039, align 8, !noalias !15
+  %1041 = inttoptr i64 %1040 to ptr
+  %1042 = call i64 %1041(i64 %0, double %942, i64 %89) #2, !noalias !15
+  br label %1043
+
+1043:                                             ; preds = %1441, %1038, %998
+  %1044 = phi i64 [ %1042, %1038 ], [ 0, %1441 ], [ %999, %998 ]
+  %1045 = icmp eq i64 %1044, 0
+  br i1 %1045, label %1047, label %1046
+
+1046:                                             ; preds = %1043
+  store double %434, ptr %139, align 8, !noalias !15
+  store double %485, ptr %253, align 8, !noalias !15
+  br label %1069
+
+1047:                                             ; preds = %1043
+  br i1 %935, label %1048, label %1050
+
+1048:                                             ; preds = %1047
   store i8 0, ptr %23, align 1, !noalias !15
-  %989 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %989, label %1376 [
-    i32 -2, label %990
-    i32 0, label %990
+  %1049 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
+  switch i32 %1049, label %1444 [
+    i32 -2, label %1050
+    i32 0, label %1050
   ], !prof !35
 
-990:                                              ; preds = %988, %988, %987
-  %991 = icmp eq i64 %874, 0
-  br i1 %991, label %1009, label %992
+1050:                                             ; preds = %1048, %1048, %1047
+  %1051 = icmp eq i64 %934, 0
+  br i1 %1051, label %1069, label %1052
 
-992:                                              ; preds = %990
-  %993 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %994
+1052:                                             ; preds = %1050
+  %1053 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %1054
 
-994:                                              ; preds = %998, %992
-  %995 = phi i64 [ 0, %992 ], [ %1000, %998 ]
-  %996 = phi i64 [ %993, %992 ], [ %999, %998 ]
-  %997 = icmp sgt i64 %996, 0
-  br i1 %997, label %998, label %1377
+1054:                                             ; preds = %1058, %1052
+  %1055 = phi i64 [ 0, %1052 ], [ %1060, %1058 ]
+  %1056 = phi i64 [ %1053, %1052 ], [ %1059, %1058 ]
+  %1057 = icmp sgt i64 %1056, 0
+  br i1 %1057, label %1058, label %1445
 
-998:                                              ; preds = %994
-  %999 = add nsw i64 %996, -1
-  %1000 = add i64 %995, 1
-  %1001 = icmp slt i64 %995, 0
-  %1002 = select i1 %1001, i64 %91, i64 0
-  %1003 = getelementptr double, ptr %92, i64 %995
-  %1004 = getelementptr double, ptr %1003, i64 %1002
-  %1005 = load double, ptr %1004, align 8, !noalias !101
-  %1006 = select i1 %1001, i64 %86, i64 0
-  %1007 = getelementptr double, ptr %87, i64 %995
-  %1008 = getelementptr double, ptr %1007, i64 %1006
-  store double %1005, ptr %1008, align 8, !noalias !101
-  br label %994
+1058:                                             ; preds = %1054
+  %1059 = add nsw i64 %1056, -1
+  %1060 = add i64 %1055, 1
+  %1061 = icmp slt i64 %1055, 0
+  %1062 = select i1 %1061, i64 %91, i64 0
+  %1063 = getelementptr double, ptr %92, i64 %1055
+  %1064 = getelementptr double, ptr %1063, i64 %1062
+  %1065 = load double, ptr %1064, align 8, !noalias !107
+  %1066 = select i1 %1061, i64 %86, i64 0
+  %1067 = getelementptr double, ptr %87, i64 %1055
+  %1068 = getelementptr double, ptr %1067, i64 %1066
+  store double %1065, ptr %1068, align 8, !noalias !107
+  br label %1054
 
-1009:                                             ; preds = %990, %1377, %986
-  %1010 = phi i1 [ false, %986 ], [ false, %1377 ], [ true, %990 ]
-  %1011 = phi i64 [ %984, %986 ], [ %874, %1377 ], [ 0, %990 ]
-  %1012 = icmp ne i64 %1011, 6
-  %1013 = select i1 %1012, i1 true, i1 %233
-  br i1 %1013, label %1024, label %1014
+1069:                                             ; preds = %1050, %1445, %1046
+  %1070 = phi i1 [ false, %1046 ], [ false, %1445 ], [ true, %1050 ]
+  %1071 = phi i64 [ %1044, %1046 ], [ %934, %1445 ], [ 0, %1050 ]
+  %1072 = icmp ne i64 %1071, 6
+  %1073 = select i1 %1072, i1 true, i1 %243
+  br i1 %1073, label %1086, label %1074
 
-1014:                                             ; preds = %1009
-  %1015 = load i64, ptr %734, align 8, !noalias !15
-  %1016 = icmp eq i64 %1015, 0
-  br i1 %1016, label %1017, label %1024
+1074:                                             ; preds = %1069
+  %1075 = load i64, ptr %1368, align 8, !noalias !15
+  %1076 = icmp eq i64 %1075, 0
+  br i1 %1076, label %1077, label %1086
 
-1017:                                             ; preds = %1014
-  %1018 = load i64, ptr %430, align 8, !noalias !15
-  %1019 = add nsw i64 %1018, -1
-  store i64 %1019, ptr %430, align 8, !noalias !15
-  %1020 = load i64, ptr %432, align 8, !noalias !15
-  %1021 = add nsw i64 %1020, 1
-  store i64 %1021, ptr %432, align 8, !noalias !15
-  %1022 = getelementptr i8, ptr %144, i64 72
-  store i64 6, ptr %1022, align 8, !noalias !15
-  %1023 = getelementptr i8, ptr %139, i64 40
-  store double 1.000000e+00, ptr %1023, align 8, !noalias !15
-  br label %1210
+1077:                                             ; preds = %1074
+  %1078 = load i64, ptr %449, align 8, !noalias !15
+  %1079 = add nsw i64 %1078, -1
+  store i64 %1079, ptr %449, align 8, !noalias !15
+  %1080 = load i64, ptr %230, align 8, !noalias !15
+  %1081 = add nsw i64 %1080, -1
+  store i64 %1081, ptr %230, align 8, !noalias !15
+  %1082 = load i64, ptr %451, align 8, !noalias !15
+  %1083 = add nsw i64 %1082, 1
+  store i64 %1083, ptr %451, align 8, !noalias !15
+  %1084 = getelementptr i8, ptr %144, i64 72
+  store i64 6, ptr %1084, align 8, !noalias !15
+  %1085 = getelementptr i8, ptr %139, i64 40
+  store double 1.000000e+00, ptr %1085, align 8, !noalias !15
+  br label %1274
 
-1024:                                             ; preds = %1009, %1014
-  br i1 %1010, label %1026, label %1025
+1086:                                             ; preds = %1069, %1074
+  br i1 %1070, label %1090, label %1087
 
-1025:                                             ; preds = %1024
-  br label %1398
+1087:                                             ; preds = %1086
+  %1088 = load i64, ptr %230, align 8, !noalias !15
+  %1089 = add nsw i64 %1088, 1
+  store i64 %1089, ptr %230, align 8, !noalias !15
+  br label %1466
 
-1026:                                             ; preds = %746, %746, %1024
-  br i1 %233, label %1134, label %1027
+1090:                                             ; preds = %806, %806, %1086
+  br i1 %243, label %1198, label %1091
 
-1027:                                             ; preds = %1026
-  %1028 = getelementptr i8, ptr %139, i64 40
-  %1029 = load double, ptr %1028, align 8, !noalias !15
-  %1030 = getelementptr i8, ptr %49, i64 24
-  %1031 = load double, ptr %1030, align 8, !noalias !104
-  %1032 = fcmp ogt double %725, 1.000000e-10
-  %1033 = select i1 %1032, double %725, double 1.000000e-10
-  %1034 = getelementptr i8, ptr %49, i64 8
-  %1035 = load double, ptr %1034, align 8, !noalias !104
-  %1036 = fneg double %1035
-  %1037 = bitcast double %1033 to i64
-  %1038 = add nsw i64 %1037, -4604544271217802189
-  %1039 = ashr i64 %1038, 52
-  %1040 = and i64 %1038, -4503599627370496
-  %1041 = sub i64 %1037, %1040
-  %1042 = bitcast i64 %1041 to double
-  %1043 = fadd double %1042, -1.000000e+00
-  %1044 = fadd double %1042, 1.000000e+00
-  %1045 = fdiv double %1043, %1044
-  %1046 = fmul double %1045, %1045
-  %1047 = call double @llvm.fma.f64(double %1046, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1048 = call double @llvm.fma.f64(double %1047, double %1046, double 0x3FE2776C50EF9BFE)
-  %1049 = call double @llvm.fma.f64(double %1048, double %1046, double 0x3FEEC709DC3A03FD)
-  %1050 = call double @llvm.fma.f64(double %1049, double %1046, double 0x40071547652B82FE)
-  %1051 = fmul double %1050, %1045
-  %1052 = trunc nsw i64 %1039 to i32
-  %1053 = sitofp i32 %1052 to double
-  %1054 = fadd double %1051, %1053
-  %1055 = fmul double %1054, %1036
-  %1056 = fcmp ogt double %1055, -1.000000e+03
-  %1057 = select i1 %1056, double %1055, double -1.000000e+03
-  %1058 = fcmp olt double %1057, 1.000000e+03
-  %1059 = select i1 %1058, double %1057, double 1.000000e+03
-  %1060 = call double @llvm.rint.f64(double %1059)
-  %1061 = fsub double %1059, %1060
-  %1062 = call double @llvm.fma.f64(double %1061, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1063 = call double @llvm.fma.f64(double %1062, double %1061, double 0x3F55D87FE78A6730)
-  %1064 = call double @llvm.fma.f64(double %1063, double %1061, double 0x3F83B2AB6FBA4E77)
-  %1065 = call double @llvm.fma.f64(double %1064, double %1061, double 0x3FAC6B08D704A0BF)
-  %1066 = call double @llvm.fma.f64(double %1065, double %1061, double 0x3FCEBFBDFF82C58E)
-  %1067 = call double @llvm.fma.f64(double %1066, double %1061, double 0x3FE62E42FEFA39EF)
-  %1068 = call double @llvm.fma.f64(double %1067, double %1061, double 1.000000e+00)
-  %1069 = fptosi double %1060 to i32
-  %1070 = zext i32 %1069 to i64
-  %1071 = shl i64 %1070, 52
-  %1072 = bitcast double %1068 to i64
-  %1073 = add i64 %1071, %1072
-  %1074 = bitcast i64 %1073 to double
-  %1075 = fmul double %1031, %1074
-  %1076 = getelementptr i8, ptr %49, i64 16
-  %1077 = load double, ptr %1076, align 8, !noalias !104
-  %1078 = fcmp une double %1077, 0.000000e+00
-  br i1 %1078, label %1079, label %1120
+1091:                                             ; preds = %1090
+  %1092 = getelementptr i8, ptr %139, i64 40
+  %1093 = load double, ptr %1092, align 8, !noalias !15
+  %1094 = getelementptr i8, ptr %49, i64 24
+  %1095 = load double, ptr %1094, align 8, !noalias !110
+  %1096 = fcmp ogt double %744, 1.000000e-10
+  %1097 = select i1 %1096, double %744, double 1.000000e-10
+  %1098 = getelementptr i8, ptr %49, i64 8
+  %1099 = load double, ptr %1098, align 8, !noalias !110
+  %1100 = fneg double %1099
+  %1101 = bitcast double %1097 to i64
+  %1102 = add nsw i64 %1101, -4604544271217802189
+  %1103 = ashr i64 %1102, 52
+  %1104 = and i64 %1102, -4503599627370496
+  %1105 = sub i64 %1101, %1104
+  %1106 = bitcast i64 %1105 to double
+  %1107 = fadd double %1106, -1.000000e+00
+  %1108 = fadd double %1106, 1.000000e+00
+  %1109 = fdiv double %1107, %1108
+  %1110 = fmul double %1109, %1109
+  %1111 = call double @llvm.fma.f64(double %1110, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1112 = call double @llvm.fma.f64(double %1111, double %1110, double 0x3FE2776C50EF9BFE)
+  %1113 = call double @llvm.fma.f64(double %1112, double %1110, double 0x3FEEC709DC3A03FD)
+  %1114 = call double @llvm.fma.f64(double %1113, double %1110, double 0x40071547652B82FE)
+  %1115 = fmul double %1114, %1109
+  %1116 = trunc nsw i64 %1103 to i32
+  %1117 = sitofp i32 %1116 to double
+  %1118 = fadd double %1115, %1117
+  %1119 = fmul double %1118, %1100
+  %1120 = fcmp ogt double %1119, -1.000000e+03
+  %1121 = select i1 %1120, double %1119, double -1.000000e+03
+  %1122 = fcmp olt double %1121, 1.000000e+03
+  %1123 = select i1 %1122, double %1121, double 1.000000e+03
+  %1124 = call double @llvm.rint.f64(double %1123)
+  %1125 = fsub double %1123, %1124
+  %1126 = call double @llvm.fma.f64(double %1125, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1127 = call double @llvm.fma.f64(double %1126, double %1125, double 0x3F55D87FE78A6730)
+  %1128 = call double @llvm.fma.f64(double %1127, double %1125, double 0x3F83B2AB6FBA4E77)
+  %1129 = call double @llvm.fma.f64(double %1128, double %1125, double 0x3FAC6B08D704A0BF)
+  %1130 = call double @llvm.fma.f64(double %1129, double %1125, double 0x3FCEBFBDFF82C58E)
+  %1131 = call double @llvm.fma.f64(double %1130, double %1125, double 0x3FE62E42FEFA39EF)
+  %1132 = call double @llvm.fma.f64(double %1131, double %1125, double 1.000000e+00)
+  %1133 = fptosi double %1124 to i32
+  %1134 = zext i32 %1133 to i64
+  %1135 = shl i64 %1134, 52
+  %1136 = bitcast double %1132 to i64
+  %1137 = add i64 %1135, %1136
+  %1138 = bitcast i64 %1137 to double
+  %1139 = fmul double %1095, %1138
+  %1140 = getelementptr i8, ptr %49, i64 16
+  %1141 = load double, ptr %1140, align 8, !noalias !110
+  %1142 = fcmp une double %1141, 0.000000e+00
+  br i1 %1142, label %1143, label %1184
 
-1079:                                             ; preds = %1027
-  %1080 = getelementptr i8, ptr %139, i64 24
-  %1081 = load i64, ptr %1080, align 8, !noalias !15
-  %1082 = add i64 %1081, -4604544271217802189
-  %1083 = ashr i64 %1082, 52
-  %1084 = and i64 %1082, -4503599627370496
-  %1085 = sub i64 %1081, %1084
-  %1086 = bitcast i64 %1085 to double
-  %1087 = fadd double %1086, -1.000000e+00
-  %1088 = fadd double %1086, 1.000000e+00
-  %1089 = fdiv double %1087, %1088
-  %1090 = fmul double %1089, %1089
-  %1091 = call double @llvm.fma.f64(double %1090, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1092 = call double @llvm.fma.f64(double %1091, double %1090, double 0x3FE2776C50EF9BFE)
-  %1093 = call double @llvm.fma.f64(double %1092, double %1090, double 0x3FEEC709DC3A03FD)
-  %1094 = call double @llvm.fma.f64(double %1093, double %1090, double 0x40071547652B82FE)
-  %1095 = fmul double %1094, %1089
-  %1096 = trunc nsw i64 %1083 to i32
-  %1097 = sitofp i32 %1096 to double
-  %1098 = fadd double %1095, %1097
-  %1099 = fmul double %1098, %1077
-  %1100 = fcmp ogt double %1099, -1.000000e+03
-  %1101 = select i1 %1100, double %1099, double -1.000000e+03
-  %1102 = fcmp olt double %1101, 1.000000e+03
-  %1103 = select i1 %1102, double %1101, double 1.000000e+03
-  %1104 = call double @llvm.rint.f64(double %1103)
-  %1105 = fsub double %1103, %1104
-  %1106 = call double @llvm.fma.f64(double %1105, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1107 = call double @llvm.fma.f64(double %1106, double %1105, double 0x3F55D87FE78A6730)
-  %1108 = call double @llvm.fma.f64(double %1107, double %1105, double 0x3F83B2AB6FBA4E77)
-  %1109 = call double @llvm.fma.f64(double %1108, double %1105, double 0x3FAC6B08D704A0BF)
-  %1110 = call double @llvm.fma.f64(double %1109, double %1105, double 0x3FCEBFBDFF82C58E)
-  %1111 = call double @llvm.fma.f64(double %1110, double %1105, double 0x3FE62E42FEFA39EF)
-  %1112 = call double @llvm.fma.f64(double %1111, double %1105, double 1.000000e+00)
-  %1113 = fptosi double %1104 to i32
-  %1114 = zext i32 %1113 to i64
-  %1115 = shl i64 %1114, 52
-  %1116 = bitcast double %1112 to i64
-  %1117 = add i64 %1115, %1116
-  %1118 = bitcast i64 %1117 to double
-  %1119 = fmul double %1075, %1118
-  br label %1120
+1143:                                             ; preds = %1091
+  %1144 = getelementptr i8, ptr %139, i64 24
+  %1145 = load i64, ptr %1144, align 8, !noalias !15
+  %1146 = add i64 %1145, -4604544271217802189
+  %1147 = ashr i64 %1146, 52
+  %1148 = and i64 %1146, -4503599627370496
+  %1149 = sub i64 %1145, %1148
+  %1150 = bitcast i64 %1149 to double
+  %1151 = fadd double %1150, -1.000000e+00
+  %1152 = fadd double %1150, 1.000000e+00
+  %1153 = fdiv double %1151, %1152
+  %1154 = fmul double %1153, %1153
+  %1155 = call double @llvm.fma.f64(double %1154, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1156 = call double @llvm.fma.f64(double %1155, double %1154, double 0x3FE2776C50EF9BFE)
+  %1157 = call double @llvm.fma.f64(double %1156, double %1154, double 0x3FEEC709DC3A03FD)
+  %1158 = call double @llvm.fma.f64(double %1157, double %1154, double 0x40071547652B82FE)
+  %1159 = fmul double %1158, %1153
+  %1160 = trunc nsw i64 %1147 to i32
+  %1161 = sitofp i32 %1160 to double
+  %1162 = fadd double %1159, %1161
+  %1163 = fmul double %1162, %1141
+  %1164 = fcmp ogt double %1163, -1.000000e+03
+  %1165 = select i1 %1164, double %1163, double -1.000000e+03
+  %1166 = fcmp olt double %1165, 1.000000e+03
+  %1167 = select i1 %1166, double %1165, double 1.000000e+03
+  %1168 = call double @llvm.rint.f64(double %1167)
+  %1169 = fsub double %1167, %1168
+  %1170 = call double @llvm.fma.f64(double %1169, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1171 = call double @llvm.fma.f64(double %1170, double %1169, double 0x3F55D87FE78A6730)
+  %1172 = call double @llvm.fma.f64(double %1171, double %1169, double 0x3F83B2AB6FBA4E77)
+  %1173 = call double @llvm.fma.f64(double %1172, double %1169, double 0x3FAC6B08D704A0BF)
+  %1174 = call double @llvm.fma.f64(double %1173, double %1169, double 0x3FCEBFBDFF82C58E)
+  %1175 = call double @llvm.fma.f64(double %1174, double %1169, double 0x3FE62E42FEFA39EF)
+  %1176 = call double @llvm.fma.f64(double %1175, double %1169, double 1.000000e+00)
+  %1177 = fptosi double %1168 to i32
+  %1178 = zext i32 %1177 to i64
+  %1179 = shl i64 %1178, 52
+  %1180 = bitcast double %1176 to i64
+  %1181 = add i64 %1179, %1180
+  %1182 = bitcast i64 %1181 to double
+  %1183 = fmul double %1139, %1182
+  br label %1184
 
-1120:                                             ; preds = %1079, %1027
-  %1121 = phi double [ %1119, %1079 ], [ %1075, %1027 ]
-  %1122 = getelementptr i8, ptr %49, i64 32
-  %1123 = load double, ptr %1122, align 8, !noalias !104
-  %1124 = fcmp ogt double %1121, %1123
-  %1125 = select i1 %1124, double %1121, double %1123
-  %1126 = fcmp olt double %1029, %1125
-  %1127 = select i1 %1126, double %1029, double %1125
-  %1128 = fmul double %466, %1127
-  %1129 = fcmp ogt double %725, 1.000000e-04
-  %1130 = select i1 %1129, double %725, double 1.000000e-04
-  %1131 = getelementptr i8, ptr %139, i64 24
-  store double %1130, ptr %1131, align 8, !noalias !15
-  %1132 = getelementptr i8, ptr %49, i64 40
-  %1133 = load double, ptr %1132, align 8, !noalias !15
-  store double %1133, ptr %1028, align 8, !noalias !15
-  br label %1134
+1184:                                             ; preds = %1143, %1091
+  %1185 = phi double [ %1183, %1143 ], [ %1139, %1091 ]
+  %1186 = getelementptr i8, ptr %49, i64 32
+  %1187 = load double, ptr %1186, align 8, !noalias !110
+  %1188 = fcmp ogt double %1185, %1187
+  %1189 = select i1 %1188, double %1185, double %1187
+  %1190 = fcmp olt double %1093, %1189
+  %1191 = select i1 %1190, double %1093, double %1189
+  %1192 = fmul double %485, %1191
+  %1193 = fcmp ogt double %744, 1.000000e-04
+  %1194 = select i1 %1193, double %744, double 1.000000e-04
+  %1195 = getelementptr i8, ptr %139, i64 24
+  store double %1194, ptr %1195, align 8, !noalias !15
+  %1196 = getelementptr i8, ptr %49, i64 40
+  %1197 = load double, ptr %1196, align 8, !noalias !15
+  store double %1197, ptr %1092, align 8, !noalias !15
+  br label %1198
 
-1134:                                             ; preds = %1120, %1026
-  %1135 = phi double [ %1128, %1120 ], [ %423, %1026 ]
-  %1136 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %1137
+1198:                                             ; preds = %1184, %1090
+  %1199 = phi double [ %1192, %1184 ], [ %433, %1090 ]
+  %1200 = call i64 @llvm.smax.i64(i64 %86, i64 0)
+  br label %1201
 
-1137:                                             ; preds = %1134, %1378
-  %1138 = phi i64 [ 0, %1134 ], [ %1380, %1378 ]
-  %1139 = phi i64 [ %1136, %1134 ], [ %1379, %1378 ]
-  %1140 = icmp sgt i64 %1139, 0
-  br i1 %1140, label %1378, label %1141
+1201:                                             ; preds = %1198, %1446
+  %1202 = phi i64 [ 0, %1198 ], [ %1448, %1446 ]
+  %1203 = phi i64 [ %1200, %1198 ], [ %1447, %1446 ]
+  %1204 = icmp sgt i64 %1203, 0
+  br i1 %1204, label %1446, label %1205
 
-1141:                                             ; preds = %1137
-  %1142 = getelementptr i8, ptr %144, i64 48
-  %1143 = load i64, ptr %1142, align 8, !noalias !15
-  %1144 = icmp eq i64 %1143, %148
-  br i1 %1144, label %1215, label %422
+1205:                                             ; preds = %1201
+  %1206 = getelementptr i8, ptr %144, i64 48
+  %1207 = load i64, ptr %1206, align 8, !noalias !15
+  %1208 = icmp eq i64 %1207, %148
+  br i1 %1208, label %1279, label %432
 
-1145:                                             ; preds = %722
-  %1146 = load i64, ptr %432, align 8, !noalias !15
-  %1147 = add nsw i64 %1146, 1
-  store i64 %1147, ptr %432, align 8, !noalias !15
-  %1148 = and i1 %726, %727
-  br i1 %1148, label %1149, label %1152
+1209:                                             ; preds = %741
+  %1210 = load i64, ptr %451, align 8, !noalias !15
+  %1211 = add nsw i64 %1210, 1
+  store i64 %1211, ptr %451, align 8, !noalias !15
+  %1212 = and i1 %745, %746
+  br i1 %1212, label %1213, label %1216
 
-1149:                                             ; preds = %1145
-  %1150 = fsub double %725, %725
-  %1151 = fcmp ord double %1150, 0.000000e+00
-  br label %1152
+1213:                                             ; preds = %1209
+  %1214 = fsub double %744, %744
+  %1215 = fcmp ord double %1214, 0.000000e+00
+  br label %1216
 
-1152:                                             ; preds = %1145, %1149
-  %1153 = phi i1 [ %1151, %1149 ], [ false, %1145 ]
-  %1154 = select i1 %1153, i64 2, i64 4
-  %1155 = select i1 %726, i64 %1154, i64 6
-  %1156 = select i1 %727, i64 %1155, i64 3
-  %1157 = getelementptr i8, ptr %144, i64 72
-  store i64 %1156, ptr %1157, align 8, !noalias !15
-  br i1 %233, label %1213, label %1158
+1216:                                             ; preds = %1209, %1213
+  %1217 = phi i1 [ %1215, %1213 ], [ false, %1209 ]
+  %1218 = select i1 %1217, i64 2, i64 4
+  %1219 = select i1 %745, i64 %1218, i64 6
+  %1220 = select i1 %746, i64 %1219, i64 3
+  %1221 = getelementptr i8, ptr %144, i64 72
+  store i64 %1220, ptr %1221, align 8, !noalias !15
+  br i1 %243, label %1277, label %1222
 
-1158:                                             ; preds = %1152
-  %1159 = getelementptr i8, ptr %49, i64 24
-  %1160 = load double, ptr %1159, align 8, !noalias !107
-  %1161 = fcmp ogt double %725, 1.000000e-10
-  %1162 = select i1 %1161, double %725, double 1.000000e-10
-  %1163 = bitcast double %1162 to i64
-  %1164 = add nsw i64 %1163, -4604544271217802189
-  %1165 = and i64 %1164, -4503599627370496
-  %1166 = sub i64 %1163, %1165
-  %1167 = bitcast i64 %1166 to double
-  %1168 = fadd double %1167, -1.000000e+00
-  %1169 = fadd double %1167, 1.000000e+00
-  %1170 = fdiv double %1168, %1169
-  %1171 = fmul double %1170, %1170
-  %1172 = call double @llvm.fma.f64(double %1171, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1173 = call double @llvm.fma.f64(double %1172, double %1171, double 0x3FE2776C50EF9BFE)
-  %1174 = call double @llvm.fma.f64(double %1173, double %1171, double 0x3FEEC709DC3A03FD)
-  %1175 = call double @llvm.fma.f64(double %1174, double %1171, double 0x40071547652B82FE)
-  %1176 = fmul double %1175, %1170
-  %1177 = ashr i64 %1164, 52
-  %1178 = trunc nsw i64 %1177 to i32
-  %1179 = sitofp i32 %1178 to double
-  %1180 = fadd double %1176, %1179
-  %1181 = load double, ptr %49, align 8, !noalias !107
-  %1182 = fneg double %1181
-  %1183 = fmul double %1180, %1182
-  %1184 = fcmp ogt double %1183, -1.000000e+03
-  %1185 = select i1 %1184, double %1183, double -1.000000e+03
-  %1186 = fcmp olt double %1185, 1.000000e+03
-  %1187 = select i1 %1186, double %1185, double 1.000000e+03
-  %1188 = call double @llvm.rint.f64(double %1187)
-  %1189 = fptosi double %1188 to i32
-  %1190 = zext i32 %1189 to i64
-  %1191 = shl i64 %1190, 52
-  %1192 = fsub double %1187, %1188
-  %1193 = call double @llvm.fma.f64(double %1192, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1194 = call double @llvm.fma.f64(double %1193, double %1192, double 0x3F55D87FE78A6730)
-  %1195 = call double @llvm.fma.f64(double %1194, double %1192, double 0x3F83B2AB6FBA4E77)
-  %1196 = call double @llvm.fma.f64(double %1195, double %1192, double 0x3FAC6B08D704A0BF)
-  %1197 = call double @llvm.fma.f64(double %1196, double %1192, double 0x3FCEBFBDFF82C58E)
-  %1198 = call double @llvm.fma.f64(double %1197, double %1192, double 0x3FE62E42FEFA39EF)
-  %1199 = call double @llvm.fma.f64(double %1198, double %1192, double 1.000000e+00)
-  %1200 = bitcast double %1199 to i64
-  %1201 = add i64 %1191, %1200
-  %1202 = bitcast i64 %1201 to double
-  %1203 = fmul double %1160, %1202
-  %1204 = getelementptr i8, ptr %49, i64 32
-  %1205 = load double, ptr %1204, align 8, !noalias !107
-  %1206 = fcmp ogt double %1203, %1205
-  %1207 = select i1 %1206, double %1203, double %1205
-  %1208 = select i1 %1153, double %1207, double 2.500000e-01
-  %1209 = getelementptr i8, ptr %139, i64 40
-  store double 1.000000e+00, ptr %1209, align 8, !noalias !15
-  br label %1210
+1222:                                             ; preds = %1216
+  %1223 = getelementptr i8, ptr %49, i64 24
+  %1224 = load double, ptr %1223, align 8, !noalias !113
+  %1225 = fcmp ogt double %744, 1.000000e-10
+  %1226 = select i1 %1225, double %744, double 1.000000e-10
+  %1227 = bitcast double %1226 to i64
+  %1228 = add nsw i64 %1227, -4604544271217802189
+  %1229 = and i64 %1228, -4503599627370496
+  %1230 = sub i64 %1227, %1229
+  %1231 = bitcast i64 %1230 to double
+  %1232 = fadd double %1231, -1.000000e+00
+  %1233 = fadd double %1231, 1.000000e+00
+  %1234 = fdiv double %1232, %1233
+  %1235 = fmul double %1234, %1234
+  %1236 = call double @llvm.fma.f64(double %1235, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1237 = call double @llvm.fma.f64(double %1236, double %1235, double 0x3FE2776C50EF9BFE)
+  %1238 = call double @llvm.fma.f64(double %1237, double %1235, double 0x3FEEC709DC3A03FD)
+  %1239 = call double @llvm.fma.f64(double %1238, double %1235, double 0x40071547652B82FE)
+  %1240 = fmul double %1239, %1234
+  %1241 = ashr i64 %1228, 52
+  %1242 = trunc nsw i64 %1241 to i32
+  %1243 = sitofp i32 %1242 to double
+  %1244 = fadd double %1240, %1243
+  %1245 = load double, ptr %49, align 8, !noalias !113
+  %1246 = fneg double %1245
+  %1247 = fmul double %1244, %1246
+  %1248 = fcmp ogt double %1247, -1.000000e+03
+  %1249 = select i1 %1248, double %1247, double -1.000000e+03
+  %1250 = fcmp olt double %1249, 1.000000e+03
+  %1251 = select i1 %1250, double %1249, double 1.000000e+03
+  %1252 = call double @llvm.rint.f64(double %1251)
+  %1253 = fptosi double %1252 to i32
+  %1254 = zext i32 %1253 to i64
+  %1255 = shl i64 %1254, 52
+  %1256 = fsub double %1251, %1252
+  %1257 = call double @llvm.fma.f64(double %1256, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1258 = call double @llvm.fma.f64(double %1257, double %1256, double 0x3F55D87FE78A6730)
+  %1259 = call double @llvm.fma.f64(double %1258, double %1256, double 0x3F83B2AB6FBA4E77)
+  %1260 = call double @llvm.fma.f64(double %1259, double %1256, double 0x3FAC6B08D704A0BF)
+  %1261 = call double @llvm.fma.f64(double %1260, double %1256, double 0x3FCEBFBDFF82C58E)
+  %1262 = call double @llvm.fma.f64(double %1261, double %1256, double 0x3FE62E42FEFA39EF)
+  %1263 = call double @llvm.fma.f64(double %1262, double %1256, double 1.000000e+00)
+  %1264 = bitcast double %1263 to i64
+  %1265 = add i64 %1255, %1264
+  %1266 = bitcast i64 %1265 to double
+  %1267 = fmul double %1224, %1266
+  %1268 = getelementptr i8, ptr %49, i64 32
+  %1269 = load double, ptr %1268, align 8, !noalias !113
+  %1270 = fcmp ogt double %1267, %1269
+  %1271 = select i1 %1270, double %1267, double %1269
+  %1272 = select i1 %1217, double %1271, double 2.500000e-01
+  %1273 = getelementptr i8, ptr %139, i64 40
+  store double 1.000000e+00, ptr %1273, align 8, !noalias !15
+  br label %1274
 
-1210:                                             ; preds = %1017, %1158
-  %1211 = phi double [ %1208, %1158 ], [ 2.500000e-01, %1017 ]
-  %1212 = fmul double %466, %1211
-  br label %419
+1274:                                             ; preds = %1077, %1222
+  %1275 = phi double [ %1272, %1222 ], [ 2.500000e-01, %1077 ]
+  %1276 = fmul double %485, %1275
+  br label %429
 
-1213:                                             ; preds = %1152
-  store double %466, ptr %243, align 8, !noalias !15
-  br label %1398
+1277:                                             ; preds = %1216
+  store double %485, ptr %253, align 8, !noalias !15
+  br label %1466
 
-1214:                                             ; preds = %458
-  store double %466, ptr %243, align 8, !noalias !15
-  br label %1398
+1278:                                             ; preds = %477
+  store double %485, ptr %253, align 8, !noalias !15
+  br label %1466
 
-1215:                                             ; preds = %1141
-  store double %1135, ptr %243, align 8, !noalias !15
-  br label %1398
+1279:                                             ; preds = %1205
+  store double %1199, ptr %253, align 8, !noalias !15
+  br label %1466
 
-1216:                                             ; preds = %261, %261
-  %1217 = icmp eq i32 %262, 0
-  br i1 %1217, label %268, label %264
+1280:                                             ; preds = %271, %271
+  %1281 = icmp eq i32 %272, 0
+  br i1 %1281, label %278, label %274
 
-1218:                                             ; preds = %261
-  br label %1398
+1282:                                             ; preds = %271
+  br label %1466
 
-1219:                                             ; preds = %268, %268
-  %1220 = load i8, ptr %19, align 1, !noalias !15
-  %1221 = icmp eq i8 %1220, 0
-  br i1 %1221, label %275, label %274
+1283:                                             ; preds = %278, %278
+  %1284 = load i8, ptr %19, align 1, !noalias !15
+  %1285 = icmp eq i8 %1284, 0
+  br i1 %1285, label %285, label %284
 
-1222:                                             ; preds = %268
-  br label %1398
+1286:                                             ; preds = %278
+  br label %1466
 
-1223:                                             ; preds = %277, %285
-  br label %1398
+1287:                                             ; preds = %287, %295
+  br label %1466
 
-1224:                                             ; preds = %298
-  %1225 = add nsw i64 %300, -1
-  %1226 = add i64 %299, 1
-  %1227 = icmp slt i64 %299, 0
-  %1228 = select i1 %1227, i64 %86, i64 0
-  %1229 = getelementptr double, ptr %87, i64 %299
-  %1230 = getelementptr double, ptr %1229, i64 %1228
-  %1231 = load double, ptr %1230, align 8, !noalias !15
-  %1232 = select i1 %1227, i64 %118, i64 0
-  %1233 = getelementptr double, ptr %119, i64 %299
-  %1234 = getelementptr double, ptr %1233, i64 %1232
-  %1235 = load double, ptr %1234, align 8, !noalias !15
-  %1236 = fmul double %296, %1235
-  %1237 = fadd double %1231, %1236
-  %1238 = select i1 %1227, i64 %96, i64 0
-  %1239 = getelementptr double, ptr %97, i64 %299
-  %1240 = getelementptr double, ptr %1239, i64 %1238
-  store double %1237, ptr %1240, align 8, !noalias !15
-  br label %298
+1288:                                             ; preds = %308
+  %1289 = add nsw i64 %310, -1
+  %1290 = add i64 %309, 1
+  %1291 = icmp slt i64 %309, 0
+  %1292 = select i1 %1291, i64 %86, i64 0
+  %1293 = getelementptr double, ptr %87, i64 %309
+  %1294 = getelementptr double, ptr %1293, i64 %1292
+  %1295 = load double, ptr %1294, align 8, !noalias !15
+  %1296 = select i1 %1291, i64 %118, i64 0
+  %1297 = getelementptr double, ptr %119, i64 %309
+  %1298 = getelementptr double, ptr %1297, i64 %1296
+  %1299 = load double, ptr %1298, align 8, !noalias !15
+  %1300 = fmul double %306, %1299
+  %1301 = fadd double %1295, %1300
+  %1302 = select i1 %1291, i64 %96, i64 0
+  %1303 = getelementptr double, ptr %97, i64 %309
+  %1304 = getelementptr double, ptr %1303, i64 %1302
+  store double %1301, ptr %1304, align 8, !noalias !15
+  br label %308
 
-1241:                                             ; preds = %319, %319
-  br i1 %320, label %324, label %322
+1305:                                             ; preds = %329, %329
+  br i1 %330, label %334, label %332
 
-1242:                                             ; preds = %319
-  br label %1398
+1306:                                             ; preds = %329
+  br label %1466
 
-1243:                                             ; preds = %333
-  br label %1398
+1307:                                             ; preds = %343
+  br label %1466
 
-1244:                                             ; preds = %475
-  %1245 = add nsw i64 %477, -1
-  %1246 = add i64 %476, 1
-  %1247 = icmp slt i64 %476, 0
-  %1248 = select i1 %1247, i64 %101, i64 0
-  %1249 = getelementptr double, ptr %102, i64 %476
-  %1250 = getelementptr double, ptr %1249, i64 %1248
-  store double %466, ptr %1250, align 8, !noalias !15
-  br label %475
+1308:                                             ; preds = %494
+  %1309 = add nsw i64 %496, -1
+  %1310 = add i64 %495, 1
+  %1311 = icmp slt i64 %495, 0
+  %1312 = select i1 %1311, i64 %101, i64 0
+  %1313 = getelementptr double, ptr %102, i64 %495
+  %1314 = getelementptr double, ptr %1313, i64 %1312
+  store double %485, ptr %1314, align 8, !noalias !15
+  br label %494
 
-1251:                                             ; preds = %483
-  %1252 = add nsw i64 %485, -1
-  %1253 = add i64 %484, 1
+1315:                                             ; preds = %502
+  %1316 = add nsw i64 %504, -1
+  %1317 = add i64 %503, 1
   store ptr null, ptr %20, align 8, !noalias !15
-  %1254 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %484, i64 %94, double %466) #2
-  switch i32 %1254, label %1283 [
-    i32 -2, label %1255
-    i32 0, label %1255
+  %1318 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %503, i64 %94, double %485) #2
+  switch i32 %1318, label %1347 [
+    i32 -2, label %1319
+    i32 0, label %1319
   ], !prof !35
 
-1255:                                             ; preds = %1251, %1251
-  %1256 = mul nsw i64 %484, %86
-  %1257 = shl i64 %1256, 3
-  %1258 = add i64 %1257, %116
-  %1259 = getelementptr i8, ptr %144, i64 24
-  %1260 = load i64, ptr %1259, align 8, !noalias !15
-  %1261 = add nsw i64 %1260, 1
-  store i64 %1261, ptr %1259, align 8, !noalias !15
-  %1262 = icmp slt i64 %484, 0
-  %1263 = select i1 %1262, i64 %45, i64 0
-  %1264 = getelementptr double, ptr %46, i64 %484
-  %1265 = getelementptr double, ptr %1264, i64 %1263
-  %1266 = load double, ptr %1265, align 8, !noalias !15
-  %1267 = fmul double %1266, %466
-  %1268 = fadd double %424, %1267
-  store ptr null, ptr %10, align 8, !noalias !110
-  store ptr null, ptr %11, align 8, !noalias !110
-  store double %1268, ptr %55, align 8, !noalias !110
-  %1269 = icmp sgt i64 %67, 0
-  br i1 %1269, label %1270, label %1273
+1319:                                             ; preds = %1315, %1315
+  %1320 = mul nsw i64 %503, %86
+  %1321 = shl i64 %1320, 3
+  %1322 = add i64 %1321, %116
+  %1323 = getelementptr i8, ptr %144, i64 24
+  %1324 = load i64, ptr %1323, align 8, !noalias !15
+  %1325 = add nsw i64 %1324, 1
+  store i64 %1325, ptr %1323, align 8, !noalias !15
+  %1326 = icmp slt i64 %503, 0
+  %1327 = select i1 %1326, i64 %45, i64 0
+  %1328 = getelementptr double, ptr %46, i64 %503
+  %1329 = getelementptr double, ptr %1328, i64 %1327
+  %1330 = load double, ptr %1329, align 8, !noalias !15
+  %1331 = fmul double %1330, %485
+  %1332 = fadd double %434, %1331
+  store ptr null, ptr %10, align 8, !noalias !116
+  store ptr null, ptr %11, align 8, !noalias !116
+  store double %1332, ptr %55, align 8, !noalias !116
+  %1333 = icmp sgt i64 %67, 0
+  br i1 %1333, label %1334, label %1337
 
-1270:                                             ; preds = %1255
-  store ptr null, ptr %10, align 8, !noalias !110
-  %1271 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1268) #2
-  switch i32 %1271, label %1272 [
-    i32 -2, label %1273
-    i32 0, label %1273
+1334:                                             ; preds = %1319
+  store ptr null, ptr %10, align 8, !noalias !116
+  %1335 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1332) #2
+  switch i32 %1335, label %1336 [
+    i32 -2, label %1337
+    i32 0, label %1337
   ], !prof !35
 
-1272:                                             ; preds = %1270
-  br label %1273
+1336:                                             ; preds = %1334
+  br label %1337
 
-1273:                                             ; preds = %1270, %1270, %1255, %1272
-  %1274 = phi i32 [ %1271, %1272 ], [ 0, %1255 ], [ 0, %1270 ], [ 0, %1270 ]
-  switch i32 %1274, label %1280 [
-    i32 -2, label %1275
-    i32 0, label %1275
+1337:                                             ; preds = %1334, %1334, %1319, %1336
+  %1338 = phi i32 [ %1335, %1336 ], [ 0, %1319 ], [ 0, %1334 ], [ 0, %1334 ]
+  switch i32 %1338, label %1344 [
+    i32 -2, label %1339
+    i32 0, label %1339
   ], !prof !35
 
-1275:                                             ; preds = %1273, %1273
-  %1276 = load i64, ptr %52, align 8, !noalias !117
-  %1277 = inttoptr i64 %1276 to ptr
-  %1278 = inttoptr i64 %1258 to ptr
-  %1279 = call i32 %1277(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1278) #2, !noalias !117
-  br label %1280
+1339:                                             ; preds = %1337, %1337
+  %1340 = load i64, ptr %52, align 8, !noalias !123
+  %1341 = inttoptr i64 %1340 to ptr
+  %1342 = inttoptr i64 %1322 to ptr
+  %1343 = call i32 %1341(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1342) #2, !noalias !123
+  br label %1344
 
-1280:                                             ; preds = %1273, %1275
-  %1281 = phi i32 [ %1279, %1275 ], [ 0, %1273 ]
-  %1282 = phi i32 [ 0, %1275 ], [ %1274, %1273 ]
-  switch i32 %1282, label %1286 [
-    i32 -2, label %1284
-    i32 0, label %1284
+1344:                                             ; preds = %1337, %1339
+  %1345 = phi i32 [ %1343, %1339 ], [ 0, %1337 ]
+  %1346 = phi i32 [ 0, %1339 ], [ %1338, %1337 ]
+  switch i32 %1346, label %1350 [
+    i32 -2, label %1348
+    i32 0, label %1348
   ], !prof !35
 
-1283:                                             ; preds = %1251
-  br label %1398
+1347:                                             ; preds = %1315
+  br label %1466
 
-1284:                                             ; preds = %1280, %1280
-  %1285 = icmp eq i32 %1281, 0
-  br i1 %1285, label %483, label %487
+1348:                                             ; preds = %1344, %1344
+  %1349 = icmp eq i32 %1345, 0
+  br i1 %1349, label %502, label %506
 
-1286:                                             ; preds = %1280
-  br label %1398
+1350:                                             ; preds = %1344
+  br label %1466
 
-1287:                                             ; preds = %489
-  br label %1398
+1351:                                             ; preds = %508
+  br label %1466
 
-1288:                                             ; preds = %513
-  br label %1398
+1352:                                             ; preds = %532
+  br label %1466
 
-1289:                                             ; preds = %684
-  %1290 = add nsw i64 %686, -1
-  %1291 = add i64 %685, 1
-  %1292 = icmp slt i64 %685, 0
-  %1293 = select i1 %1292, i64 %91, i64 0
-  %1294 = getelementptr double, ptr %92, i64 %685
-  %1295 = getelementptr double, ptr %1294, i64 %1293
-  %1296 = load double, ptr %1295, align 8, !noalias !15
-  %1297 = fmul double %1296, 0.000000e+00
-  %1298 = fadd double %687, %1297
-  br label %684
+1353:                                             ; preds = %703
+  %1354 = add nsw i64 %705, -1
+  %1355 = add i64 %704, 1
+  %1356 = icmp slt i64 %704, 0
+  %1357 = select i1 %1356, i64 %91, i64 0
+  %1358 = getelementptr double, ptr %92, i64 %704
+  %1359 = getelementptr double, ptr %1358, i64 %1357
+  %1360 = load double, ptr %1359, align 8, !noalias !15
+  %1361 = fmul double %1360, 0.000000e+00
+  %1362 = fadd double %706, %1361
+  br label %703
 
-1299:                                             ; preds = %718, %718
-  %1300 = sext i32 %719 to i64
-  %1301 = icmp slt i32 %719, 0
-  br i1 %1301, label %721, label %722
+1363:                                             ; preds = %737, %737
+  %1364 = sext i32 %738 to i64
+  %1365 = icmp slt i32 %738, 0
+  br i1 %1365, label %740, label %741
 
-1302:                                             ; preds = %718
-  br label %1398
+1366:                                             ; preds = %737
+  br label %1466
 
-1303:                                             ; preds = %746
-  br label %1398
+1367:                                             ; preds = %776, %749
+  %1368 = getelementptr i8, ptr %194, i64 8
+  %1369 = load i64, ptr %1368, align 8, !noalias !15
+  %1370 = icmp eq i64 %1369, 0
+  br i1 %1370, label %797, label %808
 
-1304:                                             ; preds = %753
-  %1305 = load i64, ptr %231, align 8, !noalias !15
-  %1306 = add nsw i64 %756, %1305
-  %1307 = getelementptr i8, ptr %52, i64 16
-  %1308 = load i64, ptr %1307, align 8, !noalias !118
-  %1309 = icmp slt i64 %1306, 0
-  %1310 = select i1 %1309, i64 %30, i64 0
-  %1311 = getelementptr i64, ptr %31, i64 %1306
-  %1312 = getelementptr i64, ptr %1311, i64 %1310
-  %1313 = load i64, ptr %1312, align 8, !noalias !122
-  %1314 = shl i64 %1313, 3
-  %1315 = add i64 %1314, %33
-  %1316 = add i64 %1314, %38
-  %1317 = icmp slt i64 %1306, -1
-  %1318 = select i1 %1317, i64 %30, i64 0
-  %1319 = getelementptr i8, ptr %1311, i64 8
-  %1320 = getelementptr i64, ptr %1319, i64 %1318
-  %1321 = load i64, ptr %1320, align 8, !noalias !122
-  %1322 = xor i64 %1313, -1
-  %1323 = add i64 %1321, %1322
-  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1315, i64 %1316, i64 %1323, i64 1, i64 %1308) #2, !noalias !122
-  %1324 = mul nsw i64 %756, %86
-  %1325 = shl i64 %1324, 3
-  %1326 = add i64 %1325, %116
-  %1327 = getelementptr i8, ptr %144, i64 24
-  %1328 = load i64, ptr %1327, align 8, !noalias !15
-  %1329 = add nsw i64 %1328, 1
-  store i64 %1329, ptr %1327, align 8, !noalias !15
-  %1330 = icmp slt i64 %756, 0
-  %1331 = select i1 %1330, i64 %45, i64 0
-  %1332 = getelementptr double, ptr %46, i64 %756
-  %1333 = getelementptr double, ptr %1332, i64 %1331
-  %1334 = load double, ptr %1333, align 8, !noalias !15
-  %1335 = fmul double %1334, %466
-  %1336 = fadd double %424, %1335
-  store ptr null, ptr %4, align 8, !noalias !125
-  store ptr null, ptr %5, align 8, !noalias !125
-  store double %1336, ptr %55, align 8, !noalias !125
-  %1337 = icmp sgt i64 %67, 0
-  br i1 %1337, label %1338, label %1341
+1371:                                             ; preds = %806
+  br label %1466
 
-1338:                                             ; preds = %1304
-  store ptr null, ptr %4, align 8, !noalias !125
-  %1339 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1336) #2
-  switch i32 %1339, label %1340 [
-    i32 -2, label %1341
-    i32 0, label %1341
+1372:                                             ; preds = %813
+  %1373 = load i64, ptr %241, align 8, !noalias !15
+  %1374 = add nsw i64 %816, %1373
+  %1375 = getelementptr i8, ptr %52, i64 16
+  %1376 = load i64, ptr %1375, align 8, !noalias !124
+  %1377 = icmp slt i64 %1374, 0
+  %1378 = select i1 %1377, i64 %30, i64 0
+  %1379 = getelementptr i64, ptr %31, i64 %1374
+  %1380 = getelementptr i64, ptr %1379, i64 %1378
+  %1381 = load i64, ptr %1380, align 8, !noalias !128
+  %1382 = shl i64 %1381, 3
+  %1383 = add i64 %1382, %33
+  %1384 = add i64 %1382, %38
+  %1385 = icmp slt i64 %1374, -1
+  %1386 = select i1 %1385, i64 %30, i64 0
+  %1387 = getelementptr i8, ptr %1379, i64 8
+  %1388 = getelementptr i64, ptr %1387, i64 %1386
+  %1389 = load i64, ptr %1388, align 8, !noalias !128
+  %1390 = xor i64 %1381, -1
+  %1391 = add i64 %1389, %1390
+  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1383, i64 %1384, i64 %1391, i64 1, i64 %1376) #2, !noalias !128
+  %1392 = mul nsw i64 %816, %86
+  %1393 = shl i64 %1392, 3
+  %1394 = add i64 %1393, %116
+  %1395 = getelementptr i8, ptr %144, i64 24
+  %1396 = load i64, ptr %1395, align 8, !noalias !15
+  %1397 = add nsw i64 %1396, 1
+  store i64 %1397, ptr %1395, align 8, !noalias !15
+  %1398 = icmp slt i64 %816, 0
+  %1399 = select i1 %1398, i64 %45, i64 0
+  %1400 = getelementptr double, ptr %46, i64 %816
+  %1401 = getelementptr double, ptr %1400, i64 %1399
+  %1402 = load double, ptr %1401, align 8, !noalias !15
+  %1403 = fmul double %1402, %485
+  %1404 = fadd double %434, %1403
+  store ptr null, ptr %4, align 8, !noalias !131
+  store ptr null, ptr %5, align 8, !noalias !131
+  store double %1404, ptr %55, align 8, !noalias !131
+  %1405 = icmp sgt i64 %67, 0
+  br i1 %1405, label %1406, label %1409
+
+1406:                                             ; preds = %1372
+  store ptr null, ptr %4, align 8, !noalias !131
+  %1407 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1404) #2
+  switch i32 %1407, label %1408 [
+    i32 -2, label %1409
+    i32 0, label %1409
   ], !prof !35
 
-1340:                                             ; preds = %1338
-  br label %1341
+1408:                                             ; preds = %1406
+  br label %1409
 
-1341:                                             ; preds = %1338, %1338, %1304, %1340
-  %1342 = phi i32 [ %1339, %1340 ], [ 0, %1304 ], [ 0, %1338 ], [ 0, %1338 ]
-  switch i32 %1342, label %1348 [
-    i32 -2, label %1343
-    i32 0, label %1343
+1409:                                             ; preds = %1406, %1406, %1372, %1408
+  %1410 = phi i32 [ %1407, %1408 ], [ 0, %1372 ], [ 0, %1406 ], [ 0, %1406 ]
+  switch i32 %1410, label %1416 [
+    i32 -2, label %1411
+    i32 0, label %1411
   ], !prof !35
 
-1343:                                             ; preds = %1341, %1341
-  %1344 = load i64, ptr %52, align 8, !noalias !132
-  %1345 = inttoptr i64 %1344 to ptr
-  %1346 = inttoptr i64 %1326 to ptr
-  %1347 = call i32 %1345(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1346) #2, !noalias !132
-  br label %1348
+1411:                                             ; preds = %1409, %1409
+  %1412 = load i64, ptr %52, align 8, !noalias !138
+  %1413 = inttoptr i64 %1412 to ptr
+  %1414 = inttoptr i64 %1394 to ptr
+  %1415 = call i32 %1413(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1414) #2, !noalias !138
+  br label %1416
 
-1348:                                             ; preds = %1341, %1343
-  %1349 = phi i32 [ %1347, %1343 ], [ 0, %1341 ]
-  %1350 = phi i32 [ 0, %1343 ], [ %1342, %1341 ]
-  switch i32 %1350, label %1354 [
-    i32 -2, label %1351
-    i32 0, label %1351
+1416:                                             ; preds = %1409, %1411
+  %1417 = phi i32 [ %1415, %1411 ], [ 0, %1409 ]
+  %1418 = phi i32 [ 0, %1411 ], [ %1410, %1409 ]
+  switch i32 %1418, label %1422 [
+    i32 -2, label %1419
+    i32 0, label %1419
   ], !prof !35
 
-1351:                                             ; preds = %1348, %1348
-  %1352 = add nsw i64 %755, -1
-  %1353 = icmp eq i32 %1349, 0
-  br i1 %1353, label %753, label %758
+1419:                                             ; preds = %1416, %1416
+  %1420 = add nsw i64 %815, -1
+  %1421 = icmp eq i32 %1417, 0
+  br i1 %1421, label %813, label %818
 
-1354:                                             ; preds = %1348
-  br label %1398
+1422:                                             ; preds = %1416
+  br label %1466
 
-1355:                                             ; preds = %784
-  %1356 = load i64, ptr %734, align 8, !noalias !15
-  %1357 = icmp sgt i64 %1356, 0
-  br i1 %1357, label %865, label %872
+1423:                                             ; preds = %844
+  %1424 = load i64, ptr %1368, align 8, !noalias !15
+  %1425 = icmp sgt i64 %1424, 0
+  br i1 %1425, label %925, label %932
 
-1358:                                             ; preds = %903, %1366
-  %1359 = phi i64 [ 0, %903 ], [ %1368, %1366 ]
-  %1360 = phi i64 [ %915, %903 ], [ %1367, %1366 ]
-  %1361 = icmp sgt i64 %1360, 0
-  br i1 %1361, label %1366, label %1362
+1426:                                             ; preds = %963, %1434
+  %1427 = phi i64 [ 0, %963 ], [ %1436, %1434 ]
+  %1428 = phi i64 [ %975, %963 ], [ %1435, %1434 ]
+  %1429 = icmp sgt i64 %1428, 0
+  br i1 %1429, label %1434, label %1430
 
-1362:                                             ; preds = %1358
-  %1363 = load i64, ptr %780, align 8, !noalias !133
-  %1364 = getelementptr i8, ptr %52, i64 16
-  %1365 = load i64, ptr %1364, align 8, !noalias !133
-  call fastcc void @pydy_nested(i64 %914, i64 %84, i64 %121, i64 %86, i64 %1363, i64 %104, i64 %1365) #2, !noalias !133
-  br i1 %889, label %916, label %923
+1430:                                             ; preds = %1426
+  %1431 = load i64, ptr %840, align 8, !noalias !139
+  %1432 = getelementptr i8, ptr %52, i64 16
+  %1433 = load i64, ptr %1432, align 8, !noalias !139
+  call fastcc void @pydy_nested(i64 %974, i64 %84, i64 %121, i64 %86, i64 %1431, i64 %104, i64 %1433) #2, !noalias !139
+  br i1 %949, label %976, label %983
 
-1366:                                             ; preds = %1358
-  %1367 = add nsw i64 %1360, -1
-  %1368 = add i64 %1359, 1
-  %1369 = icmp slt i64 %1359, 0
-  %1370 = select i1 %1369, i64 %106, i64 0
-  %1371 = getelementptr double, ptr %107, i64 %1359
-  %1372 = getelementptr double, ptr %1371, i64 %1370
-  store double %911, ptr %1372, align 8, !noalias !133
-  br label %1358
+1434:                                             ; preds = %1426
+  %1435 = add nsw i64 %1428, -1
+  %1436 = add i64 %1427, 1
+  %1437 = icmp slt i64 %1427, 0
+  %1438 = select i1 %1437, i64 %106, i64 0
+  %1439 = getelementptr double, ptr %107, i64 %1427
+  %1440 = getelementptr double, ptr %1439, i64 %1438
+  store double %971, ptr %1440, align 8, !noalias !139
+  br label %1426
 
-1373:                                             ; preds = %956
-  %1374 = load i64, ptr %191, align 8, !noalias !15
-  %1375 = icmp eq i64 %1374, 1
-  br i1 %1375, label %978, label %983
+1441:                                             ; preds = %1016
+  %1442 = load i64, ptr %191, align 8, !noalias !15
+  %1443 = icmp eq i64 %1442, 1
+  br i1 %1443, label %1038, label %1043
 
-1376:                                             ; preds = %988
-  br label %1398
+1444:                                             ; preds = %1048
+  br label %1466
 
-1377:                                             ; preds = %994
-  store double %882, ptr %139, align 8, !noalias !15
-  store double 0.000000e+00, ptr %243, align 8, !noalias !15
+1445:                                             ; preds = %1054
+  store double %942, ptr %139, align 8, !noalias !15
+  store double 0.000000e+00, ptr %253, align 8, !noalias !15
   store i64 0, ptr %144, align 8, !noalias !15
-  br label %1009
+  br label %1069
 
-1378:                                             ; preds = %1137
-  %1379 = add nsw i64 %1139, -1
-  %1380 = add i64 %1138, 1
-  %1381 = icmp slt i64 %1138, 0
-  %1382 = select i1 %1381, i64 %91, i64 0
-  %1383 = getelementptr double, ptr %92, i64 %1138
-  %1384 = getelementptr double, ptr %1383, i64 %1382
-  %1385 = load double, ptr %1384, align 8, !noalias !15
-  %1386 = select i1 %1381, i64 %86, i64 0
-  %1387 = getelementptr double, ptr %87, i64 %1138
-  %1388 = getelementptr double, ptr %1387, i64 %1386
-  store double %1385, ptr %1388, align 8, !noalias !15
-  %1389 = add nsw i64 %234, %1138
-  %1390 = icmp slt i64 %1389, 0
-  %1391 = select i1 %1390, i64 %118, i64 0
-  %1392 = getelementptr double, ptr %119, i64 %1389
-  %1393 = getelementptr double, ptr %1392, i64 %1391
-  %1394 = load double, ptr %1393, align 8, !noalias !15
-  %1395 = select i1 %1381, i64 %118, i64 0
-  %1396 = getelementptr double, ptr %119, i64 %1138
-  %1397 = getelementptr double, ptr %1396, i64 %1395
-  store double %1394, ptr %1397, align 8, !noalias !15
-  br label %1137
+1446:                                             ; preds = %1201
+  %1447 = add nsw i64 %1203, -1
+  %1448 = add i64 %1202, 1
+  %1449 = icmp slt i64 %1202, 0
+  %1450 = select i1 %1449, i64 %91, i64 0
+  %1451 = getelementptr double, ptr %92, i64 %1202
+  %1452 = getelementptr double, ptr %1451, i64 %1450
+  %1453 = load double, ptr %1452, align 8, !noalias !15
+  %1454 = select i1 %1449, i64 %86, i64 0
+  %1455 = getelementptr double, ptr %87, i64 %1202
+  %1456 = getelementptr double, ptr %1455, i64 %1454
+  store double %1453, ptr %1456, align 8, !noalias !15
+  %1457 = add nsw i64 %244, %1202
+  %1458 = icmp slt i64 %1457, 0
+  %1459 = select i1 %1458, i64 %118, i64 0
+  %1460 = getelementptr double, ptr %119, i64 %1457
+  %1461 = getelementptr double, ptr %1460, i64 %1459
+  %1462 = load double, ptr %1461, align 8, !noalias !15
+  %1463 = select i1 %1449, i64 %118, i64 0
+  %1464 = getelementptr double, ptr %119, i64 %1202
+  %1465 = getelementptr double, ptr %1464, i64 %1463
+  store double %1462, ptr %1465, align 8, !noalias !15
+  br label %1201
 
-1398:                                             ; preds = %1376, %1354, %1303, %1302, %1288, %1287, %1286, %1283, %1243, %1242, %1223, %1222, %1218, %1215, %1214, %1213, %1025, %758, %721, %519, %438, %427, %274, %264, %226
-  %1399 = phi i64 [ 0, %1376 ], [ -1, %226 ], [ 0, %1218 ], [ %267, %264 ], [ 0, %1222 ], [ 0, %274 ], [ 0, %1223 ], [ 0, %1243 ], [ 0, %1242 ], [ -1, %427 ], [ 1, %438 ], [ 2, %1214 ], [ 0, %1287 ], [ 0, %1283 ], [ 0, %1286 ], [ 0, %1288 ], [ -4, %519 ], [ -4, %721 ], [ 2, %1213 ], [ 0, %1303 ], [ %1011, %1025 ], [ 0, %1215 ], [ 0, %1302 ], [ 0, %1354 ], [ %761, %758 ]
-  ret i64 %1399
+1466:                                             ; preds = %1444, %1422, %1371, %1366, %1352, %1351, %1350, %1347, %1307, %1306, %1287, %1286, %1282, %1279, %1278, %1277, %1087, %818, %740, %538, %457, %446, %437, %284, %274, %226
+  %1467 = phi i64 [ 0, %1422 ], [ -1, %226 ], [ 0, %1282 ], [ %277, %274 ], [ 0, %1286 ], [ 0, %284 ], [ 0, %1287 ], [ 0, %1307 ], [ 0, %1306 ], [ -1, %437 ], [ %821, %818 ], [ -5, %446 ], [ 1, %457 ], [ 2, %1278 ], [ 0, %1351 ], [ 0, %1347 ], [ 0, %1350 ], [ 0, %1352 ], [ -4, %538 ], [ -4, %740 ], [ 2, %1277 ], [ 0, %1444 ], [ 0, %1371 ], [ %1071, %1087 ], [ 0, %1279 ], [ 0, %1366 ]
+  ret i64 %1467
 }
 
 
@@ -2790,87 +2884,93 @@ attributes #3 = { nounwind willreturn }
 !50 = distinct !{!50, !51}
 !51 = distinct !{!51}
 !52 = distinct !{!52, !51}
-!53 = !{!54, !56, !57, !59}
+!53 = !{!54}
 !54 = distinct !{!54, !55}
 !55 = distinct !{!55}
-!56 = distinct !{!56, !55}
+!56 = !{!57, !59, !60, !62}
 !57 = distinct !{!57, !58}
 !58 = distinct !{!58}
 !59 = distinct !{!59, !58}
-!60 = !{!57, !59}
-!61 = !{!62, !64, !16, !18}
-!62 = distinct !{!62, !63}
-!63 = distinct !{!63}
-!64 = distinct !{!64, !63}
-!65 = !{!66, !68, !62, !64, !16, !18}
-!66 = distinct !{!66, !67}
-!67 = distinct !{!67}
-!68 = distinct !{!68, !67}
-!69 = !{!70, !62, !64, !16, !18}
-!70 = distinct !{!70, !71}
-!71 = distinct !{!71}
-!72 = !{!73, !62, !64, !16, !18}
+!60 = distinct !{!60, !61}
+!61 = distinct !{!61}
+!62 = distinct !{!62, !61}
+!63 = !{!60, !62}
+!64 = !{!65, !67, !16, !18}
+!65 = distinct !{!65, !66}
+!66 = distinct !{!66}
+!67 = distinct !{!67, !66}
+!68 = !{!69, !71, !65, !67, !16, !18}
+!69 = distinct !{!69, !70}
+!70 = distinct !{!70}
+!71 = distinct !{!71, !70}
+!72 = !{!73, !65, !67, !16, !18}
 !73 = distinct !{!73, !74}
 !74 = distinct !{!74}
-!75 = !{!76, !78, !79, !81}
+!75 = !{!76, !65, !67, !16, !18}
 !76 = distinct !{!76, !77}
 !77 = distinct !{!77}
-!78 = distinct !{!78, !77}
+!78 = !{!79, !81, !82, !84}
 !79 = distinct !{!79, !80}
 !80 = distinct !{!80}
 !81 = distinct !{!81, !80}
-!82 = !{!79, !81}
-!83 = !{!84, !86, !16, !18}
-!84 = distinct !{!84, !85}
-!85 = distinct !{!85}
-!86 = distinct !{!86, !85}
-!87 = !{!88, !90, !84, !86, !16, !18}
-!88 = distinct !{!88, !89}
-!89 = distinct !{!89}
-!90 = distinct !{!90, !89}
-!91 = !{!92, !88, !90, !84, !86, !16, !18}
-!92 = distinct !{!92, !93}
-!93 = distinct !{!93}
-!94 = !{!95, !97, !16, !18}
-!95 = distinct !{!95, !96}
-!96 = distinct !{!96}
-!97 = distinct !{!97, !96}
-!98 = !{!99}
-!99 = distinct !{!99, !100}
-!100 = distinct !{!100}
-!101 = !{!102}
-!102 = distinct !{!102, !103}
-!103 = distinct !{!103}
-!104 = !{!105, !16, !18}
+!82 = distinct !{!82, !83}
+!83 = distinct !{!83}
+!84 = distinct !{!84, !83}
+!85 = !{!82, !84}
+!86 = !{!87}
+!87 = distinct !{!87, !88}
+!88 = distinct !{!88}
+!89 = !{!90, !92, !16, !18}
+!90 = distinct !{!90, !91}
+!91 = distinct !{!91}
+!92 = distinct !{!92, !91}
+!93 = !{!94, !96, !90, !92, !16, !18}
+!94 = distinct !{!94, !95}
+!95 = distinct !{!95}
+!96 = distinct !{!96, !95}
+!97 = !{!98, !94, !96, !90, !92, !16, !18}
+!98 = distinct !{!98, !99}
+!99 = distinct !{!99}
+!100 = !{!101, !103, !16, !18}
+!101 = distinct !{!101, !102}
+!102 = distinct !{!102}
+!103 = distinct !{!103, !102}
+!104 = !{!105}
 !105 = distinct !{!105, !106}
 !106 = distinct !{!106}
-!107 = !{!108, !16, !18}
+!107 = !{!108}
 !108 = distinct !{!108, !109}
 !109 = distinct !{!109}
-!110 = !{!111, !113, !114, !116}
+!110 = !{!111, !16, !18}
 !111 = distinct !{!111, !112}
 !112 = distinct !{!112}
-!113 = distinct !{!113, !112}
+!113 = !{!114, !16, !18}
 !114 = distinct !{!114, !115}
 !115 = distinct !{!115}
-!116 = distinct !{!116, !115}
-!117 = !{!114, !116}
-!118 = !{!119, !121, !16, !18}
-!119 = distinct !{!119, !120}
-!120 = distinct !{!120}
-!121 = distinct !{!121, !120}
-!122 = !{!123, !119, !121, !16, !18}
-!123 = distinct !{!123, !124}
-!124 = distinct !{!124}
-!125 = !{!126, !128, !129, !131}
-!126 = distinct !{!126, !127}
-!127 = distinct !{!127}
-!128 = distinct !{!128, !127}
+!116 = !{!117, !119, !120, !122}
+!117 = distinct !{!117, !118}
+!118 = distinct !{!118}
+!119 = distinct !{!119, !118}
+!120 = distinct !{!120, !121}
+!121 = distinct !{!121}
+!122 = distinct !{!122, !121}
+!123 = !{!120, !122}
+!124 = !{!125, !127, !16, !18}
+!125 = distinct !{!125, !126}
+!126 = distinct !{!126}
+!127 = distinct !{!127, !126}
+!128 = !{!129, !125, !127, !16, !18}
 !129 = distinct !{!129, !130}
 !130 = distinct !{!130}
-!131 = distinct !{!131, !130}
-!132 = !{!129, !131}
-!133 = !{!134, !136, !16, !18}
-!134 = distinct !{!134, !135}
-!135 = distinct !{!135}
-!136 = distinct !{!136, !135}
+!131 = !{!132, !134, !135, !137}
+!132 = distinct !{!132, !133}
+!133 = distinct !{!133}
+!134 = distinct !{!134, !133}
+!135 = distinct !{!135, !136}
+!136 = distinct !{!136}
+!137 = distinct !{!137, !136}
+!138 = !{!135, !137}
+!139 = !{!140, !142, !16, !18}
+!140 = distinct !{!140, !141}
+!141 = distinct !{!141}
+!142 = distinct !{!142, !141}

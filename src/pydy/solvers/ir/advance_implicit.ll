@@ -1,4 +1,4 @@
-; sources 5a0826a5b8c08433328c6939a4879bf5161045b5cabf16235e5e8b0509834956
+; sources 66d7db848c459d4f1d75a99529407a9a51756eefbd8dba31c2d8989f7f6f1096
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 @0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8
@@ -773,7 +773,7 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %159 = load i64, ptr %158, align 8, !noalias !16
   %160 = inttoptr i64 %159 to ptr
   %161 = getelementptr i8, ptr %110, i64 56
-  %162 = load i64, ptr %161, align 8, !noalias !12
+  %162 = load i64, ptr %161, align 8, !noalias !22
   %163 = icmp eq i64 %162, 0
   br i1 %163, label %192, label %193
 
@@ -808,3515 +808,3636 @@ define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
   %185 = select i1 %184, i64 %130, i64 0
   %186 = getelementptr i64, ptr %131, i64 %178
   %187 = getelementptr i64, ptr %186, i64 %185
-  %188 = load i64, ptr %187, align 8, !noalias !22
+  %188 = load i64, ptr %187, align 8, !noalias !23
   %189 = select i1 %184, i64 %109, i64 0
   %190 = getelementptr i64, ptr %110, i64 %178
   %191 = getelementptr i64, ptr %190, i64 %189
-  store i64 %188, ptr %191, align 8, !noalias !22
+  store i64 %188, ptr %191, align 8, !noalias !23
   br label %177
 
 192:                                              ; preds = %154
-  br label %2683
+  br label %2773
 
 193:                                              ; preds = %154
-  %194 = getelementptr i8, ptr %25, i64 1032
-  %195 = load i64, ptr %194, align 8, !noalias !12
+  %194 = getelementptr i8, ptr %25, i64 1080
+  %195 = load i64, ptr %194, align 8, !noalias !22
   %196 = inttoptr i64 %195 to ptr
-  %197 = getelementptr i8, ptr %25, i64 1056
-  %198 = load i64, ptr %197, align 8, !noalias !12
+  %197 = getelementptr i8, ptr %25, i64 1104
+  %198 = load i64, ptr %197, align 8, !noalias !22
   %199 = inttoptr i64 %198 to ptr
-  %200 = getelementptr i8, ptr %25, i64 1080
-  %201 = load i64, ptr %200, align 8, !noalias !12
+  %200 = getelementptr i8, ptr %25, i64 1128
+  %201 = load i64, ptr %200, align 8, !noalias !22
   %202 = inttoptr i64 %201 to ptr
-  %203 = getelementptr i8, ptr %25, i64 1104
-  %204 = load i64, ptr %203, align 8, !noalias !12
-  %205 = getelementptr i8, ptr %25, i64 1112
-  %206 = load i64, ptr %205, align 8, !noalias !12
+  %203 = getelementptr i8, ptr %25, i64 1152
+  %204 = load i64, ptr %203, align 8, !noalias !22
+  %205 = getelementptr i8, ptr %25, i64 1160
+  %206 = load i64, ptr %205, align 8, !noalias !22
   %207 = inttoptr i64 %204 to ptr
-  %208 = getelementptr i8, ptr %25, i64 1128
-  %209 = load i64, ptr %208, align 8, !noalias !12
-  %210 = getelementptr i8, ptr %25, i64 1136
-  %211 = load i64, ptr %210, align 8, !noalias !12
-  %212 = getelementptr i8, ptr %25, i64 1144
-  %213 = load i64, ptr %212, align 8, !noalias !12
+  %208 = getelementptr i8, ptr %25, i64 1176
+  %209 = load i64, ptr %208, align 8, !noalias !22
+  %210 = getelementptr i8, ptr %25, i64 1184
+  %211 = load i64, ptr %210, align 8, !noalias !22
+  %212 = getelementptr i8, ptr %25, i64 1192
+  %213 = load i64, ptr %212, align 8, !noalias !22
   %214 = inttoptr i64 %209 to ptr
-  %215 = getelementptr i8, ptr %25, i64 1152
-  %216 = load i64, ptr %215, align 8, !noalias !12
-  %217 = getelementptr i8, ptr %25, i64 1160
-  %218 = load i64, ptr %217, align 8, !noalias !12
-  %219 = getelementptr i8, ptr %25, i64 1168
-  %220 = load i64, ptr %219, align 8, !noalias !12
+  %215 = getelementptr i8, ptr %25, i64 1200
+  %216 = load i64, ptr %215, align 8, !noalias !22
+  %217 = getelementptr i8, ptr %25, i64 1208
+  %218 = load i64, ptr %217, align 8, !noalias !22
+  %219 = getelementptr i8, ptr %25, i64 1216
+  %220 = load i64, ptr %219, align 8, !noalias !22
   %221 = inttoptr i64 %216 to ptr
-  %222 = getelementptr i8, ptr %25, i64 1176
-  %223 = load i64, ptr %222, align 8, !noalias !12
-  %224 = getelementptr i8, ptr %25, i64 1184
-  %225 = load i64, ptr %224, align 8, !noalias !12
+  %222 = getelementptr i8, ptr %25, i64 1224
+  %223 = load i64, ptr %222, align 8, !noalias !22
+  %224 = getelementptr i8, ptr %25, i64 1232
+  %225 = load i64, ptr %224, align 8, !noalias !22
   %226 = inttoptr i64 %223 to ptr
-  %227 = getelementptr i8, ptr %25, i64 1200
-  %228 = load i64, ptr %227, align 8, !noalias !12
-  %229 = getelementptr i8, ptr %25, i64 1208
-  %230 = load i64, ptr %229, align 8, !noalias !12
+  %227 = getelementptr i8, ptr %25, i64 1248
+  %228 = load i64, ptr %227, align 8, !noalias !22
+  %229 = getelementptr i8, ptr %25, i64 1256
+  %230 = load i64, ptr %229, align 8, !noalias !22
   %231 = inttoptr i64 %228 to ptr
-  %232 = getelementptr i8, ptr %25, i64 1224
-  %233 = load i64, ptr %232, align 8, !noalias !12
-  %234 = getelementptr i8, ptr %25, i64 1232
-  %235 = load i64, ptr %234, align 8, !noalias !12
-  %236 = getelementptr i8, ptr %25, i64 1240
-  %237 = load i64, ptr %236, align 8, !noalias !12
+  %232 = getelementptr i8, ptr %25, i64 1272
+  %233 = load i64, ptr %232, align 8, !noalias !22
+  %234 = getelementptr i8, ptr %25, i64 1280
+  %235 = load i64, ptr %234, align 8, !noalias !22
+  %236 = getelementptr i8, ptr %25, i64 1288
+  %237 = load i64, ptr %236, align 8, !noalias !22
   %238 = inttoptr i64 %233 to ptr
-  %239 = getelementptr i8, ptr %25, i64 1248
-  %240 = load i64, ptr %239, align 8, !noalias !12
-  %241 = getelementptr i8, ptr %25, i64 1256
-  %242 = load i64, ptr %241, align 8, !noalias !12
-  %243 = getelementptr i8, ptr %25, i64 1264
-  %244 = load i64, ptr %243, align 8, !noalias !12
+  %239 = getelementptr i8, ptr %25, i64 1296
+  %240 = load i64, ptr %239, align 8, !noalias !22
+  %241 = getelementptr i8, ptr %25, i64 1304
+  %242 = load i64, ptr %241, align 8, !noalias !22
+  %243 = getelementptr i8, ptr %25, i64 1312
+  %244 = load i64, ptr %243, align 8, !noalias !22
   %245 = inttoptr i64 %240 to ptr
-  %246 = getelementptr i8, ptr %25, i64 1272
-  %247 = load i64, ptr %246, align 8, !noalias !12
-  %248 = getelementptr i8, ptr %25, i64 1288
-  %249 = load i64, ptr %248, align 8, !noalias !12
+  %246 = getelementptr i8, ptr %25, i64 1320
+  %247 = load i64, ptr %246, align 8, !noalias !22
+  %248 = getelementptr i8, ptr %25, i64 1336
+  %249 = load i64, ptr %248, align 8, !noalias !22
   %250 = inttoptr i64 %247 to ptr
-  %251 = getelementptr i8, ptr %25, i64 1296
-  %252 = load i64, ptr %251, align 8, !noalias !12
-  %253 = getelementptr i8, ptr %25, i64 1304
-  %254 = load i64, ptr %253, align 8, !noalias !12
-  %255 = getelementptr i8, ptr %25, i64 1312
-  %256 = load i64, ptr %255, align 8, !noalias !12
+  %251 = getelementptr i8, ptr %25, i64 1344
+  %252 = load i64, ptr %251, align 8, !noalias !22
+  %253 = getelementptr i8, ptr %25, i64 1352
+  %254 = load i64, ptr %253, align 8, !noalias !22
+  %255 = getelementptr i8, ptr %25, i64 1360
+  %256 = load i64, ptr %255, align 8, !noalias !22
   %257 = inttoptr i64 %252 to ptr
-  %258 = getelementptr i8, ptr %25, i64 1320
-  %259 = load i64, ptr %258, align 8, !noalias !12
-  %260 = getelementptr i8, ptr %25, i64 1328
-  %261 = load i64, ptr %260, align 8, !noalias !12
+  %258 = getelementptr i8, ptr %25, i64 1368
+  %259 = load i64, ptr %258, align 8, !noalias !22
+  %260 = getelementptr i8, ptr %25, i64 1376
+  %261 = load i64, ptr %260, align 8, !noalias !22
   %262 = inttoptr i64 %259 to ptr
-  %263 = getelementptr i8, ptr %25, i64 1344
-  %264 = load i64, ptr %263, align 8, !noalias !12
-  %265 = getelementptr i8, ptr %25, i64 1352
-  %266 = load i64, ptr %265, align 8, !noalias !12
+  %263 = getelementptr i8, ptr %25, i64 1392
+  %264 = load i64, ptr %263, align 8, !noalias !22
+  %265 = getelementptr i8, ptr %25, i64 1400
+  %266 = load i64, ptr %265, align 8, !noalias !22
   %267 = inttoptr i64 %264 to ptr
-  %268 = getelementptr i8, ptr %25, i64 1368
-  %269 = load i64, ptr %268, align 8, !noalias !12
-  %270 = getelementptr i8, ptr %25, i64 1376
-  %271 = load i64, ptr %270, align 8, !noalias !12
+  %268 = getelementptr i8, ptr %25, i64 1416
+  %269 = load i64, ptr %268, align 8, !noalias !22
+  %270 = getelementptr i8, ptr %25, i64 1424
+  %271 = load i64, ptr %270, align 8, !noalias !22
   %272 = inttoptr i64 %269 to ptr
-  %273 = load i64, ptr %116, align 8, !noalias !12
-  %274 = load i64, ptr %157, align 8, !noalias !12
-  %275 = icmp eq i64 %274, 1
-  %276 = call i64 @llvm.smin.i64(i64 %114, i64 0)
-  %277 = getelementptr double, ptr %115, i64 %114
-  %278 = getelementptr i8, ptr %277, i64 -8
-  %279 = getelementptr double, ptr %278, i64 %276
-  %280 = load double, ptr %279, align 8, !noalias !12
-  %281 = load double, ptr %95, align 8, !noalias !12
-  %282 = call i64 @llvm.smax.i64(i64 %273, i64 0)
-  br label %283
+  %273 = getelementptr i8, ptr %25, i64 1032
+  %274 = load i64, ptr %273, align 8, !noalias !22
+  %275 = inttoptr i64 %274 to ptr
+  %276 = getelementptr i8, ptr %25, i64 1056
+  %277 = load i64, ptr %276, align 8, !noalias !22
+  %278 = getelementptr i8, ptr %25, i64 1064
+  %279 = load i64, ptr %278, align 8, !noalias !22
+  %280 = getelementptr i8, ptr %25, i64 1072
+  %281 = load i64, ptr %280, align 8, !noalias !22
+  %282 = inttoptr i64 %277 to ptr
+  %283 = load i64, ptr %116, align 8, !noalias !22
+  %284 = load i64, ptr %157, align 8, !noalias !22
+  %285 = icmp eq i64 %284, 1
+  %286 = call i64 @llvm.smin.i64(i64 %114, i64 0)
+  %287 = getelementptr double, ptr %115, i64 %114
+  %288 = getelementptr i8, ptr %287, i64 -8
+  %289 = getelementptr double, ptr %288, i64 %286
+  %290 = load double, ptr %289, align 8, !noalias !22
+  %291 = load double, ptr %95, align 8, !noalias !22
+  %292 = call i64 @llvm.smax.i64(i64 %283, i64 0)
+  br label %293
 
-283:                                              ; preds = %2365, %193
-  %284 = phi i64 [ 0, %193 ], [ %2373, %2365 ]
-  %285 = phi i64 [ %282, %193 ], [ %2374, %2365 ]
-  %286 = phi double [ %281, %193 ], [ %2372, %2365 ]
-  %287 = icmp sgt i64 %285, 0
-  br i1 %287, label %2365, label %288
+293:                                              ; preds = %2452, %193
+  %294 = phi i64 [ 0, %193 ], [ %2460, %2452 ]
+  %295 = phi i64 [ %292, %193 ], [ %2461, %2452 ]
+  %296 = phi double [ %291, %193 ], [ %2459, %2452 ]
+  %297 = icmp sgt i64 %295, 0
+  br i1 %297, label %2452, label %298
 
-288:                                              ; preds = %283
-  %289 = fcmp olt double %286, 0x3CB0000000000000
-  %290 = select i1 %289, double 0x3CB0000000000000, double %286
-  %291 = call double @sqrt(double %286), !noalias !12
-  %292 = fcmp olt double %291, 3.000000e-02
-  %293 = select i1 %292, double %291, double 3.000000e-02
-  %294 = fdiv double 0x3CE4000000000000, %290
-  %295 = fcmp ogt double %293, %294
-  %296 = select i1 %295, double %293, double %294
-  %297 = load double, ptr %105, align 8, !noalias !12
-  %298 = getelementptr i8, ptr %105, i64 8
-  %299 = load double, ptr %298, align 8, !noalias !12
-  %300 = load i64, ptr %110, align 8, !noalias !12
-  %301 = icmp eq i64 %300, 0
-  br i1 %301, label %302, label %359
+298:                                              ; preds = %293
+  %299 = fcmp olt double %296, 0x3CB0000000000000
+  %300 = select i1 %299, double 0x3CB0000000000000, double %296
+  %301 = call double @sqrt(double %296), !noalias !22
+  %302 = fcmp olt double %301, 3.000000e-02
+  %303 = select i1 %302, double %301, double 3.000000e-02
+  %304 = fdiv double 0x3CE4000000000000, %300
+  %305 = fcmp ogt double %303, %304
+  %306 = select i1 %305, double %303, double %304
+  %307 = load double, ptr %105, align 8, !noalias !22
+  %308 = getelementptr i8, ptr %105, i64 8
+  %309 = load double, ptr %308, align 8, !noalias !22
+  %310 = load i64, ptr %110, align 8, !noalias !22
+  %311 = icmp eq i64 %310, 0
+  br i1 %311, label %312, label %369
 
-302:                                              ; preds = %288
-  %303 = getelementptr i8, ptr %110, i64 24
-  %304 = load i64, ptr %303, align 8, !noalias !12
-  %305 = add nsw i64 %304, 1
-  store i64 %305, ptr %303, align 8, !noalias !12
-  store ptr null, ptr %19, align 8, !noalias !25
-  store ptr null, ptr %20, align 8, !noalias !25
-  store double %297, ptr %33, align 8, !noalias !25
-  %306 = icmp sgt i64 %45, 0
-  br i1 %306, label %307, label %310
+312:                                              ; preds = %298
+  %313 = getelementptr i8, ptr %110, i64 24
+  %314 = load i64, ptr %313, align 8, !noalias !22
+  %315 = add nsw i64 %314, 1
+  store i64 %315, ptr %313, align 8, !noalias !22
+  store ptr null, ptr %19, align 8, !noalias !26
+  store ptr null, ptr %20, align 8, !noalias !26
+  store double %307, ptr %33, align 8, !noalias !26
+  %316 = icmp sgt i64 %45, 0
+  br i1 %316, label %317, label %320
 
-307:                                              ; preds = %302
-  store ptr null, ptr %19, align 8, !noalias !25
-  %308 = call fastcc i32 @_sample(ptr nonnull %19, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %297) #3
-  switch i32 %308, label %309 [
-    i32 -2, label %310
-    i32 0, label %310
-  ], !prof !32
+317:                                              ; preds = %312
+  store ptr null, ptr %19, align 8, !noalias !26
+  %318 = call fastcc i32 @_sample(ptr nonnull %19, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %307) #3
+  switch i32 %318, label %319 [
+    i32 -2, label %320
+    i32 0, label %320
+  ], !prof !33
 
-309:                                              ; preds = %307
-  br label %310
+319:                                              ; preds = %317
+  br label %320
 
-310:                                              ; preds = %307, %307, %302, %309
-  %311 = phi i32 [ %308, %309 ], [ 0, %302 ], [ 0, %307 ], [ 0, %307 ]
-  switch i32 %311, label %316 [
-    i32 -2, label %312
-    i32 0, label %312
-  ], !prof !32
+320:                                              ; preds = %317, %317, %312, %319
+  %321 = phi i32 [ %318, %319 ], [ 0, %312 ], [ 0, %317 ], [ 0, %317 ]
+  switch i32 %321, label %326 [
+    i32 -2, label %322
+    i32 0, label %322
+  ], !prof !33
 
-312:                                              ; preds = %310, %310
-  %313 = load i64, ptr %30, align 8, !noalias !33
-  %314 = inttoptr i64 %313 to ptr
-  %315 = call i32 %314(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !33
-  br label %316
+322:                                              ; preds = %320, %320
+  %323 = load i64, ptr %30, align 8, !noalias !34
+  %324 = inttoptr i64 %323 to ptr
+  %325 = call i32 %324(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !34
+  br label %326
 
-316:                                              ; preds = %310, %312
-  %317 = phi i32 [ %315, %312 ], [ 0, %310 ]
-  %318 = phi i32 [ 0, %312 ], [ %311, %310 ]
-  switch i32 %318, label %2377 [
-    i32 -2, label %2375
-    i32 0, label %2375
-  ], !prof !32
+326:                                              ; preds = %320, %322
+  %327 = phi i32 [ %325, %322 ], [ 0, %320 ]
+  %328 = phi i32 [ 0, %322 ], [ %321, %320 ]
+  switch i32 %328, label %2464 [
+    i32 -2, label %2462
+    i32 0, label %2462
+  ], !prof !33
 
-319:                                              ; preds = %2375
-  %320 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %320, align 8, !noalias !12
-  %321 = icmp slt i32 %317, 0
-  %322 = select i1 %321, i64 -4, i64 2
-  br label %2683
+329:                                              ; preds = %2462
+  %330 = getelementptr i8, ptr %110, i64 72
+  store i64 3, ptr %330, align 8, !noalias !22
+  %331 = icmp slt i32 %327, 0
+  %332 = select i1 %331, i64 -4, i64 2
+  br label %2773
 
-323:                                              ; preds = %2375
-  store i64 1, ptr %110, align 8, !noalias !12
-  %324 = getelementptr i8, ptr %105, i64 24
-  store double 0.000000e+00, ptr %324, align 8, !noalias !12
-  %325 = getelementptr i8, ptr %196, i64 8
-  store i64 1, ptr %325, align 8, !noalias !12
-  %326 = getelementptr i8, ptr %196, i64 32
-  store i64 1, ptr %326, align 8, !noalias !12
-  %327 = getelementptr i8, ptr %199, i64 8
-  store double 0.000000e+00, ptr %327, align 8, !noalias !12
+333:                                              ; preds = %2462
+  store i64 1, ptr %110, align 8, !noalias !22
+  %334 = getelementptr i8, ptr %105, i64 24
+  store double 0.000000e+00, ptr %334, align 8, !noalias !22
+  %335 = getelementptr i8, ptr %196, i64 8
+  store i64 1, ptr %335, align 8, !noalias !22
+  %336 = getelementptr i8, ptr %196, i64 32
+  store i64 1, ptr %336, align 8, !noalias !22
+  %337 = getelementptr i8, ptr %199, i64 8
+  store double 0.000000e+00, ptr %337, align 8, !noalias !22
   store i8 0, ptr %23, align 1, !noalias !12
-  %328 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %30, ptr %65, i64 %64, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %328, label %2381 [
-    i32 -2, label %2378
-    i32 0, label %2378
-  ], !prof !32
+  %338 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %30, ptr %65, i64 %64, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
+  switch i32 %338, label %2468 [
+    i32 -2, label %2465
+    i32 0, label %2465
+  ], !prof !33
 
-329:                                              ; preds = %2378
-  br label %2683
+339:                                              ; preds = %2465
+  br label %2773
 
-330:                                              ; preds = %2378
-  %331 = fcmp oeq double %299, 0.000000e+00
-  br i1 %331, label %332, label %359
+340:                                              ; preds = %2465
+  %341 = fcmp oeq double %309, 0.000000e+00
+  br i1 %341, label %342, label %369
 
-332:                                              ; preds = %330
-  %333 = getelementptr i8, ptr %105, i64 16
-  %334 = load double, ptr %333, align 8, !noalias !12
-  store double 0.000000e+00, ptr %21, align 8, !noalias !34
-  store double 0.000000e+00, ptr %22, align 8, !noalias !34
-  store double 0.000000e+00, ptr %21, align 8, !noalias !34
-  %335 = call fastcc i32 @norm(ptr nonnull %21, ptr %65, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %273) #3
-  %336 = load double, ptr %21, align 8, !noalias !34
-  switch i32 %335, label %2382 [
-    i32 -2, label %337
-    i32 0, label %337
-  ], !prof !32
+342:                                              ; preds = %340
+  %343 = getelementptr i8, ptr %105, i64 16
+  %344 = load double, ptr %343, align 8, !noalias !22
+  store double 0.000000e+00, ptr %21, align 8, !noalias !35
+  store double 0.000000e+00, ptr %22, align 8, !noalias !35
+  store double 0.000000e+00, ptr %21, align 8, !noalias !35
+  %345 = call fastcc i32 @norm(ptr nonnull %21, ptr %65, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %283) #3
+  %346 = load double, ptr %21, align 8, !noalias !35
+  switch i32 %345, label %2469 [
+    i32 -2, label %347
+    i32 0, label %347
+  ], !prof !33
 
-337:                                              ; preds = %332, %332
-  store double 0.000000e+00, ptr %22, align 8, !noalias !34
-  %338 = call fastcc i32 @norm(ptr nonnull %22, ptr %85, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %273) #3
-  switch i32 %338, label %2382 [
-    i32 -2, label %339
-    i32 0, label %339
-  ], !prof !32
+347:                                              ; preds = %342, %342
+  store double 0.000000e+00, ptr %22, align 8, !noalias !35
+  %348 = call fastcc i32 @norm(ptr nonnull %22, ptr %85, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %283) #3
+  switch i32 %348, label %2469 [
+    i32 -2, label %349
+    i32 0, label %349
+  ], !prof !33
 
-339:                                              ; preds = %337, %337
-  %340 = load double, ptr %22, align 8, !noalias !34
-  %341 = fcmp olt double %336, 1.000000e-05
-  %342 = fcmp olt double %340, 1.000000e-05
-  %343 = or i1 %341, %342
-  %344 = fmul double %336, 1.000000e-02
-  %345 = fdiv double %344, %340
-  %346 = select i1 %343, double 0x3EB0C6F7A0B5ED8D, double %345
-  %347 = fcmp olt double %334, %346
-  %348 = select i1 %347, double %334, double %346
-  %349 = load double, ptr %333, align 8, !noalias !12
-  %350 = call double @llvm.fabs.f64(double %297)
-  %351 = fmul double %350, 0x3D30000000000000
-  %352 = fcmp ogt double %351, %348
-  %353 = select i1 %352, double %351, double %348
-  %354 = fcmp olt double %349, %353
-  %355 = select i1 %354, double %349, double %353
-  %356 = call i1 @llvm.is.fpclass.f64(double %355, i32 384)
-  br i1 %356, label %359, label %357
+349:                                              ; preds = %347, %347
+  %350 = load double, ptr %22, align 8, !noalias !35
+  %351 = fcmp olt double %346, 1.000000e-05
+  %352 = fcmp olt double %350, 1.000000e-05
+  %353 = or i1 %351, %352
+  %354 = fmul double %346, 1.000000e-02
+  %355 = fdiv double %354, %350
+  %356 = select i1 %353, double 0x3EB0C6F7A0B5ED8D, double %355
+  %357 = fcmp olt double %344, %356
+  %358 = select i1 %357, double %344, double %356
+  %359 = load double, ptr %343, align 8, !noalias !22
+  %360 = call double @llvm.fabs.f64(double %307)
+  %361 = fmul double %360, 0x3D30000000000000
+  %362 = fcmp ogt double %361, %358
+  %363 = select i1 %362, double %361, double %358
+  %364 = fcmp olt double %359, %363
+  %365 = select i1 %364, double %359, double %363
+  %366 = call i1 @llvm.is.fpclass.f64(double %365, i32 384)
+  br i1 %366, label %369, label %367
 
-357:                                              ; preds = %339
-  %358 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %358, align 8, !noalias !12
-  br label %359
+367:                                              ; preds = %349
+  %368 = getelementptr i8, ptr %110, i64 72
+  store i64 4, ptr %368, align 8, !noalias !22
+  br label %369
 
-359:                                              ; preds = %339, %288, %357, %330
-  %360 = phi double [ %355, %339 ], [ %355, %357 ], [ %299, %330 ], [ %299, %288 ]
-  br label %361
+369:                                              ; preds = %349, %298, %367, %340
+  %370 = phi double [ %365, %349 ], [ %365, %367 ], [ %309, %340 ], [ %309, %298 ]
+  br label %371
 
-361:                                              ; preds = %2361, %359
-  %362 = phi double [ %360, %359 ], [ %2362, %2361 ]
-  %363 = phi double [ %297, %359 ], [ %366, %2361 ]
-  br label %364
+371:                                              ; preds = %2448, %369
+  %372 = phi double [ %370, %369 ], [ %2449, %2448 ]
+  %373 = phi double [ %307, %369 ], [ %376, %2448 ]
+  br label %374
 
-364:                                              ; preds = %2282, %361
-  %365 = phi double [ %362, %361 ], [ %2283, %2282 ]
-  %366 = phi double [ %363, %361 ], [ %392, %2282 ]
-  %367 = load i64, ptr %161, align 8, !noalias !12
-  %368 = icmp eq i64 %367, 0
-  br i1 %368, label %369, label %370
+374:                                              ; preds = %2369, %371
+  %375 = phi double [ %372, %371 ], [ %2370, %2369 ]
+  %376 = phi double [ %373, %371 ], [ %411, %2369 ]
+  %377 = load i64, ptr %161, align 8, !noalias !22
+  %378 = icmp eq i64 %377, 0
+  br i1 %378, label %379, label %380
 
-369:                                              ; preds = %364
-  store double %365, ptr %298, align 8, !noalias !12
-  br label %2683
+379:                                              ; preds = %374
+  store double %375, ptr %308, align 8, !noalias !22
+  br label %2773
 
-370:                                              ; preds = %364
-  %371 = add nsw i64 %367, -1
-  store i64 %371, ptr %161, align 8, !noalias !12
-  %372 = getelementptr i8, ptr %110, i64 8
-  %373 = load i64, ptr %372, align 8, !noalias !12
-  %374 = getelementptr i8, ptr %110, i64 16
-  %375 = load i64, ptr %374, align 8, !noalias !12
-  %376 = add nsw i64 %373, %375
-  %377 = getelementptr i8, ptr %110, i64 64
-  %378 = load i64, ptr %377, align 8, !noalias !12
-  %379 = icmp slt i64 %376, %378
-  br i1 %379, label %381, label %380
+380:                                              ; preds = %374
+  %381 = getelementptr i8, ptr %275, i64 8
+  %382 = load i64, ptr %381, align 8, !noalias !39
+  %383 = icmp sgt i64 %382, 0
+  br i1 %383, label %384, label %389
 
-380:                                              ; preds = %370
-  store double %365, ptr %298, align 8, !noalias !12
-  br label %2683
+384:                                              ; preds = %380
+  %385 = load i64, ptr %275, align 8, !noalias !39
+  %386 = add nsw i64 %385, 3
+  %387 = icmp slt i64 %382, %386
+  br i1 %387, label %388, label %389
 
-381:                                              ; preds = %370
-  %382 = getelementptr i8, ptr %105, i64 16
-  %383 = load double, ptr %382, align 8, !noalias !12
-  %384 = fcmp olt double %365, %383
-  %385 = select i1 %384, double %365, double %383
-  %386 = fadd double %366, %385
-  %387 = fmul double %385, 1.000000e-03
-  %388 = fsub double %280, %387
-  %389 = fcmp ogt double %386, %388
-  %390 = fsub double %280, %366
-  %391 = select i1 %389, double %390, double %385
-  %392 = select i1 %389, double %280, double %386
-  %393 = fmul double %391, 6.250000e-02
-  %394 = fadd double %366, %393
-  %395 = fcmp ogt double %394, %366
-  %396 = fcmp oeq double %392, %280
-  %397 = or i1 %395, %396
-  br i1 %397, label %398, label %2363
+388:                                              ; preds = %384
+  store double %375, ptr %308, align 8, !noalias !22
+  br label %2773
 
-398:                                              ; preds = %381
-  %399 = getelementptr i8, ptr %196, i64 8
-  %400 = load i64, ptr %399, align 8, !noalias !12
-  %401 = icmp eq i64 %400, 1
-  br i1 %401, label %402, label %449
+389:                                              ; preds = %380, %384
+  %390 = add nsw i64 %377, -1
+  store i64 %390, ptr %161, align 8, !noalias !22
+  %391 = getelementptr i8, ptr %110, i64 8
+  %392 = load i64, ptr %391, align 8, !noalias !22
+  %393 = getelementptr i8, ptr %110, i64 16
+  %394 = load i64, ptr %393, align 8, !noalias !22
+  %395 = add nsw i64 %392, %394
+  %396 = getelementptr i8, ptr %110, i64 64
+  %397 = load i64, ptr %396, align 8, !noalias !22
+  %398 = icmp slt i64 %395, %397
+  br i1 %398, label %400, label %399
 
-402:                                              ; preds = %398
-  %403 = getelementptr i8, ptr %110, i64 32
-  %404 = load i64, ptr %403, align 8, !noalias !12
-  %405 = add nsw i64 %404, 1
-  store i64 %405, ptr %403, align 8, !noalias !12
-  %406 = load i64, ptr %116, align 8, !noalias !12
-  %407 = load i64, ptr %196, align 8, !noalias !12
-  %408 = icmp eq i64 %407, 0
-  br i1 %408, label %416, label %409
+399:                                              ; preds = %389
+  store double %375, ptr %308, align 8, !noalias !22
+  br label %2773
 
-409:                                              ; preds = %402
-  store ptr null, ptr %13, align 8, !noalias !38
-  store ptr null, ptr %14, align 8, !noalias !38
-  store double %366, ptr %33, align 8, !noalias !38
-  %410 = icmp sgt i64 %45, 0
-  br i1 %410, label %411, label %414
+400:                                              ; preds = %389
+  %401 = getelementptr i8, ptr %105, i64 16
+  %402 = load double, ptr %401, align 8, !noalias !22
+  %403 = fcmp olt double %375, %402
+  %404 = select i1 %403, double %375, double %402
+  %405 = fadd double %376, %404
+  %406 = fmul double %404, 1.000000e-03
+  %407 = fsub double %290, %406
+  %408 = fcmp ogt double %405, %407
+  %409 = fsub double %290, %376
+  %410 = select i1 %408, double %409, double %404
+  %411 = select i1 %408, double %290, double %405
+  %412 = fmul double %410, 6.250000e-02
+  %413 = fadd double %376, %412
+  %414 = fcmp ogt double %413, %376
+  %415 = fcmp oeq double %411, %290
+  %416 = or i1 %414, %415
+  br i1 %416, label %417, label %2450
 
-411:                                              ; preds = %409
-  store ptr null, ptr %13, align 8, !noalias !38
-  %412 = call fastcc i32 @_sample(ptr nonnull %13, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
-  switch i32 %412, label %413 [
-    i32 -2, label %414
-    i32 0, label %414
-  ], !prof !32
+417:                                              ; preds = %400
+  %418 = getelementptr i8, ptr %196, i64 8
+  %419 = load i64, ptr %418, align 8, !noalias !22
+  %420 = icmp eq i64 %419, 1
+  br i1 %420, label %421, label %468
 
-413:                                              ; preds = %411
-  br label %414
+421:                                              ; preds = %417
+  %422 = getelementptr i8, ptr %110, i64 32
+  %423 = load i64, ptr %422, align 8, !noalias !22
+  %424 = add nsw i64 %423, 1
+  store i64 %424, ptr %422, align 8, !noalias !22
+  %425 = load i64, ptr %116, align 8, !noalias !22
+  %426 = load i64, ptr %196, align 8, !noalias !22
+  %427 = icmp eq i64 %426, 0
+  br i1 %427, label %435, label %428
 
-414:                                              ; preds = %411, %411, %409, %413
-  %415 = phi i32 [ %412, %413 ], [ 0, %409 ], [ 0, %411 ], [ 0, %411 ]
-  switch i32 %415, label %2388 [
-    i32 -2, label %2383
-    i32 0, label %2383
-  ], !prof !32
+428:                                              ; preds = %421
+  store ptr null, ptr %13, align 8, !noalias !42
+  store ptr null, ptr %14, align 8, !noalias !42
+  store double %376, ptr %33, align 8, !noalias !42
+  %429 = icmp sgt i64 %45, 0
+  br i1 %429, label %430, label %433
 
-416:                                              ; preds = %402
-  %417 = call i64 @llvm.smax.i64(i64 %406, i64 0)
-  br label %418
+430:                                              ; preds = %428
+  store ptr null, ptr %13, align 8, !noalias !42
+  %431 = call fastcc i32 @_sample(ptr nonnull %13, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %376) #3
+  switch i32 %431, label %432 [
+    i32 -2, label %433
+    i32 0, label %433
+  ], !prof !33
 
-418:                                              ; preds = %416, %2389
-  %419 = phi i64 [ 0, %416 ], [ %2391, %2389 ]
-  %420 = phi i64 [ %417, %416 ], [ %2390, %2389 ]
-  %421 = icmp sgt i64 %420, 0
-  br i1 %421, label %2389, label %422
+432:                                              ; preds = %430
+  br label %433
 
-422:                                              ; preds = %418, %432
-  %423 = phi i64 [ %2402, %432 ], [ 0, %418 ]
-  %424 = phi i64 [ %2401, %432 ], [ %417, %418 ]
-  %425 = icmp sgt i64 %424, 0
-  br i1 %425, label %2400, label %434
+433:                                              ; preds = %430, %430, %428, %432
+  %434 = phi i32 [ %431, %432 ], [ 0, %428 ], [ 0, %430 ], [ 0, %430 ]
+  switch i32 %434, label %2475 [
+    i32 -2, label %2470
+    i32 0, label %2470
+  ], !prof !33
 
-426:                                              ; preds = %2433
-  %427 = sext i32 %2431 to i64
-  br label %434
-
-428:                                              ; preds = %2433, %2436
-  %429 = phi i64 [ %2438, %2436 ], [ 0, %2433 ]
-  %430 = phi i64 [ %2437, %2436 ], [ %417, %2433 ]
-  %431 = icmp sgt i64 %430, 0
-  br i1 %431, label %2436, label %432
-
-432:                                              ; preds = %428
-  %433 = load double, ptr %2406, align 8, !noalias !12
-  store double %433, ptr %2416, align 8, !noalias !12
-  br label %422
-
-434:                                              ; preds = %422, %2383, %426
-  %435 = phi i64 [ %2387, %2383 ], [ %427, %426 ], [ 0, %422 ]
-  %436 = call i64 @llvm.smax.i64(i64 %206, i64 0)
+435:                                              ; preds = %421
+  %436 = call i64 @llvm.smax.i64(i64 %425, i64 0)
   br label %437
 
-437:                                              ; preds = %434, %442
-  %438 = phi i64 [ 0, %434 ], [ %2458, %442 ]
-  %439 = phi i64 [ %436, %434 ], [ %2457, %442 ]
+437:                                              ; preds = %435, %2476
+  %438 = phi i64 [ 0, %435 ], [ %2478, %2476 ]
+  %439 = phi i64 [ %436, %435 ], [ %2477, %2476 ]
   %440 = icmp sgt i64 %439, 0
-  br i1 %440, label %2456, label %443
+  br i1 %440, label %2476, label %441
 
-441:                                              ; preds = %2456
-  store double 0.000000e+00, ptr %2462, align 8, !noalias !12
-  br label %442
+441:                                              ; preds = %437, %451
+  %442 = phi i64 [ %2489, %451 ], [ 0, %437 ]
+  %443 = phi i64 [ %2488, %451 ], [ %436, %437 ]
+  %444 = icmp sgt i64 %443, 0
+  br i1 %444, label %2487, label %453
 
-442:                                              ; preds = %441, %2456
-  br label %437
+445:                                              ; preds = %2520
+  %446 = sext i32 %2518 to i64
+  br label %453
 
-443:                                              ; preds = %437
-  %444 = icmp slt i64 %435, 0
-  br i1 %444, label %445, label %446
+447:                                              ; preds = %2520, %2523
+  %448 = phi i64 [ %2525, %2523 ], [ 0, %2520 ]
+  %449 = phi i64 [ %2524, %2523 ], [ %436, %2520 ]
+  %450 = icmp sgt i64 %449, 0
+  br i1 %450, label %2523, label %451
 
-445:                                              ; preds = %443
-  br label %2683
+451:                                              ; preds = %447
+  %452 = load double, ptr %2493, align 8, !noalias !22
+  store double %452, ptr %2503, align 8, !noalias !22
+  br label %441
 
-446:                                              ; preds = %443
-  store i64 0, ptr %399, align 8, !noalias !12
-  %447 = getelementptr i8, ptr %196, i64 16
-  store i64 1, ptr %447, align 8, !noalias !12
-  %448 = getelementptr i8, ptr %196, i64 24
-  store i64 0, ptr %448, align 8, !noalias !12
-  br label %449
+453:                                              ; preds = %441, %2470, %445
+  %454 = phi i64 [ %2474, %2470 ], [ %446, %445 ], [ 0, %441 ]
+  %455 = call i64 @llvm.smax.i64(i64 %206, i64 0)
+  br label %456
 
-449:                                              ; preds = %446, %398
-  %450 = getelementptr i8, ptr %196, i64 24
-  %451 = load i64, ptr %450, align 8, !noalias !12
-  %452 = icmp eq i64 %451, 0
-  br i1 %452, label %456, label %453
+456:                                              ; preds = %453, %461
+  %457 = phi i64 [ 0, %453 ], [ %2545, %461 ]
+  %458 = phi i64 [ %455, %453 ], [ %2544, %461 ]
+  %459 = icmp sgt i64 %458, 0
+  br i1 %459, label %2543, label %462
 
-453:                                              ; preds = %449
-  %454 = load double, ptr %199, align 8, !noalias !12
-  %455 = fcmp une double %391, %454
-  br i1 %455, label %456, label %771
-
-456:                                              ; preds = %453, %449
-  %457 = getelementptr i8, ptr %110, i64 40
-  %458 = load i64, ptr %457, align 8, !noalias !12
-  %459 = add nsw i64 %458, 1
-  store i64 %459, ptr %457, align 8, !noalias !12
-  %460 = call i64 @llvm.smax.i64(i64 %225, i64 0)
+460:                                              ; preds = %2543
+  store double 0.000000e+00, ptr %2549, align 8, !noalias !22
   br label %461
 
-461:                                              ; preds = %469, %456
-  %462 = phi i64 [ 0, %456 ], [ %2468, %469 ]
-  %463 = phi i64 [ %460, %456 ], [ %2467, %469 ]
-  %464 = icmp sgt i64 %463, 0
-  br i1 %464, label %2466, label %495
+461:                                              ; preds = %460, %2543
+  br label %456
 
-465:                                              ; preds = %2466, %2469
-  %466 = phi i64 [ 0, %2466 ], [ %2471, %2469 ]
-  %467 = phi i64 [ %460, %2466 ], [ %2470, %2469 ]
-  %468 = icmp sgt i64 %467, 0
-  br i1 %468, label %2469, label %469
+462:                                              ; preds = %456
+  %463 = icmp slt i64 %454, 0
+  br i1 %463, label %464, label %465
 
-469:                                              ; preds = %465
-  %470 = icmp slt i64 %462, 0
-  %471 = select i1 %470, i64 %211, i64 0
-  %472 = add i64 %462, %471
-  %473 = select i1 %470, i64 %213, i64 0
-  %474 = mul i64 %472, %213
-  %475 = getelementptr double, ptr %214, i64 %474
-  %476 = getelementptr double, ptr %475, i64 %462
-  %477 = getelementptr double, ptr %476, i64 %473
-  %478 = load double, ptr %477, align 8, !noalias !12
-  %479 = fdiv double 0x400D1A48D83E731D, %391
-  %480 = fadd double %478, %479
-  store double %480, ptr %477, align 8, !noalias !12
-  %481 = select i1 %470, i64 %218, i64 0
-  %482 = add i64 %462, %481
-  %483 = select i1 %470, i64 %220, i64 0
-  %484 = mul i64 %482, %220
-  %485 = getelementptr { double, double }, ptr %221, i64 %484
-  %486 = getelementptr { double, double }, ptr %485, i64 %462
-  %487 = getelementptr { double, double }, ptr %486, i64 %483
-  %488 = load double, ptr %487, align 8, !noalias !12
-  %489 = getelementptr inbounds nuw i8, ptr %487, i64 8
-  %490 = load double, ptr %489, align 8, !noalias !12
-  %491 = fdiv double 0x400572DB93E0C672, %391
-  %492 = fdiv double 0xC0086747F2C3FCB6, %391
-  %493 = fadd double %488, %491
-  %494 = fadd double %490, %492
-  store double %493, ptr %487, align 8, !noalias !12
-  store double %494, ptr %489, align 8, !noalias !12
-  br label %461
+464:                                              ; preds = %462
+  br label %2773
 
-495:                                              ; preds = %461
-  %496 = call i64 @llvm.smax.i64(i64 %211, i64 0)
-  br label %497
+465:                                              ; preds = %462
+  store i64 0, ptr %418, align 8, !noalias !22
+  %466 = getelementptr i8, ptr %196, i64 16
+  store i64 1, ptr %466, align 8, !noalias !22
+  %467 = getelementptr i8, ptr %196, i64 24
+  store i64 0, ptr %467, align 8, !noalias !22
+  br label %468
 
-497:                                              ; preds = %521, %495
-  %498 = phi i64 [ 0, %495 ], [ %534, %521 ]
-  %499 = phi i64 [ %496, %495 ], [ %533, %521 ]
-  %500 = icmp sgt i64 %499, 0
-  br i1 %500, label %532, label %603
+468:                                              ; preds = %465, %417
+  %469 = getelementptr i8, ptr %196, i64 24
+  %470 = load i64, ptr %469, align 8, !noalias !22
+  %471 = icmp eq i64 %470, 0
+  br i1 %471, label %475, label %472
 
-501:                                              ; preds = %547, %532
-  %502 = phi i64 [ %534, %532 ], [ %549, %547 ]
-  %503 = phi i64 [ %546, %532 ], [ %548, %547 ]
-  %504 = phi double [ %544, %532 ], [ %560, %547 ]
-  %505 = phi i64 [ %498, %532 ], [ %561, %547 ]
-  %506 = icmp sgt i64 %503, 0
-  br i1 %506, label %547, label %507
+472:                                              ; preds = %468
+  %473 = load double, ptr %199, align 8, !noalias !22
+  %474 = fcmp une double %410, %473
+  br i1 %474, label %475, label %790
 
-507:                                              ; preds = %501
-  %508 = select i1 %535, i64 %225, i64 0
-  %509 = getelementptr i64, ptr %226, i64 %498
-  %510 = getelementptr i64, ptr %509, i64 %508
-  store i64 %505, ptr %510, align 8, !noalias !42
-  %511 = fcmp ueq double %504, 0.000000e+00
-  br i1 %511, label %763, label %512
+475:                                              ; preds = %472, %468
+  %476 = getelementptr i8, ptr %110, i64 40
+  %477 = load i64, ptr %476, align 8, !noalias !22
+  %478 = add nsw i64 %477, 1
+  store i64 %478, ptr %476, align 8, !noalias !22
+  %479 = call i64 @llvm.smax.i64(i64 %225, i64 0)
+  br label %480
 
-512:                                              ; preds = %507
-  %513 = icmp eq i64 %505, %498
-  br i1 %513, label %518, label %514
+480:                                              ; preds = %488, %475
+  %481 = phi i64 [ 0, %475 ], [ %2555, %488 ]
+  %482 = phi i64 [ %479, %475 ], [ %2554, %488 ]
+  %483 = icmp sgt i64 %482, 0
+  br i1 %483, label %2553, label %514
 
-514:                                              ; preds = %512, %562
-  %515 = phi i64 [ %564, %562 ], [ 0, %512 ]
-  %516 = phi i64 [ %563, %562 ], [ %496, %512 ]
-  %517 = icmp sgt i64 %516, 0
-  br i1 %517, label %562, label %518
+484:                                              ; preds = %2553, %2556
+  %485 = phi i64 [ 0, %2553 ], [ %2558, %2556 ]
+  %486 = phi i64 [ %479, %2553 ], [ %2557, %2556 ]
+  %487 = icmp sgt i64 %486, 0
+  br i1 %487, label %2556, label %488
 
-518:                                              ; preds = %514, %512
-  %519 = load double, ptr %542, align 8, !noalias !42
-  %520 = fdiv double 1.000000e+00, %519
-  br label %521
+488:                                              ; preds = %484
+  %489 = icmp slt i64 %481, 0
+  %490 = select i1 %489, i64 %211, i64 0
+  %491 = add i64 %481, %490
+  %492 = select i1 %489, i64 %213, i64 0
+  %493 = mul i64 %491, %213
+  %494 = getelementptr double, ptr %214, i64 %493
+  %495 = getelementptr double, ptr %494, i64 %481
+  %496 = getelementptr double, ptr %495, i64 %492
+  %497 = load double, ptr %496, align 8, !noalias !22
+  %498 = fdiv double 0x400D1A48D83E731D, %410
+  %499 = fadd double %497, %498
+  store double %499, ptr %496, align 8, !noalias !22
+  %500 = select i1 %489, i64 %218, i64 0
+  %501 = add i64 %481, %500
+  %502 = select i1 %489, i64 %220, i64 0
+  %503 = mul i64 %501, %220
+  %504 = getelementptr { double, double }, ptr %221, i64 %503
+  %505 = getelementptr { double, double }, ptr %504, i64 %481
+  %506 = getelementptr { double, double }, ptr %505, i64 %502
+  %507 = load double, ptr %506, align 8, !noalias !22
+  %508 = getelementptr inbounds nuw i8, ptr %506, i64 8
+  %509 = load double, ptr %508, align 8, !noalias !22
+  %510 = fdiv double 0x400572DB93E0C672, %410
+  %511 = fdiv double 0xC0086747F2C3FCB6, %410
+  %512 = fadd double %507, %510
+  %513 = fadd double %509, %511
+  store double %512, ptr %506, align 8, !noalias !22
+  store double %513, ptr %508, align 8, !noalias !22
+  br label %480
 
-521:                                              ; preds = %531, %518
-  %522 = phi i64 [ %534, %518 ], [ %580, %531 ]
-  %523 = phi i64 [ %546, %518 ], [ %579, %531 ]
-  %524 = icmp sgt i64 %523, 0
-  br i1 %524, label %578, label %497
+514:                                              ; preds = %480
+  %515 = call i64 @llvm.smax.i64(i64 %211, i64 0)
+  br label %516
 
-525:                                              ; preds = %578
-  %526 = fmul double %588, %520
-  store double %526, ptr %587, align 8, !noalias !42
-  br label %527
+516:                                              ; preds = %540, %514
+  %517 = phi i64 [ 0, %514 ], [ %553, %540 ]
+  %518 = phi i64 [ %515, %514 ], [ %552, %540 ]
+  %519 = icmp sgt i64 %518, 0
+  br i1 %519, label %551, label %622
 
-527:                                              ; preds = %590, %525
-  %528 = phi i64 [ %534, %525 ], [ %592, %590 ]
-  %529 = phi i64 [ %546, %525 ], [ %591, %590 ]
-  %530 = icmp sgt i64 %529, 0
-  br i1 %530, label %590, label %531
+520:                                              ; preds = %566, %551
+  %521 = phi i64 [ %553, %551 ], [ %568, %566 ]
+  %522 = phi i64 [ %565, %551 ], [ %567, %566 ]
+  %523 = phi double [ %563, %551 ], [ %579, %566 ]
+  %524 = phi i64 [ %517, %551 ], [ %580, %566 ]
+  %525 = icmp sgt i64 %522, 0
+  br i1 %525, label %566, label %526
 
-531:                                              ; preds = %578, %527
-  br label %521
+526:                                              ; preds = %520
+  %527 = select i1 %554, i64 %225, i64 0
+  %528 = getelementptr i64, ptr %226, i64 %517
+  %529 = getelementptr i64, ptr %528, i64 %527
+  store i64 %524, ptr %529, align 8, !noalias !46
+  %530 = fcmp ueq double %523, 0.000000e+00
+  br i1 %530, label %782, label %531
 
-532:                                              ; preds = %497
-  %533 = add nsw i64 %499, -1
-  %534 = add i64 %498, 1
-  %535 = icmp slt i64 %498, 0
-  %536 = select i1 %535, i64 %211, i64 0
-  %537 = add i64 %498, %536
-  %538 = select i1 %535, i64 %213, i64 0
-  %539 = mul i64 %537, %213
-  %540 = getelementptr double, ptr %214, i64 %539
-  %541 = getelementptr double, ptr %540, i64 %498
-  %542 = getelementptr double, ptr %541, i64 %538
-  %543 = load double, ptr %542, align 8, !noalias !42
-  %544 = call double @llvm.fabs.f64(double %543)
-  %545 = sub i64 %211, %534
-  %546 = call i64 @llvm.smax.i64(i64 %545, i64 0)
-  br label %501
+531:                                              ; preds = %526
+  %532 = icmp eq i64 %524, %517
+  br i1 %532, label %537, label %533
 
-547:                                              ; preds = %501
-  %548 = add nsw i64 %503, -1
-  %549 = add i64 %502, 1
-  %550 = icmp slt i64 %502, 0
-  %551 = select i1 %550, i64 %211, i64 0
-  %552 = add i64 %502, %551
-  %553 = mul i64 %552, %213
-  %554 = getelementptr double, ptr %214, i64 %553
-  %555 = getelementptr double, ptr %554, i64 %498
-  %556 = getelementptr double, ptr %555, i64 %538
-  %557 = load double, ptr %556, align 8, !noalias !42
-  %558 = call double @llvm.fabs.f64(double %557)
-  %559 = fcmp ogt double %558, %504
-  %560 = select i1 %559, double %558, double %504
-  %561 = select i1 %559, i64 %502, i64 %505
-  br label %501
+533:                                              ; preds = %531, %581
+  %534 = phi i64 [ %583, %581 ], [ 0, %531 ]
+  %535 = phi i64 [ %582, %581 ], [ %515, %531 ]
+  %536 = icmp sgt i64 %535, 0
+  br i1 %536, label %581, label %537
 
-562:                                              ; preds = %514
-  %563 = add nsw i64 %516, -1
-  %564 = add i64 %515, 1
-  %565 = icmp slt i64 %505, 0
-  %566 = select i1 %565, i64 %211, i64 0
-  %567 = add i64 %505, %566
-  %568 = icmp slt i64 %515, 0
-  %569 = select i1 %568, i64 %213, i64 0
-  %570 = mul i64 %567, %213
-  %571 = getelementptr double, ptr %214, i64 %570
-  %572 = getelementptr double, ptr %571, i64 %515
-  %573 = getelementptr double, ptr %572, i64 %569
-  %574 = load double, ptr %573, align 8, !noalias !42
-  %575 = getelementptr double, ptr %540, i64 %515
-  %576 = getelementptr double, ptr %575, i64 %569
-  %577 = load double, ptr %576, align 8, !noalias !42
-  store double %574, ptr %576, align 8, !noalias !42
-  store double %577, ptr %573, align 8, !noalias !42
-  br label %514
+537:                                              ; preds = %533, %531
+  %538 = load double, ptr %561, align 8, !noalias !46
+  %539 = fdiv double 1.000000e+00, %538
+  br label %540
 
-578:                                              ; preds = %521
-  %579 = add nsw i64 %523, -1
-  %580 = add i64 %522, 1
-  %581 = icmp slt i64 %522, 0
-  %582 = select i1 %581, i64 %211, i64 0
-  %583 = add i64 %522, %582
-  %584 = mul i64 %583, %213
-  %585 = getelementptr double, ptr %214, i64 %584
-  %586 = getelementptr double, ptr %585, i64 %498
-  %587 = getelementptr double, ptr %586, i64 %538
-  %588 = load double, ptr %587, align 8, !noalias !42
-  %589 = fcmp une double %588, 0.000000e+00
-  br i1 %589, label %525, label %531
+540:                                              ; preds = %550, %537
+  %541 = phi i64 [ %553, %537 ], [ %599, %550 ]
+  %542 = phi i64 [ %565, %537 ], [ %598, %550 ]
+  %543 = icmp sgt i64 %542, 0
+  br i1 %543, label %597, label %516
 
-590:                                              ; preds = %527
-  %591 = add nsw i64 %529, -1
-  %592 = add i64 %528, 1
-  %593 = icmp slt i64 %528, 0
-  %594 = select i1 %593, i64 %213, i64 0
-  %595 = getelementptr double, ptr %585, i64 %528
-  %596 = getelementptr double, ptr %595, i64 %594
-  %597 = load double, ptr %596, align 8, !noalias !42
-  %598 = getelementptr double, ptr %540, i64 %528
-  %599 = getelementptr double, ptr %598, i64 %594
-  %600 = load double, ptr %599, align 8, !noalias !42
-  %601 = fmul double %526, %600
-  %602 = fsub double %597, %601
-  store double %602, ptr %596, align 8, !noalias !42
-  br label %527
+544:                                              ; preds = %597
+  %545 = fmul double %607, %539
+  store double %545, ptr %606, align 8, !noalias !46
+  br label %546
 
-603:                                              ; preds = %497
-  %604 = call i64 @llvm.smax.i64(i64 %218, i64 0)
-  br label %605
+546:                                              ; preds = %609, %544
+  %547 = phi i64 [ %553, %544 ], [ %611, %609 ]
+  %548 = phi i64 [ %565, %544 ], [ %610, %609 ]
+  %549 = icmp sgt i64 %548, 0
+  br i1 %549, label %609, label %550
 
-605:                                              ; preds = %653, %603
-  %606 = phi i64 [ 0, %603 ], [ %671, %653 ]
-  %607 = phi i64 [ %604, %603 ], [ %670, %653 ]
-  %608 = icmp sgt i64 %607, 0
-  br i1 %608, label %669, label %762
+550:                                              ; preds = %597, %546
+  br label %540
 
-609:                                              ; preds = %686, %669
-  %610 = phi i64 [ %671, %669 ], [ %698, %686 ]
-  %611 = phi i64 [ %685, %669 ], [ %699, %686 ]
-  %612 = phi double [ %683, %669 ], [ %701, %686 ]
-  %613 = phi i64 [ %606, %669 ], [ %702, %686 ]
-  %614 = icmp sgt i64 %611, 0
-  br i1 %614, label %686, label %615
+551:                                              ; preds = %516
+  %552 = add nsw i64 %518, -1
+  %553 = add i64 %517, 1
+  %554 = icmp slt i64 %517, 0
+  %555 = select i1 %554, i64 %211, i64 0
+  %556 = add i64 %517, %555
+  %557 = select i1 %554, i64 %213, i64 0
+  %558 = mul i64 %556, %213
+  %559 = getelementptr double, ptr %214, i64 %558
+  %560 = getelementptr double, ptr %559, i64 %517
+  %561 = getelementptr double, ptr %560, i64 %557
+  %562 = load double, ptr %561, align 8, !noalias !46
+  %563 = call double @llvm.fabs.f64(double %562)
+  %564 = sub i64 %211, %553
+  %565 = call i64 @llvm.smax.i64(i64 %564, i64 0)
+  br label %520
 
-615:                                              ; preds = %609
-  %616 = select i1 %672, i64 %230, i64 0
-  %617 = getelementptr i64, ptr %231, i64 %606
-  %618 = getelementptr i64, ptr %617, i64 %616
-  store i64 %613, ptr %618, align 8, !noalias !45
-  %619 = fcmp ueq double %612, 0.000000e+00
-  br i1 %619, label %763, label %620
+566:                                              ; preds = %520
+  %567 = add nsw i64 %522, -1
+  %568 = add i64 %521, 1
+  %569 = icmp slt i64 %521, 0
+  %570 = select i1 %569, i64 %211, i64 0
+  %571 = add i64 %521, %570
+  %572 = mul i64 %571, %213
+  %573 = getelementptr double, ptr %214, i64 %572
+  %574 = getelementptr double, ptr %573, i64 %517
+  %575 = getelementptr double, ptr %574, i64 %557
+  %576 = load double, ptr %575, align 8, !noalias !46
+  %577 = call double @llvm.fabs.f64(double %576)
+  %578 = fcmp ogt double %577, %523
+  %579 = select i1 %578, double %577, double %523
+  %580 = select i1 %578, i64 %521, i64 %524
+  br label %520
 
-620:                                              ; preds = %615
-  %621 = icmp eq i64 %613, %606
-  br i1 %621, label %626, label %622
+581:                                              ; preds = %533
+  %582 = add nsw i64 %535, -1
+  %583 = add i64 %534, 1
+  %584 = icmp slt i64 %524, 0
+  %585 = select i1 %584, i64 %211, i64 0
+  %586 = add i64 %524, %585
+  %587 = icmp slt i64 %534, 0
+  %588 = select i1 %587, i64 %213, i64 0
+  %589 = mul i64 %586, %213
+  %590 = getelementptr double, ptr %214, i64 %589
+  %591 = getelementptr double, ptr %590, i64 %534
+  %592 = getelementptr double, ptr %591, i64 %588
+  %593 = load double, ptr %592, align 8, !noalias !46
+  %594 = getelementptr double, ptr %559, i64 %534
+  %595 = getelementptr double, ptr %594, i64 %588
+  %596 = load double, ptr %595, align 8, !noalias !46
+  store double %593, ptr %595, align 8, !noalias !46
+  store double %596, ptr %592, align 8, !noalias !46
+  br label %533
 
-622:                                              ; preds = %620, %703
-  %623 = phi i64 [ %705, %703 ], [ 0, %620 ]
-  %624 = phi i64 [ %704, %703 ], [ %604, %620 ]
-  %625 = icmp sgt i64 %624, 0
-  br i1 %625, label %703, label %626
+597:                                              ; preds = %540
+  %598 = add nsw i64 %542, -1
+  %599 = add i64 %541, 1
+  %600 = icmp slt i64 %541, 0
+  %601 = select i1 %600, i64 %211, i64 0
+  %602 = add i64 %541, %601
+  %603 = mul i64 %602, %213
+  %604 = getelementptr double, ptr %214, i64 %603
+  %605 = getelementptr double, ptr %604, i64 %517
+  %606 = getelementptr double, ptr %605, i64 %557
+  %607 = load double, ptr %606, align 8, !noalias !46
+  %608 = fcmp une double %607, 0.000000e+00
+  br i1 %608, label %544, label %550
 
-626:                                              ; preds = %622, %620
-  %627 = load double, ptr %679, align 8, !noalias !45
-  %628 = load double, ptr %681, align 8, !noalias !45
-  %629 = call double @llvm.fabs.f64(double %627)
-  %630 = call double @llvm.fabs.f64(double %628)
-  %631 = fcmp ult double %629, %630
-  br i1 %631, label %641, label %632
+609:                                              ; preds = %546
+  %610 = add nsw i64 %548, -1
+  %611 = add i64 %547, 1
+  %612 = icmp slt i64 %547, 0
+  %613 = select i1 %612, i64 %213, i64 0
+  %614 = getelementptr double, ptr %604, i64 %547
+  %615 = getelementptr double, ptr %614, i64 %613
+  %616 = load double, ptr %615, align 8, !noalias !46
+  %617 = getelementptr double, ptr %559, i64 %547
+  %618 = getelementptr double, ptr %617, i64 %613
+  %619 = load double, ptr %618, align 8, !noalias !46
+  %620 = fmul double %545, %619
+  %621 = fsub double %616, %620
+  store double %621, ptr %615, align 8, !noalias !46
+  br label %546
 
-632:                                              ; preds = %626
-  %633 = fdiv double %628, %627
-  %634 = fmul double %628, %633
-  %635 = fadd double %627, %634
-  %636 = fmul double %633, 0.000000e+00
-  %637 = fadd double %636, 1.000000e+00
-  %638 = fdiv double %637, %635
-  %639 = fsub double 0.000000e+00, %633
-  %640 = fdiv double %639, %635
-  br label %650
+622:                                              ; preds = %516
+  %623 = call i64 @llvm.smax.i64(i64 %218, i64 0)
+  br label %624
 
-641:                                              ; preds = %626
-  %642 = fdiv double %627, %628
-  %643 = fmul double %627, %642
-  %644 = fadd double %643, %628
-  %645 = fadd double %642, 0.000000e+00
-  %646 = fdiv double %645, %644
-  %647 = fmul double %642, 0.000000e+00
-  %648 = fadd double %647, -1.000000e+00
-  %649 = fdiv double %648, %644
-  br label %650
+624:                                              ; preds = %672, %622
+  %625 = phi i64 [ 0, %622 ], [ %690, %672 ]
+  %626 = phi i64 [ %623, %622 ], [ %689, %672 ]
+  %627 = icmp sgt i64 %626, 0
+  br i1 %627, label %688, label %781
 
-650:                                              ; preds = %641, %632
-  %651 = phi double [ %640, %632 ], [ %649, %641 ]
-  %652 = phi double [ %638, %632 ], [ %646, %641 ]
-  br label %653
+628:                                              ; preds = %705, %688
+  %629 = phi i64 [ %690, %688 ], [ %717, %705 ]
+  %630 = phi i64 [ %704, %688 ], [ %718, %705 ]
+  %631 = phi double [ %702, %688 ], [ %720, %705 ]
+  %632 = phi i64 [ %625, %688 ], [ %721, %705 ]
+  %633 = icmp sgt i64 %630, 0
+  br i1 %633, label %705, label %634
 
-653:                                              ; preds = %668, %650
-  %654 = phi i64 [ %671, %650 ], [ %725, %668 ]
-  %655 = phi i64 [ %685, %650 ], [ %724, %668 ]
-  %656 = icmp sgt i64 %655, 0
-  br i1 %656, label %723, label %605
+634:                                              ; preds = %628
+  %635 = select i1 %691, i64 %230, i64 0
+  %636 = getelementptr i64, ptr %231, i64 %625
+  %637 = getelementptr i64, ptr %636, i64 %635
+  store i64 %632, ptr %637, align 8, !noalias !49
+  %638 = fcmp ueq double %631, 0.000000e+00
+  br i1 %638, label %782, label %639
 
-657:                                              ; preds = %723
-  %658 = fmul double %733, %651
-  %659 = fmul double %735, %652
-  %660 = fadd double %658, %659
-  %661 = fmul double %733, %652
-  %662 = fmul double %735, %651
-  %663 = fsub double %661, %662
-  store double %663, ptr %732, align 8, !noalias !45
-  store double %660, ptr %734, align 8, !noalias !45
-  br label %664
+639:                                              ; preds = %634
+  %640 = icmp eq i64 %632, %625
+  br i1 %640, label %645, label %641
 
-664:                                              ; preds = %739, %657
-  %665 = phi i64 [ %671, %657 ], [ %758, %739 ]
-  %666 = phi i64 [ %685, %657 ], [ %759, %739 ]
-  %667 = icmp sgt i64 %666, 0
-  br i1 %667, label %739, label %668
+641:                                              ; preds = %639, %722
+  %642 = phi i64 [ %724, %722 ], [ 0, %639 ]
+  %643 = phi i64 [ %723, %722 ], [ %623, %639 ]
+  %644 = icmp sgt i64 %643, 0
+  br i1 %644, label %722, label %645
 
-668:                                              ; preds = %723, %664
-  br label %653
+645:                                              ; preds = %641, %639
+  %646 = load double, ptr %698, align 8, !noalias !49
+  %647 = load double, ptr %700, align 8, !noalias !49
+  %648 = call double @llvm.fabs.f64(double %646)
+  %649 = call double @llvm.fabs.f64(double %647)
+  %650 = fcmp ult double %648, %649
+  br i1 %650, label %660, label %651
 
-669:                                              ; preds = %605
-  %670 = add nsw i64 %607, -1
-  %671 = add i64 %606, 1
-  %672 = icmp slt i64 %606, 0
-  %673 = select i1 %672, i64 %218, i64 0
-  %674 = add i64 %606, %673
-  %675 = select i1 %672, i64 %220, i64 0
-  %676 = mul i64 %674, %220
-  %677 = getelementptr { double, double }, ptr %221, i64 %676
-  %678 = getelementptr { double, double }, ptr %677, i64 %606
-  %679 = getelementptr { double, double }, ptr %678, i64 %675
-  %680 = load double, ptr %679, align 8, !noalias !45
-  %681 = getelementptr inbounds nuw i8, ptr %679, i64 8
-  %682 = load double, ptr %681, align 8, !noalias !45
-  %683 = call double @hypot(double %680, double %682) #3, !noalias !49
-  %684 = sub i64 %218, %671
-  %685 = call i64 @llvm.smax.i64(i64 %684, i64 0)
-  br label %609
+651:                                              ; preds = %645
+  %652 = fdiv double %647, %646
+  %653 = fmul double %647, %652
+  %654 = fadd double %646, %653
+  %655 = fmul double %652, 0.000000e+00
+  %656 = fadd double %655, 1.000000e+00
+  %657 = fdiv double %656, %654
+  %658 = fsub double 0.000000e+00, %652
+  %659 = fdiv double %658, %654
+  br label %669
 
-686:                                              ; preds = %609
-  %687 = icmp slt i64 %610, 0
-  %688 = select i1 %687, i64 %218, i64 0
-  %689 = add i64 %610, %688
-  %690 = mul i64 %689, %220
-  %691 = getelementptr { double, double }, ptr %221, i64 %690
-  %692 = getelementptr { double, double }, ptr %691, i64 %606
-  %693 = getelementptr { double, double }, ptr %692, i64 %675
-  %694 = load double, ptr %693, align 8, !noalias !45
-  %695 = getelementptr inbounds nuw i8, ptr %693, i64 8
-  %696 = load double, ptr %695, align 8, !noalias !45
-  %697 = call double @hypot(double %694, double %696) #3, !noalias !55
-  %698 = add i64 %610, 1
-  %699 = add nsw i64 %611, -1
-  %700 = fcmp ogt double %697, %612
-  %701 = select i1 %700, double %697, double %612
-  %702 = select i1 %700, i64 %610, i64 %613
-  br label %609
+660:                                              ; preds = %645
+  %661 = fdiv double %646, %647
+  %662 = fmul double %646, %661
+  %663 = fadd double %662, %647
+  %664 = fadd double %661, 0.000000e+00
+  %665 = fdiv double %664, %663
+  %666 = fmul double %661, 0.000000e+00
+  %667 = fadd double %666, -1.000000e+00
+  %668 = fdiv double %667, %663
+  br label %669
 
-703:                                              ; preds = %622
-  %704 = add nsw i64 %624, -1
-  %705 = add i64 %623, 1
-  %706 = icmp slt i64 %613, 0
+669:                                              ; preds = %660, %651
+  %670 = phi double [ %659, %651 ], [ %668, %660 ]
+  %671 = phi double [ %657, %651 ], [ %665, %660 ]
+  br label %672
+
+672:                                              ; preds = %687, %669
+  %673 = phi i64 [ %690, %669 ], [ %744, %687 ]
+  %674 = phi i64 [ %704, %669 ], [ %743, %687 ]
+  %675 = icmp sgt i64 %674, 0
+  br i1 %675, label %742, label %624
+
+676:                                              ; preds = %742
+  %677 = fmul double %752, %670
+  %678 = fmul double %754, %671
+  %679 = fadd double %677, %678
+  %680 = fmul double %752, %671
+  %681 = fmul double %754, %670
+  %682 = fsub double %680, %681
+  store double %682, ptr %751, align 8, !noalias !49
+  store double %679, ptr %753, align 8, !noalias !49
+  br label %683
+
+683:                                              ; preds = %758, %676
+  %684 = phi i64 [ %690, %676 ], [ %777, %758 ]
+  %685 = phi i64 [ %704, %676 ], [ %778, %758 ]
+  %686 = icmp sgt i64 %685, 0
+  br i1 %686, label %758, label %687
+
+687:                                              ; preds = %742, %683
+  br label %672
+
+688:                                              ; preds = %624
+  %689 = add nsw i64 %626, -1
+  %690 = add i64 %625, 1
+  %691 = icmp slt i64 %625, 0
+  %692 = select i1 %691, i64 %218, i64 0
+  %693 = add i64 %625, %692
+  %694 = select i1 %691, i64 %220, i64 0
+  %695 = mul i64 %693, %220
+  %696 = getelementptr { double, double }, ptr %221, i64 %695
+  %697 = getelementptr { double, double }, ptr %696, i64 %625
+  %698 = getelementptr { double, double }, ptr %697, i64 %694
+  %699 = load double, ptr %698, align 8, !noalias !49
+  %700 = getelementptr inbounds nuw i8, ptr %698, i64 8
+  %701 = load double, ptr %700, align 8, !noalias !49
+  %702 = call double @hypot(double %699, double %701) #3, !noalias !53
+  %703 = sub i64 %218, %690
+  %704 = call i64 @llvm.smax.i64(i64 %703, i64 0)
+  br label %628
+
+705:                                              ; preds = %628
+  %706 = icmp slt i64 %629, 0
   %707 = select i1 %706, i64 %218, i64 0
-  %708 = add i64 %613, %707
-  %709 = icmp slt i64 %623, 0
-  %710 = select i1 %709, i64 %220, i64 0
-  %711 = mul i64 %708, %220
-  %712 = getelementptr { double, double }, ptr %221, i64 %711
-  %713 = getelementptr { double, double }, ptr %712, i64 %623
-  %714 = getelementptr { double, double }, ptr %713, i64 %710
-  %715 = load double, ptr %714, align 8, !noalias !45
-  %716 = getelementptr inbounds nuw i8, ptr %714, i64 8
-  %717 = load double, ptr %716, align 8, !noalias !45
-  %718 = getelementptr { double, double }, ptr %677, i64 %623
-  %719 = getelementptr { double, double }, ptr %718, i64 %710
-  %720 = load double, ptr %719, align 8, !noalias !45
-  %721 = getelementptr inbounds nuw i8, ptr %719, i64 8
-  %722 = load double, ptr %721, align 8, !noalias !45
-  store double %715, ptr %719, align 8, !noalias !45
-  store double %717, ptr %721, align 8, !noalias !45
-  store double %720, ptr %714, align 8, !noalias !45
-  store double %722, ptr %716, align 8, !noalias !45
-  br label %622
+  %708 = add i64 %629, %707
+  %709 = mul i64 %708, %220
+  %710 = getelementptr { double, double }, ptr %221, i64 %709
+  %711 = getelementptr { double, double }, ptr %710, i64 %625
+  %712 = getelementptr { double, double }, ptr %711, i64 %694
+  %713 = load double, ptr %712, align 8, !noalias !49
+  %714 = getelementptr inbounds nuw i8, ptr %712, i64 8
+  %715 = load double, ptr %714, align 8, !noalias !49
+  %716 = call double @hypot(double %713, double %715) #3, !noalias !59
+  %717 = add i64 %629, 1
+  %718 = add nsw i64 %630, -1
+  %719 = fcmp ogt double %716, %631
+  %720 = select i1 %719, double %716, double %631
+  %721 = select i1 %719, i64 %629, i64 %632
+  br label %628
 
-723:                                              ; preds = %653
-  %724 = add nsw i64 %655, -1
-  %725 = add i64 %654, 1
-  %726 = icmp slt i64 %654, 0
-  %727 = select i1 %726, i64 %218, i64 0
-  %728 = add i64 %654, %727
-  %729 = mul i64 %728, %220
-  %730 = getelementptr { double, double }, ptr %221, i64 %729
-  %731 = getelementptr { double, double }, ptr %730, i64 %606
-  %732 = getelementptr { double, double }, ptr %731, i64 %675
-  %733 = load double, ptr %732, align 8, !noalias !45
-  %734 = getelementptr inbounds nuw i8, ptr %732, i64 8
-  %735 = load double, ptr %734, align 8, !noalias !45
-  %736 = fcmp une double %733, 0.000000e+00
-  %737 = fcmp une double %735, 0.000000e+00
-  %738 = or i1 %736, %737
-  br i1 %738, label %657, label %668
+722:                                              ; preds = %641
+  %723 = add nsw i64 %643, -1
+  %724 = add i64 %642, 1
+  %725 = icmp slt i64 %632, 0
+  %726 = select i1 %725, i64 %218, i64 0
+  %727 = add i64 %632, %726
+  %728 = icmp slt i64 %642, 0
+  %729 = select i1 %728, i64 %220, i64 0
+  %730 = mul i64 %727, %220
+  %731 = getelementptr { double, double }, ptr %221, i64 %730
+  %732 = getelementptr { double, double }, ptr %731, i64 %642
+  %733 = getelementptr { double, double }, ptr %732, i64 %729
+  %734 = load double, ptr %733, align 8, !noalias !49
+  %735 = getelementptr inbounds nuw i8, ptr %733, i64 8
+  %736 = load double, ptr %735, align 8, !noalias !49
+  %737 = getelementptr { double, double }, ptr %696, i64 %642
+  %738 = getelementptr { double, double }, ptr %737, i64 %729
+  %739 = load double, ptr %738, align 8, !noalias !49
+  %740 = getelementptr inbounds nuw i8, ptr %738, i64 8
+  %741 = load double, ptr %740, align 8, !noalias !49
+  store double %734, ptr %738, align 8, !noalias !49
+  store double %736, ptr %740, align 8, !noalias !49
+  store double %739, ptr %733, align 8, !noalias !49
+  store double %741, ptr %735, align 8, !noalias !49
+  br label %641
 
-739:                                              ; preds = %664
-  %740 = icmp slt i64 %665, 0
-  %741 = select i1 %740, i64 %220, i64 0
-  %742 = getelementptr { double, double }, ptr %730, i64 %665
-  %743 = getelementptr { double, double }, ptr %742, i64 %741
-  %744 = load double, ptr %743, align 8, !noalias !45
-  %745 = getelementptr inbounds nuw i8, ptr %743, i64 8
-  %746 = load double, ptr %745, align 8, !noalias !45
-  %747 = getelementptr { double, double }, ptr %677, i64 %665
-  %748 = getelementptr { double, double }, ptr %747, i64 %741
-  %749 = load double, ptr %748, align 8, !noalias !45
-  %750 = getelementptr inbounds nuw i8, ptr %748, i64 8
-  %751 = load double, ptr %750, align 8, !noalias !45
-  %752 = fmul double %663, %751
-  %753 = fmul double %660, %749
-  %754 = fadd double %752, %753
-  %755 = fmul double %663, %749
-  %756 = fmul double %660, %751
-  %757 = fsub double %755, %756
-  %758 = add i64 %665, 1
-  %759 = add nsw i64 %666, -1
-  %760 = fsub double %744, %757
-  %761 = fsub double %746, %754
-  store double %760, ptr %743, align 8, !noalias !45
-  store double %761, ptr %745, align 8, !noalias !45
-  br label %664
+742:                                              ; preds = %672
+  %743 = add nsw i64 %674, -1
+  %744 = add i64 %673, 1
+  %745 = icmp slt i64 %673, 0
+  %746 = select i1 %745, i64 %218, i64 0
+  %747 = add i64 %673, %746
+  %748 = mul i64 %747, %220
+  %749 = getelementptr { double, double }, ptr %221, i64 %748
+  %750 = getelementptr { double, double }, ptr %749, i64 %625
+  %751 = getelementptr { double, double }, ptr %750, i64 %694
+  %752 = load double, ptr %751, align 8, !noalias !49
+  %753 = getelementptr inbounds nuw i8, ptr %751, i64 8
+  %754 = load double, ptr %753, align 8, !noalias !49
+  %755 = fcmp une double %752, 0.000000e+00
+  %756 = fcmp une double %754, 0.000000e+00
+  %757 = or i1 %755, %756
+  br i1 %757, label %676, label %687
 
-762:                                              ; preds = %605
-  store i64 1, ptr %450, align 8, !noalias !12
-  store double %391, ptr %199, align 8, !noalias !12
-  br label %771
+758:                                              ; preds = %683
+  %759 = icmp slt i64 %684, 0
+  %760 = select i1 %759, i64 %220, i64 0
+  %761 = getelementptr { double, double }, ptr %749, i64 %684
+  %762 = getelementptr { double, double }, ptr %761, i64 %760
+  %763 = load double, ptr %762, align 8, !noalias !49
+  %764 = getelementptr inbounds nuw i8, ptr %762, i64 8
+  %765 = load double, ptr %764, align 8, !noalias !49
+  %766 = getelementptr { double, double }, ptr %696, i64 %684
+  %767 = getelementptr { double, double }, ptr %766, i64 %760
+  %768 = load double, ptr %767, align 8, !noalias !49
+  %769 = getelementptr inbounds nuw i8, ptr %767, i64 8
+  %770 = load double, ptr %769, align 8, !noalias !49
+  %771 = fmul double %682, %770
+  %772 = fmul double %679, %768
+  %773 = fadd double %771, %772
+  %774 = fmul double %682, %768
+  %775 = fmul double %679, %770
+  %776 = fsub double %774, %775
+  %777 = add i64 %684, 1
+  %778 = add nsw i64 %685, -1
+  %779 = fsub double %763, %776
+  %780 = fsub double %765, %773
+  store double %779, ptr %762, align 8, !noalias !49
+  store double %780, ptr %764, align 8, !noalias !49
+  br label %683
 
-763:                                              ; preds = %507, %615
-  %764 = load i64, ptr %374, align 8, !noalias !12
-  %765 = add nsw i64 %764, 1
-  %766 = fmul double %391, 5.000000e-01
-  %767 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %767, align 8, !noalias !12
-  store i64 %765, ptr %374, align 8, !noalias !12
-  %768 = getelementptr i8, ptr %196, i64 16
-  %769 = load i64, ptr %768, align 8, !noalias !12
-  %770 = sub nsw i64 1, %769
-  store i64 %770, ptr %399, align 8, !noalias !12
-  store i64 0, ptr %450, align 8, !noalias !12
-  br label %2361
+781:                                              ; preds = %624
+  store i64 1, ptr %469, align 8, !noalias !22
+  store double %410, ptr %199, align 8, !noalias !22
+  br label %790
 
-771:                                              ; preds = %762, %453
-  %772 = getelementptr i8, ptr %199, i64 8
-  %773 = load double, ptr %772, align 8, !noalias !12
-  br label %774
+782:                                              ; preds = %526, %634
+  %783 = load i64, ptr %393, align 8, !noalias !22
+  %784 = add nsw i64 %783, 1
+  %785 = fmul double %410, 5.000000e-01
+  %786 = getelementptr i8, ptr %110, i64 72
+  store i64 4, ptr %786, align 8, !noalias !22
+  store i64 %784, ptr %393, align 8, !noalias !22
+  %787 = getelementptr i8, ptr %196, i64 16
+  %788 = load i64, ptr %787, align 8, !noalias !22
+  %789 = sub nsw i64 1, %788
+  store i64 %789, ptr %418, align 8, !noalias !22
+  store i64 0, ptr %469, align 8, !noalias !22
+  br label %2448
 
-774:                                              ; preds = %789, %771
-  %775 = phi i64 [ 0, %771 ], [ %2501, %789 ]
-  %776 = phi i64 [ 3, %771 ], [ %2500, %789 ]
-  %777 = icmp sgt i64 %776, 0
-  br i1 %777, label %2499, label %843
+790:                                              ; preds = %781, %472
+  %791 = getelementptr i8, ptr %199, i64 8
+  %792 = load double, ptr %791, align 8, !noalias !22
+  br label %793
 
-778:                                              ; preds = %2499
-  %779 = icmp slt i64 %775, 0
-  %780 = add i64 %775, 3
-  %781 = select i1 %779, i64 %780, i64 %775
-  %782 = getelementptr double, ptr @0, i64 %781
-  %783 = load double, ptr %782, align 8, !noalias !12
-  %784 = fmul double %783, %391
-  %785 = fdiv double %784, %773
-  %786 = fadd double %785, 1.000000e+00
-  br label %787
+793:                                              ; preds = %808, %790
+  %794 = phi i64 [ 0, %790 ], [ %2588, %808 ]
+  %795 = phi i64 [ 3, %790 ], [ %2587, %808 ]
+  %796 = icmp sgt i64 %795, 0
+  br i1 %796, label %2586, label %862
 
-787:                                              ; preds = %2499, %778
-  %788 = phi double [ %786, %778 ], [ 0.000000e+00, %2499 ]
-  br label %789
+797:                                              ; preds = %2586
+  %798 = icmp slt i64 %794, 0
+  %799 = add i64 %794, 3
+  %800 = select i1 %798, i64 %799, i64 %794
+  %801 = getelementptr double, ptr @0, i64 %800
+  %802 = load double, ptr %801, align 8, !noalias !22
+  %803 = fmul double %802, %410
+  %804 = fdiv double %803, %792
+  %805 = fadd double %804, 1.000000e+00
+  br label %806
 
-789:                                              ; preds = %787, %833, %793
-  %790 = phi i64 [ 0, %787 ], [ %2505, %793 ], [ %2505, %833 ]
-  %791 = phi i64 [ %282, %787 ], [ %2504, %793 ], [ %2504, %833 ]
-  %792 = icmp sgt i64 %791, 0
-  br i1 %792, label %2503, label %774
+806:                                              ; preds = %2586, %797
+  %807 = phi double [ %805, %797 ], [ 0.000000e+00, %2586 ]
+  br label %808
 
-793:                                              ; preds = %2503
-  %794 = fsub double 1.000000e+00, %788
-  %795 = icmp slt i64 %790, 0
-  %796 = select i1 %795, i64 %256, i64 0
-  %797 = shl i64 %256, 4
-  %798 = getelementptr i8, ptr %257, i64 %797
-  %799 = getelementptr double, ptr %798, i64 %790
-  %800 = getelementptr double, ptr %799, i64 %796
-  %801 = load double, ptr %800, align 8, !noalias !12
-  %802 = mul i64 %256, 24
-  %803 = getelementptr i8, ptr %257, i64 %802
-  %804 = getelementptr double, ptr %803, i64 %790
-  %805 = getelementptr double, ptr %804, i64 %796
-  %806 = load double, ptr %805, align 8, !noalias !12
-  %807 = fmul double %788, %806
-  %808 = fadd double %801, %807
-  %809 = fmul double %794, %808
-  %810 = getelementptr double, ptr %257, i64 %790
-  %811 = getelementptr double, ptr %810, i64 %796
-  %812 = load double, ptr %811, align 8, !noalias !12
-  %813 = getelementptr double, ptr %257, i64 %256
-  %814 = getelementptr double, ptr %813, i64 %790
-  %815 = getelementptr double, ptr %814, i64 %796
-  %816 = load double, ptr %815, align 8, !noalias !12
-  %817 = fadd double %816, %809
-  %818 = fmul double %788, %817
-  %819 = fadd double %812, %818
-  %820 = select i1 %795, i64 %64, i64 0
-  %821 = getelementptr double, ptr %65, i64 %790
-  %822 = getelementptr double, ptr %821, i64 %820
-  %823 = load double, ptr %822, align 8, !noalias !12
-  %824 = fsub double %819, %823
-  %825 = icmp slt i64 %775, 0
-  %826 = select i1 %825, i64 %235, i64 0
-  %827 = add i64 %775, %826
-  %828 = select i1 %795, i64 %237, i64 0
-  %829 = mul i64 %827, %237
-  %830 = getelementptr double, ptr %238, i64 %829
-  %831 = getelementptr double, ptr %830, i64 %790
-  %832 = getelementptr double, ptr %831, i64 %828
-  store double %824, ptr %832, align 8, !noalias !12
-  br label %789
+808:                                              ; preds = %806, %852, %812
+  %809 = phi i64 [ 0, %806 ], [ %2592, %812 ], [ %2592, %852 ]
+  %810 = phi i64 [ %292, %806 ], [ %2591, %812 ], [ %2591, %852 ]
+  %811 = icmp sgt i64 %810, 0
+  br i1 %811, label %2590, label %793
 
-833:                                              ; preds = %2503
-  %834 = icmp slt i64 %775, 0
-  %835 = select i1 %834, i64 %235, i64 0
-  %836 = add i64 %775, %835
-  %837 = icmp slt i64 %790, 0
-  %838 = select i1 %837, i64 %237, i64 0
-  %839 = mul i64 %836, %237
-  %840 = getelementptr double, ptr %238, i64 %839
-  %841 = getelementptr double, ptr %840, i64 %790
-  %842 = getelementptr double, ptr %841, i64 %838
-  store double 0.000000e+00, ptr %842, align 8, !noalias !12
-  br label %789
+812:                                              ; preds = %2590
+  %813 = fsub double 1.000000e+00, %807
+  %814 = icmp slt i64 %809, 0
+  %815 = select i1 %814, i64 %256, i64 0
+  %816 = shl i64 %256, 4
+  %817 = getelementptr i8, ptr %257, i64 %816
+  %818 = getelementptr double, ptr %817, i64 %809
+  %819 = getelementptr double, ptr %818, i64 %815
+  %820 = load double, ptr %819, align 8, !noalias !22
+  %821 = mul i64 %256, 24
+  %822 = getelementptr i8, ptr %257, i64 %821
+  %823 = getelementptr double, ptr %822, i64 %809
+  %824 = getelementptr double, ptr %823, i64 %815
+  %825 = load double, ptr %824, align 8, !noalias !22
+  %826 = fmul double %807, %825
+  %827 = fadd double %820, %826
+  %828 = fmul double %813, %827
+  %829 = getelementptr double, ptr %257, i64 %809
+  %830 = getelementptr double, ptr %829, i64 %815
+  %831 = load double, ptr %830, align 8, !noalias !22
+  %832 = getelementptr double, ptr %257, i64 %256
+  %833 = getelementptr double, ptr %832, i64 %809
+  %834 = getelementptr double, ptr %833, i64 %815
+  %835 = load double, ptr %834, align 8, !noalias !22
+  %836 = fadd double %835, %828
+  %837 = fmul double %807, %836
+  %838 = fadd double %831, %837
+  %839 = select i1 %814, i64 %64, i64 0
+  %840 = getelementptr double, ptr %65, i64 %809
+  %841 = getelementptr double, ptr %840, i64 %839
+  %842 = load double, ptr %841, align 8, !noalias !22
+  %843 = fsub double %838, %842
+  %844 = icmp slt i64 %794, 0
+  %845 = select i1 %844, i64 %235, i64 0
+  %846 = add i64 %794, %845
+  %847 = select i1 %814, i64 %237, i64 0
+  %848 = mul i64 %846, %237
+  %849 = getelementptr double, ptr %238, i64 %848
+  %850 = getelementptr double, ptr %849, i64 %809
+  %851 = getelementptr double, ptr %850, i64 %847
+  store double %843, ptr %851, align 8, !noalias !22
+  br label %808
 
-843:                                              ; preds = %774, %847
-  %844 = phi i64 [ %2508, %847 ], [ 0, %774 ]
-  %845 = phi i64 [ %2507, %847 ], [ 3, %774 ]
-  %846 = icmp sgt i64 %845, 0
-  br i1 %846, label %2506, label %851
+852:                                              ; preds = %2590
+  %853 = icmp slt i64 %794, 0
+  %854 = select i1 %853, i64 %235, i64 0
+  %855 = add i64 %794, %854
+  %856 = icmp slt i64 %809, 0
+  %857 = select i1 %856, i64 %237, i64 0
+  %858 = mul i64 %855, %237
+  %859 = getelementptr double, ptr %238, i64 %858
+  %860 = getelementptr double, ptr %859, i64 %809
+  %861 = getelementptr double, ptr %860, i64 %857
+  store double 0.000000e+00, ptr %861, align 8, !noalias !22
+  br label %808
 
-847:                                              ; preds = %2506, %2509
-  %848 = phi i64 [ 0, %2506 ], [ %2511, %2509 ]
-  %849 = phi i64 [ %282, %2506 ], [ %2510, %2509 ]
-  %850 = icmp sgt i64 %849, 0
-  br i1 %850, label %2509, label %843
+862:                                              ; preds = %793, %866
+  %863 = phi i64 [ %2595, %866 ], [ 0, %793 ]
+  %864 = phi i64 [ %2594, %866 ], [ 3, %793 ]
+  %865 = icmp sgt i64 %864, 0
+  br i1 %865, label %2593, label %870
 
-851:                                              ; preds = %843
-  %852 = fmul double %296, %286
-  store ptr null, ptr %12, align 8, !noalias !61
-  %853 = load i64, ptr %116, align 8, !noalias !61
-  %854 = getelementptr i8, ptr %196, i64 40
-  %855 = load i64, ptr %854, align 8, !noalias !61
-  %856 = icmp sgt i64 %855, 0
-  %857 = select i1 %856, i64 10, i64 6
-  br label %858
+866:                                              ; preds = %2593, %2596
+  %867 = phi i64 [ 0, %2593 ], [ %2598, %2596 ]
+  %868 = phi i64 [ %292, %2593 ], [ %2597, %2596 ]
+  %869 = icmp sgt i64 %868, 0
+  br i1 %869, label %2596, label %862
 
-858:                                              ; preds = %1319, %851
-  %859 = phi i64 [ 0, %851 ], [ %1329, %1319 ]
-  %860 = phi i64 [ %857, %851 ], [ %1330, %1319 ]
-  %861 = phi double [ -1.000000e+00, %851 ], [ %1174, %1319 ]
-  %862 = phi double [ 0.000000e+00, %851 ], [ %1219, %1319 ]
-  %863 = phi i64 [ 0, %851 ], [ %1238, %1319 ]
-  %864 = icmp sgt i64 %860, 0
-  br i1 %864, label %1325, label %1328
+870:                                              ; preds = %862
+  %871 = fmul double %306, %296
+  store ptr null, ptr %12, align 8, !noalias !65
+  %872 = load i64, ptr %116, align 8, !noalias !65
+  %873 = getelementptr i8, ptr %196, i64 40
+  %874 = load i64, ptr %873, align 8, !noalias !65
+  %875 = icmp sgt i64 %874, 0
+  %876 = select i1 %875, i64 10, i64 6
+  br label %877
 
-865:                                              ; preds = %1328
-  %866 = icmp sgt i64 %1332, 5
-  %867 = icmp eq i64 %863, 0
-  %868 = and i1 %866, %867
-  br i1 %868, label %1320, label %869
+877:                                              ; preds = %1338, %870
+  %878 = phi i64 [ 0, %870 ], [ %1348, %1338 ]
+  %879 = phi i64 [ %876, %870 ], [ %1349, %1338 ]
+  %880 = phi double [ -1.000000e+00, %870 ], [ %1193, %1338 ]
+  %881 = phi double [ 0.000000e+00, %870 ], [ %1238, %1338 ]
+  %882 = phi i64 [ 0, %870 ], [ %1257, %1338 ]
+  %883 = icmp sgt i64 %879, 0
+  br i1 %883, label %1344, label %1347
 
-869:                                              ; preds = %1358, %865
-  %870 = phi i64 [ %1335, %1358 ], [ 0, %865 ]
-  %871 = phi i64 [ %1334, %1358 ], [ 3, %865 ]
-  %872 = icmp sgt i64 %871, 0
-  br i1 %872, label %1333, label %907
+884:                                              ; preds = %1347
+  %885 = icmp sgt i64 %1351, 5
+  %886 = icmp eq i64 %882, 0
+  %887 = and i1 %885, %886
+  br i1 %887, label %1339, label %888
 
-873:                                              ; preds = %1337, %1333
-  %874 = phi i64 [ 0, %1333 ], [ %1339, %1337 ]
-  %875 = phi i64 [ %1336, %1333 ], [ %1338, %1337 ]
-  %876 = icmp sgt i64 %875, 0
-  br i1 %876, label %1337, label %877
+888:                                              ; preds = %1377, %884
+  %889 = phi i64 [ %1354, %1377 ], [ 0, %884 ]
+  %890 = phi i64 [ %1353, %1377 ], [ 3, %884 ]
+  %891 = icmp sgt i64 %890, 0
+  br i1 %891, label %1352, label %926
 
-877:                                              ; preds = %873
-  %878 = getelementptr i8, ptr %110, i64 24
-  %879 = load i64, ptr %878, align 8, !noalias !61
-  %880 = add nsw i64 %879, 1
-  store i64 %880, ptr %878, align 8, !noalias !61
-  %881 = icmp slt i64 %870, 0
-  %882 = add i64 %870, 3
-  %883 = select i1 %881, i64 %882, i64 %870
-  %884 = getelementptr double, ptr @4, i64 %883
-  %885 = load double, ptr %884, align 8, !noalias !61
-  %886 = fmul double %391, %885
-  %887 = fadd double %366, %886
-  %888 = mul nsw i64 %870, %853
-  %889 = shl i64 %888, 3
-  %890 = add i64 %889, %247
-  store ptr null, ptr %10, align 8, !noalias !65
-  store ptr null, ptr %11, align 8, !noalias !65
-  store double %887, ptr %33, align 8, !noalias !65
-  %891 = icmp sgt i64 %45, 0
-  br i1 %891, label %892, label %895
+892:                                              ; preds = %1356, %1352
+  %893 = phi i64 [ 0, %1352 ], [ %1358, %1356 ]
+  %894 = phi i64 [ %1355, %1352 ], [ %1357, %1356 ]
+  %895 = icmp sgt i64 %894, 0
+  br i1 %895, label %1356, label %896
 
-892:                                              ; preds = %877
-  store ptr null, ptr %10, align 8, !noalias !65
-  %893 = call fastcc i32 @_sample(ptr nonnull %10, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %887) #3
-  switch i32 %893, label %894 [
-    i32 -2, label %895
-    i32 0, label %895
-  ], !prof !32
+896:                                              ; preds = %892
+  %897 = getelementptr i8, ptr %110, i64 24
+  %898 = load i64, ptr %897, align 8, !noalias !65
+  %899 = add nsw i64 %898, 1
+  store i64 %899, ptr %897, align 8, !noalias !65
+  %900 = icmp slt i64 %889, 0
+  %901 = add i64 %889, 3
+  %902 = select i1 %900, i64 %901, i64 %889
+  %903 = getelementptr double, ptr @4, i64 %902
+  %904 = load double, ptr %903, align 8, !noalias !65
+  %905 = fmul double %410, %904
+  %906 = fadd double %376, %905
+  %907 = mul nsw i64 %889, %872
+  %908 = shl i64 %907, 3
+  %909 = add i64 %908, %247
+  store ptr null, ptr %10, align 8, !noalias !69
+  store ptr null, ptr %11, align 8, !noalias !69
+  store double %906, ptr %33, align 8, !noalias !69
+  %910 = icmp sgt i64 %45, 0
+  br i1 %910, label %911, label %914
 
-894:                                              ; preds = %892
-  br label %895
+911:                                              ; preds = %896
+  store ptr null, ptr %10, align 8, !noalias !69
+  %912 = call fastcc i32 @_sample(ptr nonnull %10, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %906) #3
+  switch i32 %912, label %913 [
+    i32 -2, label %914
+    i32 0, label %914
+  ], !prof !33
 
-895:                                              ; preds = %892, %892, %877, %894
-  %896 = phi i32 [ %893, %894 ], [ 0, %877 ], [ 0, %892 ], [ 0, %892 ]
-  switch i32 %896, label %902 [
-    i32 -2, label %897
-    i32 0, label %897
-  ], !prof !32
+913:                                              ; preds = %911
+  br label %914
 
-897:                                              ; preds = %895, %895
-  %898 = load i64, ptr %30, align 8, !noalias !72
-  %899 = inttoptr i64 %898 to ptr
-  %900 = inttoptr i64 %890 to ptr
-  %901 = call i32 %899(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %900) #3, !noalias !72
-  br label %902
+914:                                              ; preds = %911, %911, %896, %913
+  %915 = phi i32 [ %912, %913 ], [ 0, %896 ], [ 0, %911 ], [ 0, %911 ]
+  switch i32 %915, label %921 [
+    i32 -2, label %916
+    i32 0, label %916
+  ], !prof !33
 
-902:                                              ; preds = %895, %897
-  %903 = phi i32 [ %901, %897 ], [ 0, %895 ]
-  %904 = phi i32 [ 0, %897 ], [ %896, %895 ]
-  switch i32 %904, label %1877 [
-    i32 -2, label %1358
-    i32 0, label %1358
-  ], !prof !32
+916:                                              ; preds = %914, %914
+  %917 = load i64, ptr %30, align 8, !noalias !76
+  %918 = inttoptr i64 %917 to ptr
+  %919 = inttoptr i64 %909 to ptr
+  %920 = call i32 %918(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %919) #3, !noalias !76
+  br label %921
 
-905:                                              ; preds = %1358
-  %906 = sext i32 %903 to i64
-  br label %1877
+921:                                              ; preds = %914, %916
+  %922 = phi i32 [ %920, %916 ], [ 0, %914 ]
+  %923 = phi i32 [ 0, %916 ], [ %915, %914 ]
+  switch i32 %923, label %1896 [
+    i32 -2, label %1377
+    i32 0, label %1377
+  ], !prof !33
 
-907:                                              ; preds = %869
-  %908 = call i64 @llvm.smax.i64(i64 %853, i64 0)
-  br label %909
+924:                                              ; preds = %1377
+  %925 = sext i32 %922 to i64
+  br label %1896
 
-909:                                              ; preds = %914, %907
-  %910 = phi i64 [ 0, %907 ], [ %915, %914 ]
-  %911 = phi i64 [ %908, %907 ], [ %916, %914 ]
-  %912 = phi double [ 0.000000e+00, %907 ], [ %992, %914 ]
-  %913 = icmp sgt i64 %911, 0
-  br i1 %913, label %1360, label %993
+926:                                              ; preds = %888
+  %927 = call i64 @llvm.smax.i64(i64 %872, i64 0)
+  br label %928
 
-914:                                              ; preds = %1360
-  %915 = add i64 %910, 1
-  %916 = add nsw i64 %911, -1
-  %917 = fmul double %1365, 0x4010B70201A79C46
-  %918 = fmul double %1369, 0x3FD4F8C15DA84E86
-  %919 = fadd double %917, %918
-  %920 = fmul double %1375, 0x3FE0BF7FF59D56EF
-  %921 = fadd double %919, %920
-  %922 = fdiv double 0x400D1A48D83E731D, %391
-  %923 = select i1 %1361, i64 %244, i64 0
-  %924 = getelementptr double, ptr %245, i64 %910
-  %925 = getelementptr double, ptr %924, i64 %923
-  %926 = load double, ptr %925, align 8, !noalias !61
-  %927 = fmul double %922, %926
-  %928 = fsub double %921, %927
-  %929 = select i1 %1361, i64 %261, i64 0
-  %930 = getelementptr double, ptr %262, i64 %910
-  %931 = getelementptr double, ptr %930, i64 %929
-  store double %928, ptr %931, align 8, !noalias !61
-  %932 = load double, ptr %1364, align 8, !noalias !61
-  %933 = fmul double %932, 0xC010B70201A79C46
-  %934 = load double, ptr %1368, align 8, !noalias !61
-  %935 = fmul double %934, 0xBFD4F8C15DA84E86
-  %936 = fadd double %933, %935
-  %937 = load double, ptr %1374, align 8, !noalias !61
-  %938 = fmul double %937, 0x3FDE810014C55221
-  %939 = fadd double %936, %938
-  %940 = fmul double %932, 0x3FE017885A24A7F2
-  %941 = fmul double %934, 0xC004934E6FCAA598
-  %942 = fadd double %940, %941
-  %943 = fmul double %937, 0x3FE312C0CF7BDFD1
-  %944 = fadd double %942, %943
-  %945 = fdiv double 0x400572DB93E0C672, %391
-  %946 = fdiv double 0xC0086747F2C3FCB6, %391
-  %947 = getelementptr double, ptr %245, i64 %244
-  %948 = getelementptr double, ptr %947, i64 %910
-  %949 = getelementptr double, ptr %948, i64 %923
-  %950 = load double, ptr %949, align 8, !noalias !61
-  %951 = shl i64 %244, 4
-  %952 = getelementptr i8, ptr %245, i64 %951
-  %953 = getelementptr double, ptr %952, i64 %910
-  %954 = getelementptr double, ptr %953, i64 %923
-  %955 = load double, ptr %954, align 8, !noalias !61
-  %956 = fmul double %945, %955
-  %957 = fmul double %946, %950
-  %958 = fadd double %956, %957
-  %959 = fmul double %945, %950
-  %960 = fmul double %946, %955
-  %961 = fsub double %959, %960
-  %962 = fsub double %939, %961
-  %963 = fsub double %944, %958
-  %964 = select i1 %1361, i64 %266, i64 0
-  %965 = getelementptr { double, double }, ptr %267, i64 %910
-  %966 = getelementptr { double, double }, ptr %965, i64 %964
-  store double %962, ptr %966, align 8, !noalias !61
-  %967 = getelementptr inbounds nuw i8, ptr %966, i64 8
-  store double %963, ptr %967, align 8, !noalias !61
-  %968 = load double, ptr %931, align 8, !noalias !61
-  %969 = call double @llvm.fabs.f64(double %968)
-  %970 = call double @llvm.fabs.f64(double %962)
-  %971 = fadd double %969, %970
-  %972 = call double @llvm.fabs.f64(double %963)
-  %973 = fadd double %971, %972
-  %974 = fmul double %391, %973
-  %975 = select i1 %1361, i64 %64, i64 0
-  %976 = getelementptr double, ptr %65, i64 %910
-  %977 = getelementptr double, ptr %976, i64 %975
-  %978 = load double, ptr %977, align 8, !noalias !61
-  %979 = select i1 %1361, i64 %99, i64 0
-  %980 = getelementptr double, ptr %100, i64 %910
-  %981 = getelementptr double, ptr %980, i64 %979
-  %982 = load double, ptr %981, align 8, !noalias !73
-  %983 = select i1 %1361, i64 %94, i64 0
-  %984 = getelementptr double, ptr %95, i64 %910
-  %985 = getelementptr double, ptr %984, i64 %983
-  %986 = load double, ptr %985, align 8, !noalias !73
-  %987 = call double @llvm.fabs.f64(double %978)
-  %988 = fmul double %986, %987
-  %989 = fadd double %982, %988
-  %990 = fdiv double %974, %989
-  %991 = fmul double %990, %990
-  %992 = fadd double %912, %991
-  br label %909
+928:                                              ; preds = %933, %926
+  %929 = phi i64 [ 0, %926 ], [ %934, %933 ]
+  %930 = phi i64 [ %927, %926 ], [ %935, %933 ]
+  %931 = phi double [ 0.000000e+00, %926 ], [ %1011, %933 ]
+  %932 = icmp sgt i64 %930, 0
+  br i1 %932, label %1379, label %1012
 
-993:                                              ; preds = %909
-  store ptr null, ptr %12, align 8, !noalias !61
-  %994 = call fastcc i32 @solve(ptr nonnull %12, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !61
-  switch i32 %994, label %1877 [
-    i32 -2, label %1379
-    i32 0, label %1379
-  ], !prof !32
+933:                                              ; preds = %1379
+  %934 = add i64 %929, 1
+  %935 = add nsw i64 %930, -1
+  %936 = fmul double %1384, 0x4010B70201A79C46
+  %937 = fmul double %1388, 0x3FD4F8C15DA84E86
+  %938 = fadd double %936, %937
+  %939 = fmul double %1394, 0x3FE0BF7FF59D56EF
+  %940 = fadd double %938, %939
+  %941 = fdiv double 0x400D1A48D83E731D, %410
+  %942 = select i1 %1380, i64 %244, i64 0
+  %943 = getelementptr double, ptr %245, i64 %929
+  %944 = getelementptr double, ptr %943, i64 %942
+  %945 = load double, ptr %944, align 8, !noalias !65
+  %946 = fmul double %941, %945
+  %947 = fsub double %940, %946
+  %948 = select i1 %1380, i64 %261, i64 0
+  %949 = getelementptr double, ptr %262, i64 %929
+  %950 = getelementptr double, ptr %949, i64 %948
+  store double %947, ptr %950, align 8, !noalias !65
+  %951 = load double, ptr %1383, align 8, !noalias !65
+  %952 = fmul double %951, 0xC010B70201A79C46
+  %953 = load double, ptr %1387, align 8, !noalias !65
+  %954 = fmul double %953, 0xBFD4F8C15DA84E86
+  %955 = fadd double %952, %954
+  %956 = load double, ptr %1393, align 8, !noalias !65
+  %957 = fmul double %956, 0x3FDE810014C55221
+  %958 = fadd double %955, %957
+  %959 = fmul double %951, 0x3FE017885A24A7F2
+  %960 = fmul double %953, 0xC004934E6FCAA598
+  %961 = fadd double %959, %960
+  %962 = fmul double %956, 0x3FE312C0CF7BDFD1
+  %963 = fadd double %961, %962
+  %964 = fdiv double 0x400572DB93E0C672, %410
+  %965 = fdiv double 0xC0086747F2C3FCB6, %410
+  %966 = getelementptr double, ptr %245, i64 %244
+  %967 = getelementptr double, ptr %966, i64 %929
+  %968 = getelementptr double, ptr %967, i64 %942
+  %969 = load double, ptr %968, align 8, !noalias !65
+  %970 = shl i64 %244, 4
+  %971 = getelementptr i8, ptr %245, i64 %970
+  %972 = getelementptr double, ptr %971, i64 %929
+  %973 = getelementptr double, ptr %972, i64 %942
+  %974 = load double, ptr %973, align 8, !noalias !65
+  %975 = fmul double %964, %974
+  %976 = fmul double %965, %969
+  %977 = fadd double %975, %976
+  %978 = fmul double %964, %969
+  %979 = fmul double %965, %974
+  %980 = fsub double %978, %979
+  %981 = fsub double %958, %980
+  %982 = fsub double %963, %977
+  %983 = select i1 %1380, i64 %266, i64 0
+  %984 = getelementptr { double, double }, ptr %267, i64 %929
+  %985 = getelementptr { double, double }, ptr %984, i64 %983
+  store double %981, ptr %985, align 8, !noalias !65
+  %986 = getelementptr inbounds nuw i8, ptr %985, i64 8
+  store double %982, ptr %986, align 8, !noalias !65
+  %987 = load double, ptr %950, align 8, !noalias !65
+  %988 = call double @llvm.fabs.f64(double %987)
+  %989 = call double @llvm.fabs.f64(double %981)
+  %990 = fadd double %988, %989
+  %991 = call double @llvm.fabs.f64(double %982)
+  %992 = fadd double %990, %991
+  %993 = fmul double %410, %992
+  %994 = select i1 %1380, i64 %64, i64 0
+  %995 = getelementptr double, ptr %65, i64 %929
+  %996 = getelementptr double, ptr %995, i64 %994
+  %997 = load double, ptr %996, align 8, !noalias !65
+  %998 = select i1 %1380, i64 %99, i64 0
+  %999 = getelementptr double, ptr %100, i64 %929
+  %1000 = getelementptr double, ptr %999, i64 %998
+  %1001 = load double, ptr %1000, align 8, !noalias !77
+  %1002 = select i1 %1380, i64 %94, i64 0
+  %1003 = getelementptr double, ptr %95, i64 %929
+  %1004 = getelementptr double, ptr %1003, i64 %1002
+  %1005 = load double, ptr %1004, align 8, !noalias !77
+  %1006 = call double @llvm.fabs.f64(double %997)
+  %1007 = fmul double %1005, %1006
+  %1008 = fadd double %1001, %1007
+  %1009 = fdiv double %993, %1008
+  %1010 = fmul double %1009, %1009
+  %1011 = fadd double %931, %1010
+  br label %928
 
-995:                                              ; preds = %1549
-  %996 = call i64 @llvm.smax.i64(i64 %211, i64 0)
-  br label %997
+1012:                                             ; preds = %928
+  store ptr null, ptr %12, align 8, !noalias !65
+  %1013 = call fastcc i32 @solve(ptr nonnull %12, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !65
+  switch i32 %1013, label %1896 [
+    i32 -2, label %1398
+    i32 0, label %1398
+  ], !prof !33
 
-997:                                              ; preds = %1010, %995
-  %998 = phi i64 [ 0, %995 ], [ %1056, %1010 ]
-  %999 = phi i64 [ %996, %995 ], [ %1055, %1010 ]
-  %1000 = icmp sgt i64 %999, 0
-  br i1 %1000, label %1054, label %1011
+1014:                                             ; preds = %1568
+  %1015 = call i64 @llvm.smax.i64(i64 %211, i64 0)
+  br label %1016
 
-1001:                                             ; preds = %1054
-  %1002 = mul nsw i64 %998, %855
-  %1003 = add nsw i64 %211, %1002
-  %1004 = mul nsw i64 %1061, %855
-  %1005 = add nsw i64 %211, %1004
-  br label %1006
+1016:                                             ; preds = %1029, %1014
+  %1017 = phi i64 [ 0, %1014 ], [ %1075, %1029 ]
+  %1018 = phi i64 [ %1015, %1014 ], [ %1074, %1029 ]
+  %1019 = icmp sgt i64 %1018, 0
+  br i1 %1019, label %1073, label %1030
 
-1006:                                             ; preds = %1063, %1001
-  %1007 = phi i64 [ 0, %1001 ], [ %1065, %1063 ]
-  %1008 = phi i64 [ %855, %1001 ], [ %1064, %1063 ]
-  %1009 = icmp sgt i64 %1008, 0
-  br i1 %1009, label %1063, label %1010
+1020:                                             ; preds = %1073
+  %1021 = mul nsw i64 %1017, %874
+  %1022 = add nsw i64 %211, %1021
+  %1023 = mul nsw i64 %1080, %874
+  %1024 = add nsw i64 %211, %1023
+  br label %1025
 
-1010:                                             ; preds = %1054, %1006
-  br label %997
+1025:                                             ; preds = %1082, %1020
+  %1026 = phi i64 [ 0, %1020 ], [ %1084, %1082 ]
+  %1027 = phi i64 [ %874, %1020 ], [ %1083, %1082 ]
+  %1028 = icmp sgt i64 %1027, 0
+  br i1 %1028, label %1082, label %1029
 
-1011:                                             ; preds = %997, %1015
-  %1012 = phi i64 [ %1080, %1015 ], [ 0, %997 ]
-  %1013 = phi i64 [ %1079, %1015 ], [ %996, %997 ]
-  %1014 = icmp sgt i64 %1013, 0
-  br i1 %1014, label %1078, label %1023
+1029:                                             ; preds = %1073, %1025
+  br label %1016
 
-1015:                                             ; preds = %1078, %1019
-  %1016 = phi i64 [ 0, %1078 ], [ %1084, %1019 ]
-  %1017 = phi i64 [ %1081, %1078 ], [ %1083, %1019 ]
-  %1018 = icmp sgt i64 %1017, 0
-  br i1 %1018, label %1082, label %1011
+1030:                                             ; preds = %1016, %1034
+  %1031 = phi i64 [ %1099, %1034 ], [ 0, %1016 ]
+  %1032 = phi i64 [ %1098, %1034 ], [ %1015, %1016 ]
+  %1033 = icmp sgt i64 %1032, 0
+  br i1 %1033, label %1097, label %1042
 
-1019:                                             ; preds = %1099, %1082
-  %1020 = phi i64 [ 0, %1082 ], [ %1101, %1099 ]
-  %1021 = phi i64 [ %855, %1082 ], [ %1100, %1099 ]
-  %1022 = icmp sgt i64 %1021, 0
-  br i1 %1022, label %1099, label %1015
+1034:                                             ; preds = %1097, %1038
+  %1035 = phi i64 [ 0, %1097 ], [ %1103, %1038 ]
+  %1036 = phi i64 [ %1100, %1097 ], [ %1102, %1038 ]
+  %1037 = icmp sgt i64 %1036, 0
+  br i1 %1037, label %1101, label %1030
 
-1023:                                             ; preds = %1011
-  %1024 = icmp ugt i64 %211, -9223372036854775808
-  %1025 = select i1 %1024, i64 0, i64 %211
-  br label %1026
+1038:                                             ; preds = %1118, %1101
+  %1039 = phi i64 [ 0, %1101 ], [ %1120, %1118 ]
+  %1040 = phi i64 [ %874, %1101 ], [ %1119, %1118 ]
+  %1041 = icmp sgt i64 %1040, 0
+  br i1 %1041, label %1118, label %1034
 
-1026:                                             ; preds = %1050, %1023
-  %1027 = phi i64 [ %211, %1023 ], [ %1029, %1050 ]
-  %1028 = phi i64 [ %1025, %1023 ], [ %1117, %1050 ]
-  %1029 = add i64 %1027, -1
-  %1030 = icmp sgt i64 %1028, 0
-  br i1 %1030, label %1116, label %1550
+1042:                                             ; preds = %1030
+  %1043 = icmp ugt i64 %211, -9223372036854775808
+  %1044 = select i1 %1043, i64 0, i64 %211
+  br label %1045
 
-1031:                                             ; preds = %1116, %1035
-  %1032 = phi i64 [ %1027, %1116 ], [ %1124, %1035 ]
-  %1033 = phi i64 [ %1121, %1116 ], [ %1123, %1035 ]
-  %1034 = icmp sgt i64 %1033, 0
-  br i1 %1034, label %1122, label %1039
+1045:                                             ; preds = %1069, %1042
+  %1046 = phi i64 [ %211, %1042 ], [ %1048, %1069 ]
+  %1047 = phi i64 [ %1044, %1042 ], [ %1136, %1069 ]
+  %1048 = add i64 %1046, -1
+  %1049 = icmp sgt i64 %1047, 0
+  br i1 %1049, label %1135, label %1569
 
-1035:                                             ; preds = %1137, %1122
-  %1036 = phi i64 [ 0, %1122 ], [ %1139, %1137 ]
-  %1037 = phi i64 [ %855, %1122 ], [ %1138, %1137 ]
-  %1038 = icmp sgt i64 %1037, 0
-  br i1 %1038, label %1137, label %1031
-
-1039:                                             ; preds = %1031
-  %1040 = icmp slt i64 %1029, 0
-  %1041 = select i1 %1040, i64 %211, i64 0
-  %1042 = add i64 %1029, %1041
-  %1043 = select i1 %1040, i64 %213, i64 0
-  %1044 = mul i64 %1042, %213
-  %1045 = getelementptr double, ptr %214, i64 %1044
-  %1046 = getelementptr double, ptr %1045, i64 %1029
-  %1047 = getelementptr double, ptr %1046, i64 %1043
-  %1048 = load double, ptr %1047, align 8, !noalias !76
-  %1049 = fdiv double 1.000000e+00, %1048
-  br label %1050
-
-1050:                                             ; preds = %1154, %1039
-  %1051 = phi i64 [ 0, %1039 ], [ %1156, %1154 ]
-  %1052 = phi i64 [ %855, %1039 ], [ %1155, %1154 ]
+1050:                                             ; preds = %1135, %1054
+  %1051 = phi i64 [ %1046, %1135 ], [ %1143, %1054 ]
+  %1052 = phi i64 [ %1140, %1135 ], [ %1142, %1054 ]
   %1053 = icmp sgt i64 %1052, 0
-  br i1 %1053, label %1154, label %1026
+  br i1 %1053, label %1141, label %1058
 
-1054:                                             ; preds = %997
-  %1055 = add nsw i64 %999, -1
-  %1056 = add i64 %998, 1
-  %1057 = icmp slt i64 %998, 0
-  %1058 = select i1 %1057, i64 %225, i64 0
-  %1059 = getelementptr i64, ptr %226, i64 %998
-  %1060 = getelementptr i64, ptr %1059, i64 %1058
-  %1061 = load i64, ptr %1060, align 8, !noalias !76
-  %1062 = icmp eq i64 %1061, %998
-  br i1 %1062, label %1010, label %1001
+1054:                                             ; preds = %1156, %1141
+  %1055 = phi i64 [ 0, %1141 ], [ %1158, %1156 ]
+  %1056 = phi i64 [ %874, %1141 ], [ %1157, %1156 ]
+  %1057 = icmp sgt i64 %1056, 0
+  br i1 %1057, label %1156, label %1050
 
-1063:                                             ; preds = %1006
-  %1064 = add nsw i64 %1008, -1
-  %1065 = add i64 %1007, 1
-  %1066 = add nsw i64 %1005, %1007
-  %1067 = icmp slt i64 %1066, 0
-  %1068 = select i1 %1067, i64 %261, i64 0
-  %1069 = getelementptr double, ptr %262, i64 %1066
-  %1070 = getelementptr double, ptr %1069, i64 %1068
-  %1071 = load double, ptr %1070, align 8, !noalias !76
-  %1072 = add nsw i64 %1003, %1007
-  %1073 = icmp slt i64 %1072, 0
-  %1074 = select i1 %1073, i64 %261, i64 0
-  %1075 = getelementptr double, ptr %262, i64 %1072
-  %1076 = getelementptr double, ptr %1075, i64 %1074
-  %1077 = load double, ptr %1076, align 8, !noalias !76
-  store double %1071, ptr %1076, align 8, !noalias !76
-  store double %1077, ptr %1070, align 8, !noalias !76
-  br label %1006
+1058:                                             ; preds = %1050
+  %1059 = icmp slt i64 %1048, 0
+  %1060 = select i1 %1059, i64 %211, i64 0
+  %1061 = add i64 %1048, %1060
+  %1062 = select i1 %1059, i64 %213, i64 0
+  %1063 = mul i64 %1061, %213
+  %1064 = getelementptr double, ptr %214, i64 %1063
+  %1065 = getelementptr double, ptr %1064, i64 %1048
+  %1066 = getelementptr double, ptr %1065, i64 %1062
+  %1067 = load double, ptr %1066, align 8, !noalias !80
+  %1068 = fdiv double 1.000000e+00, %1067
+  br label %1069
 
-1078:                                             ; preds = %1011
-  %1079 = add nsw i64 %1013, -1
-  %1080 = add i64 %1012, 1
-  %1081 = call i64 @llvm.smax.i64(i64 %1012, i64 0)
-  br label %1015
+1069:                                             ; preds = %1173, %1058
+  %1070 = phi i64 [ 0, %1058 ], [ %1175, %1173 ]
+  %1071 = phi i64 [ %874, %1058 ], [ %1174, %1173 ]
+  %1072 = icmp sgt i64 %1071, 0
+  br i1 %1072, label %1173, label %1045
 
-1082:                                             ; preds = %1015
-  %1083 = add nsw i64 %1017, -1
-  %1084 = add i64 %1016, 1
-  %1085 = icmp slt i64 %1012, 0
-  %1086 = select i1 %1085, i64 %211, i64 0
-  %1087 = add i64 %1012, %1086
-  %1088 = icmp slt i64 %1016, 0
-  %1089 = select i1 %1088, i64 %213, i64 0
-  %1090 = mul i64 %1087, %213
-  %1091 = getelementptr double, ptr %214, i64 %1090
-  %1092 = getelementptr double, ptr %1091, i64 %1016
-  %1093 = getelementptr double, ptr %1092, i64 %1089
-  %1094 = load double, ptr %1093, align 8, !noalias !76
-  %1095 = mul nsw i64 %1012, %855
-  %1096 = add nsw i64 %211, %1095
-  %1097 = mul nsw i64 %1016, %855
-  %1098 = add nsw i64 %211, %1097
-  br label %1019
+1073:                                             ; preds = %1016
+  %1074 = add nsw i64 %1018, -1
+  %1075 = add i64 %1017, 1
+  %1076 = icmp slt i64 %1017, 0
+  %1077 = select i1 %1076, i64 %225, i64 0
+  %1078 = getelementptr i64, ptr %226, i64 %1017
+  %1079 = getelementptr i64, ptr %1078, i64 %1077
+  %1080 = load i64, ptr %1079, align 8, !noalias !80
+  %1081 = icmp eq i64 %1080, %1017
+  br i1 %1081, label %1029, label %1020
 
-1099:                                             ; preds = %1019
-  %1100 = add nsw i64 %1021, -1
-  %1101 = add i64 %1020, 1
-  %1102 = add nsw i64 %1096, %1020
-  %1103 = icmp slt i64 %1102, 0
-  %1104 = select i1 %1103, i64 %261, i64 0
-  %1105 = getelementptr double, ptr %262, i64 %1102
-  %1106 = getelementptr double, ptr %1105, i64 %1104
-  %1107 = load double, ptr %1106, align 8, !noalias !76
-  %1108 = add nsw i64 %1098, %1020
-  %1109 = icmp slt i64 %1108, 0
-  %1110 = select i1 %1109, i64 %261, i64 0
-  %1111 = getelementptr double, ptr %262, i64 %1108
-  %1112 = getelementptr double, ptr %1111, i64 %1110
-  %1113 = load double, ptr %1112, align 8, !noalias !76
-  %1114 = fmul double %1094, %1113
-  %1115 = fsub double %1107, %1114
-  store double %1115, ptr %1106, align 8, !noalias !76
-  br label %1019
+1082:                                             ; preds = %1025
+  %1083 = add nsw i64 %1027, -1
+  %1084 = add i64 %1026, 1
+  %1085 = add nsw i64 %1024, %1026
+  %1086 = icmp slt i64 %1085, 0
+  %1087 = select i1 %1086, i64 %261, i64 0
+  %1088 = getelementptr double, ptr %262, i64 %1085
+  %1089 = getelementptr double, ptr %1088, i64 %1087
+  %1090 = load double, ptr %1089, align 8, !noalias !80
+  %1091 = add nsw i64 %1022, %1026
+  %1092 = icmp slt i64 %1091, 0
+  %1093 = select i1 %1092, i64 %261, i64 0
+  %1094 = getelementptr double, ptr %262, i64 %1091
+  %1095 = getelementptr double, ptr %1094, i64 %1093
+  %1096 = load double, ptr %1095, align 8, !noalias !80
+  store double %1090, ptr %1095, align 8, !noalias !80
+  store double %1096, ptr %1089, align 8, !noalias !80
+  br label %1025
 
-1116:                                             ; preds = %1026
-  %1117 = add nsw i64 %1028, -1
-  %1118 = mul nsw i64 %1029, %855
-  %1119 = add nsw i64 %211, %1118
-  %1120 = sub i64 %211, %1027
-  %1121 = call i64 @llvm.smax.i64(i64 %1120, i64 0)
-  br label %1031
+1097:                                             ; preds = %1030
+  %1098 = add nsw i64 %1032, -1
+  %1099 = add i64 %1031, 1
+  %1100 = call i64 @llvm.smax.i64(i64 %1031, i64 0)
+  br label %1034
 
-1122:                                             ; preds = %1031
-  %1123 = add nsw i64 %1033, -1
-  %1124 = add i64 %1032, 1
-  %1125 = icmp slt i64 %1029, 0
-  %1126 = select i1 %1125, i64 %211, i64 0
-  %1127 = add i64 %1029, %1126
-  %1128 = icmp slt i64 %1032, 0
-  %1129 = select i1 %1128, i64 %213, i64 0
-  %1130 = mul i64 %1127, %213
-  %1131 = getelementptr double, ptr %214, i64 %1130
-  %1132 = getelementptr double, ptr %1131, i64 %1032
-  %1133 = getelementptr double, ptr %1132, i64 %1129
-  %1134 = load double, ptr %1133, align 8, !noalias !76
-  %1135 = mul nsw i64 %1032, %855
-  %1136 = add nsw i64 %211, %1135
-  br label %1035
+1101:                                             ; preds = %1034
+  %1102 = add nsw i64 %1036, -1
+  %1103 = add i64 %1035, 1
+  %1104 = icmp slt i64 %1031, 0
+  %1105 = select i1 %1104, i64 %211, i64 0
+  %1106 = add i64 %1031, %1105
+  %1107 = icmp slt i64 %1035, 0
+  %1108 = select i1 %1107, i64 %213, i64 0
+  %1109 = mul i64 %1106, %213
+  %1110 = getelementptr double, ptr %214, i64 %1109
+  %1111 = getelementptr double, ptr %1110, i64 %1035
+  %1112 = getelementptr double, ptr %1111, i64 %1108
+  %1113 = load double, ptr %1112, align 8, !noalias !80
+  %1114 = mul nsw i64 %1031, %874
+  %1115 = add nsw i64 %211, %1114
+  %1116 = mul nsw i64 %1035, %874
+  %1117 = add nsw i64 %211, %1116
+  br label %1038
 
-1137:                                             ; preds = %1035
-  %1138 = add nsw i64 %1037, -1
-  %1139 = add i64 %1036, 1
-  %1140 = add nsw i64 %1119, %1036
-  %1141 = icmp slt i64 %1140, 0
-  %1142 = select i1 %1141, i64 %261, i64 0
-  %1143 = getelementptr double, ptr %262, i64 %1140
-  %1144 = getelementptr double, ptr %1143, i64 %1142
-  %1145 = load double, ptr %1144, align 8, !noalias !76
-  %1146 = add nsw i64 %1136, %1036
-  %1147 = icmp slt i64 %1146, 0
-  %1148 = select i1 %1147, i64 %261, i64 0
-  %1149 = getelementptr double, ptr %262, i64 %1146
-  %1150 = getelementptr double, ptr %1149, i64 %1148
-  %1151 = load double, ptr %1150, align 8, !noalias !76
-  %1152 = fmul double %1134, %1151
-  %1153 = fsub double %1145, %1152
-  store double %1153, ptr %1144, align 8, !noalias !76
-  br label %1035
+1118:                                             ; preds = %1038
+  %1119 = add nsw i64 %1040, -1
+  %1120 = add i64 %1039, 1
+  %1121 = add nsw i64 %1115, %1039
+  %1122 = icmp slt i64 %1121, 0
+  %1123 = select i1 %1122, i64 %261, i64 0
+  %1124 = getelementptr double, ptr %262, i64 %1121
+  %1125 = getelementptr double, ptr %1124, i64 %1123
+  %1126 = load double, ptr %1125, align 8, !noalias !80
+  %1127 = add nsw i64 %1117, %1039
+  %1128 = icmp slt i64 %1127, 0
+  %1129 = select i1 %1128, i64 %261, i64 0
+  %1130 = getelementptr double, ptr %262, i64 %1127
+  %1131 = getelementptr double, ptr %1130, i64 %1129
+  %1132 = load double, ptr %1131, align 8, !noalias !80
+  %1133 = fmul double %1113, %1132
+  %1134 = fsub double %1126, %1133
+  store double %1134, ptr %1125, align 8, !noalias !80
+  br label %1038
 
-1154:                                             ; preds = %1050
-  %1155 = add nsw i64 %1052, -1
-  %1156 = add i64 %1051, 1
-  %1157 = add nsw i64 %1119, %1051
-  %1158 = icmp slt i64 %1157, 0
-  %1159 = select i1 %1158, i64 %261, i64 0
-  %1160 = getelementptr double, ptr %262, i64 %1157
-  %1161 = getelementptr double, ptr %1160, i64 %1159
-  %1162 = load double, ptr %1161, align 8, !noalias !76
-  %1163 = fmul double %1162, %1049
-  store double %1163, ptr %1161, align 8, !noalias !76
+1135:                                             ; preds = %1045
+  %1136 = add nsw i64 %1047, -1
+  %1137 = mul nsw i64 %1048, %874
+  %1138 = add nsw i64 %211, %1137
+  %1139 = sub i64 %211, %1046
+  %1140 = call i64 @llvm.smax.i64(i64 %1139, i64 0)
   br label %1050
 
-1164:                                             ; preds = %1576, %1549
-  br label %1165
+1141:                                             ; preds = %1050
+  %1142 = add nsw i64 %1052, -1
+  %1143 = add i64 %1051, 1
+  %1144 = icmp slt i64 %1048, 0
+  %1145 = select i1 %1144, i64 %211, i64 0
+  %1146 = add i64 %1048, %1145
+  %1147 = icmp slt i64 %1051, 0
+  %1148 = select i1 %1147, i64 %213, i64 0
+  %1149 = mul i64 %1146, %213
+  %1150 = getelementptr double, ptr %214, i64 %1149
+  %1151 = getelementptr double, ptr %1150, i64 %1051
+  %1152 = getelementptr double, ptr %1151, i64 %1148
+  %1153 = load double, ptr %1152, align 8, !noalias !80
+  %1154 = mul nsw i64 %1051, %874
+  %1155 = add nsw i64 %211, %1154
+  br label %1054
 
-1165:                                             ; preds = %1774, %1164
-  %1166 = phi i64 [ 0, %1164 ], [ %1776, %1774 ]
-  %1167 = phi i64 [ %908, %1164 ], [ %1775, %1774 ]
-  %1168 = phi double [ 0.000000e+00, %1164 ], [ %1811, %1774 ]
-  %1169 = icmp sgt i64 %1167, 0
-  br i1 %1169, label %1774, label %1170
+1156:                                             ; preds = %1054
+  %1157 = add nsw i64 %1056, -1
+  %1158 = add i64 %1055, 1
+  %1159 = add nsw i64 %1138, %1055
+  %1160 = icmp slt i64 %1159, 0
+  %1161 = select i1 %1160, i64 %261, i64 0
+  %1162 = getelementptr double, ptr %262, i64 %1159
+  %1163 = getelementptr double, ptr %1162, i64 %1161
+  %1164 = load double, ptr %1163, align 8, !noalias !80
+  %1165 = add nsw i64 %1155, %1055
+  %1166 = icmp slt i64 %1165, 0
+  %1167 = select i1 %1166, i64 %261, i64 0
+  %1168 = getelementptr double, ptr %262, i64 %1165
+  %1169 = getelementptr double, ptr %1168, i64 %1167
+  %1170 = load double, ptr %1169, align 8, !noalias !80
+  %1171 = fmul double %1153, %1170
+  %1172 = fsub double %1164, %1171
+  store double %1172, ptr %1163, align 8, !noalias !80
+  br label %1054
 
-1170:                                             ; preds = %1165
-  %1171 = mul nsw i64 %853, 3
-  %1172 = sitofp i64 %1171 to double
-  %1173 = fdiv double %1168, %1172
-  %1174 = call double @sqrt(double %1173), !noalias !61
-  %1175 = fcmp oeq double %1174, 0.000000e+00
-  %1176 = fcmp ogt double %912, 0.000000e+00
-  %1177 = select i1 %1175, i1 %1176, i1 false
-  br i1 %1177, label %1877, label %1178
+1173:                                             ; preds = %1069
+  %1174 = add nsw i64 %1071, -1
+  %1175 = add i64 %1070, 1
+  %1176 = add nsw i64 %1138, %1070
+  %1177 = icmp slt i64 %1176, 0
+  %1178 = select i1 %1177, i64 %261, i64 0
+  %1179 = getelementptr double, ptr %262, i64 %1176
+  %1180 = getelementptr double, ptr %1179, i64 %1178
+  %1181 = load double, ptr %1180, align 8, !noalias !80
+  %1182 = fmul double %1181, %1068
+  store double %1182, ptr %1180, align 8, !noalias !80
+  br label %1069
 
-1178:                                             ; preds = %1170
-  %1179 = fcmp ogt double %861, 0.000000e+00
-  %1180 = and i1 %1179, %867
-  br i1 %1180, label %1181, label %1218
+1183:                                             ; preds = %1595, %1568
+  br label %1184
 
-1181:                                             ; preds = %1178
-  %1182 = fdiv double %1174, %861
-  %1183 = sub nsw i64 5, %1332
-  %1184 = add nsw i64 %1332, -5
-  %1185 = select i1 %866, i64 %1184, i64 %1183
-  %1186 = icmp samesign ugt i64 %1185, 65536
-  br i1 %1186, label %1187, label %1190
+1184:                                             ; preds = %1793, %1183
+  %1185 = phi i64 [ 0, %1183 ], [ %1795, %1793 ]
+  %1186 = phi i64 [ %927, %1183 ], [ %1794, %1793 ]
+  %1187 = phi double [ 0.000000e+00, %1183 ], [ %1830, %1793 ]
+  %1188 = icmp sgt i64 %1186, 0
+  br i1 %1188, label %1793, label %1189
 
-1187:                                             ; preds = %1181
-  %1188 = sitofp i64 %1183 to double
-  %1189 = call double @llvm.pow.f64(double %1182, double %1188)
-  br label %1209
+1189:                                             ; preds = %1184
+  %1190 = mul nsw i64 %872, 3
+  %1191 = sitofp i64 %1190 to double
+  %1192 = fdiv double %1187, %1191
+  %1193 = call double @sqrt(double %1192), !noalias !65
+  %1194 = fcmp oeq double %1193, 0.000000e+00
+  %1195 = fcmp ogt double %931, 0.000000e+00
+  %1196 = select i1 %1194, i1 %1195, i1 false
+  br i1 %1196, label %1896, label %1197
 
-1190:                                             ; preds = %1181
-  %1191 = icmp eq i64 %1185, 0
-  br i1 %1191, label %1203, label %1192
+1197:                                             ; preds = %1189
+  %1198 = fcmp ogt double %880, 0.000000e+00
+  %1199 = and i1 %1198, %886
+  br i1 %1199, label %1200, label %1237
 
-1192:                                             ; preds = %1192, %1190
-  %1193 = phi double [ %1199, %1192 ], [ 1.000000e+00, %1190 ]
-  %1194 = phi double [ %1201, %1192 ], [ %1182, %1190 ]
-  %1195 = phi i64 [ %1200, %1192 ], [ %1185, %1190 ]
-  %1196 = and i64 %1195, 1
-  %1197 = icmp eq i64 %1196, 0
-  %1198 = fmul double %1193, %1194
-  %1199 = select i1 %1197, double %1193, double %1198
-  %1200 = lshr i64 %1195, 1
-  %1201 = fmul double %1194, %1194
-  %1202 = icmp eq i64 %1200, 0
-  br i1 %1202, label %1203, label %1192
+1200:                                             ; preds = %1197
+  %1201 = fdiv double %1193, %880
+  %1202 = sub nsw i64 5, %1351
+  %1203 = add nsw i64 %1351, -5
+  %1204 = select i1 %885, i64 %1203, i64 %1202
+  %1205 = icmp samesign ugt i64 %1204, 65536
+  br i1 %1205, label %1206, label %1209
 
-1203:                                             ; preds = %1192, %1190
-  %1204 = phi double [ %1199, %1192 ], [ 1.000000e+00, %1190 ]
-  br i1 %866, label %1205, label %1209
+1206:                                             ; preds = %1200
+  %1207 = sitofp i64 %1202 to double
+  %1208 = call double @llvm.pow.f64(double %1201, double %1207)
+  br label %1228
 
-1205:                                             ; preds = %1203
-  %1206 = fcmp oeq double %1204, 0.000000e+00
-  br i1 %1206, label %1209, label %1207, !prof !4
+1209:                                             ; preds = %1200
+  %1210 = icmp eq i64 %1204, 0
+  br i1 %1210, label %1222, label %1211
 
-1207:                                             ; preds = %1205
-  %1208 = fdiv double 1.000000e+00, %1204
-  br label %1209
+1211:                                             ; preds = %1211, %1209
+  %1212 = phi double [ %1218, %1211 ], [ 1.000000e+00, %1209 ]
+  %1213 = phi double [ %1220, %1211 ], [ %1201, %1209 ]
+  %1214 = phi i64 [ %1219, %1211 ], [ %1204, %1209 ]
+  %1215 = and i64 %1214, 1
+  %1216 = icmp eq i64 %1215, 0
+  %1217 = fmul double %1212, %1213
+  %1218 = select i1 %1216, double %1212, double %1217
+  %1219 = lshr i64 %1214, 1
+  %1220 = fmul double %1213, %1213
+  %1221 = icmp eq i64 %1219, 0
+  br i1 %1221, label %1222, label %1211
 
-1209:                                             ; preds = %1205, %1203, %1187, %1207
-  %1210 = phi double [ 0.000000e+00, %1205 ], [ %1189, %1187 ], [ %1204, %1203 ], [ %1208, %1207 ]
-  %1211 = phi i1 [ false, %1205 ], [ true, %1187 ], [ true, %1203 ], [ true, %1207 ]
-  %1212 = phi i32 [ 1, %1205 ], [ 0, %1187 ], [ 0, %1203 ], [ 0, %1207 ]
-  br i1 %1211, label %1812, label %1877, !prof !79
+1222:                                             ; preds = %1211, %1209
+  %1223 = phi double [ %1218, %1211 ], [ 1.000000e+00, %1209 ]
+  br i1 %885, label %1224, label %1228
 
-1213:                                             ; preds = %1812
-  %1214 = fsub double 1.000000e+00, %1182
-  %1215 = fdiv double %1210, %1214
-  %1216 = fmul double %1215, %1174
-  %1217 = fcmp ogt double %1216, %296
-  br i1 %1217, label %1877, label %1218
+1224:                                             ; preds = %1222
+  %1225 = fcmp oeq double %1223, 0.000000e+00
+  br i1 %1225, label %1228, label %1226, !prof !4
 
-1218:                                             ; preds = %1213, %1178
-  %1219 = phi double [ %1182, %1213 ], [ %862, %1178 ]
-  br label %1220
+1226:                                             ; preds = %1224
+  %1227 = fdiv double 1.000000e+00, %1223
+  br label %1228
 
-1220:                                             ; preds = %1224, %1218
-  %1221 = phi i64 [ 0, %1218 ], [ %1816, %1224 ]
-  %1222 = phi i64 [ %908, %1218 ], [ %1815, %1224 ]
-  %1223 = icmp sgt i64 %1222, 0
-  br i1 %1223, label %1814, label %1228
+1228:                                             ; preds = %1224, %1222, %1206, %1226
+  %1229 = phi double [ 0.000000e+00, %1224 ], [ %1208, %1206 ], [ %1223, %1222 ], [ %1227, %1226 ]
+  %1230 = phi i1 [ false, %1224 ], [ true, %1206 ], [ true, %1222 ], [ true, %1226 ]
+  %1231 = phi i32 [ 1, %1224 ], [ 0, %1206 ], [ 0, %1222 ], [ 0, %1226 ]
+  br i1 %1230, label %1831, label %1896, !prof !83
 
-1224:                                             ; preds = %1844, %1814
-  %1225 = phi i64 [ 0, %1814 ], [ %1846, %1844 ]
-  %1226 = phi i64 [ 3, %1814 ], [ %1845, %1844 ]
-  %1227 = icmp sgt i64 %1226, 0
-  br i1 %1227, label %1844, label %1220
+1232:                                             ; preds = %1831
+  %1233 = fsub double 1.000000e+00, %1201
+  %1234 = fdiv double %1229, %1233
+  %1235 = fmul double %1234, %1193
+  %1236 = fcmp ogt double %1235, %306
+  br i1 %1236, label %1896, label %1237
 
-1228:                                             ; preds = %1220
-  br i1 %867, label %1229, label %1237
+1237:                                             ; preds = %1232, %1197
+  %1238 = phi double [ %1201, %1232 ], [ %881, %1197 ]
+  br label %1239
 
-1229:                                             ; preds = %1228
-  br i1 %1175, label %1236, label %1230
+1239:                                             ; preds = %1243, %1237
+  %1240 = phi i64 [ 0, %1237 ], [ %1835, %1243 ]
+  %1241 = phi i64 [ %927, %1237 ], [ %1834, %1243 ]
+  %1242 = icmp sgt i64 %1241, 0
+  br i1 %1242, label %1833, label %1247
 
-1230:                                             ; preds = %1229
-  br i1 %1179, label %1231, label %1237
+1243:                                             ; preds = %1863, %1833
+  %1244 = phi i64 [ 0, %1833 ], [ %1865, %1863 ]
+  %1245 = phi i64 [ 3, %1833 ], [ %1864, %1863 ]
+  %1246 = icmp sgt i64 %1245, 0
+  br i1 %1246, label %1863, label %1239
 
-1231:                                             ; preds = %1230
-  %1232 = fsub double 1.000000e+00, %1219
-  %1233 = fdiv double %1219, %1232
-  %1234 = fmul double %1233, %1174
-  %1235 = fcmp olt double %1234, %296
-  br i1 %1235, label %1236, label %1237
+1247:                                             ; preds = %1239
+  br i1 %886, label %1248, label %1256
 
-1236:                                             ; preds = %1231, %1229
-  br label %1237
+1248:                                             ; preds = %1247
+  br i1 %1194, label %1255, label %1249
 
-1237:                                             ; preds = %1236, %1231, %1230, %1228
-  %1238 = phi i64 [ %1331, %1236 ], [ 0, %1231 ], [ 0, %1230 ], [ %863, %1228 ]
-  %1239 = icmp sgt i64 %1238, 0
-  br i1 %1239, label %1240, label %1319
+1249:                                             ; preds = %1248
+  br i1 %1198, label %1250, label %1256
 
-1240:                                             ; preds = %1237
-  %1241 = icmp eq i64 %855, 0
-  br i1 %1241, label %1320, label %1242
+1250:                                             ; preds = %1249
+  %1251 = fsub double 1.000000e+00, %1238
+  %1252 = fdiv double %1238, %1251
+  %1253 = fmul double %1252, %1193
+  %1254 = fcmp olt double %1253, %306
+  br i1 %1254, label %1255, label %1256
 
-1242:                                             ; preds = %1240
-  %1243 = load i64, ptr %854, align 8, !noalias !80
-  %1244 = call i64 @llvm.smax.i64(i64 %1243, i64 0)
-  br label %1245
+1255:                                             ; preds = %1250, %1248
+  br label %1256
 
-1245:                                             ; preds = %1263, %1242
-  %1246 = phi i64 [ 0, %1242 ], [ %1267, %1263 ]
-  %1247 = phi i64 [ %1244, %1242 ], [ %1266, %1263 ]
-  %1248 = phi double [ 0.000000e+00, %1242 ], [ %1264, %1263 ]
-  %1249 = icmp sgt i64 %1247, 0
-  br i1 %1249, label %1265, label %1874
-
-1250:                                             ; preds = %1269, %1265
-  %1251 = phi i64 [ 0, %1265 ], [ %1271, %1269 ]
-  %1252 = phi i64 [ %1268, %1265 ], [ %1270, %1269 ]
-  %1253 = phi double [ 0.000000e+00, %1265 ], [ %1293, %1269 ]
-  %1254 = phi double [ 0.000000e+00, %1265 ], [ %1318, %1269 ]
-  %1255 = icmp sgt i64 %1252, 0
-  br i1 %1255, label %1269, label %1256
-
-1256:                                             ; preds = %1250
-  %1257 = fmul double %1248, %1254
-  %1258 = fcmp ogt double %1253, %1257
-  br i1 %1258, label %1259, label %1263
+1256:                                             ; preds = %1255, %1250, %1249, %1247
+  %1257 = phi i64 [ %1350, %1255 ], [ 0, %1250 ], [ 0, %1249 ], [ %882, %1247 ]
+  %1258 = icmp sgt i64 %1257, 0
+  br i1 %1258, label %1259, label %1338
 
 1259:                                             ; preds = %1256
-  %1260 = fcmp ogt double %1254, 0.000000e+00
-  %1261 = fdiv double %1253, %1254
-  %1262 = select i1 %1260, double %1261, double 1.000000e+00
-  br label %1263
+  %1260 = icmp eq i64 %874, 0
+  br i1 %1260, label %1339, label %1261
 
-1263:                                             ; preds = %1259, %1256
-  %1264 = phi double [ %1262, %1259 ], [ %1248, %1256 ]
-  br label %1245
+1261:                                             ; preds = %1259
+  %1262 = load i64, ptr %873, align 8, !noalias !84
+  %1263 = call i64 @llvm.smax.i64(i64 %1262, i64 0)
+  br label %1264
 
-1265:                                             ; preds = %1245
-  %1266 = add nsw i64 %1247, -1
-  %1267 = add i64 %1246, 1
-  %1268 = call i64 @llvm.smax.i64(i64 %225, i64 0)
-  br label %1250
+1264:                                             ; preds = %1282, %1261
+  %1265 = phi i64 [ 0, %1261 ], [ %1286, %1282 ]
+  %1266 = phi i64 [ %1263, %1261 ], [ %1285, %1282 ]
+  %1267 = phi double [ 0.000000e+00, %1261 ], [ %1283, %1282 ]
+  %1268 = icmp sgt i64 %1266, 0
+  br i1 %1268, label %1284, label %1893
 
-1269:                                             ; preds = %1250
-  %1270 = add nsw i64 %1252, -1
-  %1271 = add i64 %1251, 1
-  %1272 = mul nsw i64 %1251, %1243
-  %1273 = add nsw i64 %225, %1272
-  %1274 = add nsw i64 %1273, %1246
-  %1275 = icmp slt i64 %1274, 0
-  %1276 = select i1 %1275, i64 %261, i64 0
-  %1277 = getelementptr double, ptr %262, i64 %1274
-  %1278 = getelementptr double, ptr %1277, i64 %1276
-  %1279 = load double, ptr %1278, align 8, !noalias !80
-  %1280 = fmul double %1279, %1279
-  %1281 = select i1 %1275, i64 %266, i64 0
-  %1282 = getelementptr { double, double }, ptr %267, i64 %1274
-  %1283 = getelementptr { double, double }, ptr %1282, i64 %1281
-  %1284 = load double, ptr %1283, align 8, !noalias !80
-  %1285 = getelementptr inbounds nuw i8, ptr %1283, i64 8
-  %1286 = load double, ptr %1285, align 8, !noalias !80
-  %1287 = call double @hypot(double %1284, double %1286) #3, !noalias !84
-  %1288 = load double, ptr %1283, align 8, !noalias !80
-  %1289 = load double, ptr %1285, align 8, !noalias !80
-  %1290 = call double @hypot(double %1288, double %1289) #3, !noalias !90
-  %1291 = fmul double %1287, %1290
-  %1292 = fadd double %1280, %1291
-  %1293 = fadd double %1253, %1292
-  %1294 = select i1 %1275, i64 %64, i64 0
-  %1295 = getelementptr double, ptr %65, i64 %1274
-  %1296 = getelementptr double, ptr %1295, i64 %1294
-  %1297 = load double, ptr %1296, align 8, !noalias !80
-  %1298 = fmul double %1297, %1297
-  %1299 = fadd double %1254, %1298
-  %1300 = select i1 %1275, i64 %244, i64 0
-  %1301 = getelementptr double, ptr %245, i64 %1274
-  %1302 = getelementptr double, ptr %1301, i64 %1300
-  %1303 = load double, ptr %1302, align 8, !noalias !80
-  %1304 = fmul double %1303, %1303
-  %1305 = getelementptr double, ptr %245, i64 %244
-  %1306 = getelementptr double, ptr %1305, i64 %1274
-  %1307 = getelementptr double, ptr %1306, i64 %1300
-  %1308 = load double, ptr %1307, align 8, !noalias !80
-  %1309 = fmul double %1308, %1308
-  %1310 = fadd double %1304, %1309
-  %1311 = shl i64 %244, 4
-  %1312 = getelementptr i8, ptr %245, i64 %1311
-  %1313 = getelementptr double, ptr %1312, i64 %1274
-  %1314 = getelementptr double, ptr %1313, i64 %1300
-  %1315 = load double, ptr %1314, align 8, !noalias !80
-  %1316 = fmul double %1315, %1315
-  %1317 = fadd double %1310, %1316
-  %1318 = fadd double %1299, %1317
-  br label %1250
+1269:                                             ; preds = %1288, %1284
+  %1270 = phi i64 [ 0, %1284 ], [ %1290, %1288 ]
+  %1271 = phi i64 [ %1287, %1284 ], [ %1289, %1288 ]
+  %1272 = phi double [ 0.000000e+00, %1284 ], [ %1312, %1288 ]
+  %1273 = phi double [ 0.000000e+00, %1284 ], [ %1337, %1288 ]
+  %1274 = icmp sgt i64 %1271, 0
+  br i1 %1274, label %1288, label %1275
 
-1319:                                             ; preds = %1874, %1237
-  br label %858
+1275:                                             ; preds = %1269
+  %1276 = fmul double %1267, %1273
+  %1277 = fcmp ogt double %1272, %1276
+  br i1 %1277, label %1278, label %1282
 
-1320:                                             ; preds = %1874, %1328, %1240, %865
-  %1321 = phi double [ %862, %1328 ], [ %862, %865 ], [ %1219, %1874 ], [ %1219, %1240 ]
-  %1322 = phi i64 [ %863, %1328 ], [ 0, %865 ], [ %1238, %1874 ], [ %1238, %1240 ]
-  %1323 = icmp slt i64 %1322, 1
-  %1324 = select i1 %1323, i64 6, i64 %1322
-  br label %1877
+1278:                                             ; preds = %1275
+  %1279 = fcmp ogt double %1273, 0.000000e+00
+  %1280 = fdiv double %1272, %1273
+  %1281 = select i1 %1279, double %1280, double 1.000000e+00
+  br label %1282
 
-1325:                                             ; preds = %858
-  %1326 = add nsw i64 %860, -1
-  %1327 = add i64 %859, 1
-  br label %1328
+1282:                                             ; preds = %1278, %1275
+  %1283 = phi double [ %1281, %1278 ], [ %1267, %1275 ]
+  br label %1264
 
-1328:                                             ; preds = %1325, %858
-  %1329 = phi i64 [ %1327, %1325 ], [ %859, %858 ]
-  %1330 = phi i64 [ %1326, %1325 ], [ %860, %858 ]
-  %1331 = phi i64 [ %1327, %1325 ], [ 1, %858 ]
-  %1332 = phi i64 [ %859, %1325 ], [ 0, %858 ]
-  br i1 %864, label %865, label %1320
+1284:                                             ; preds = %1264
+  %1285 = add nsw i64 %1266, -1
+  %1286 = add i64 %1265, 1
+  %1287 = call i64 @llvm.smax.i64(i64 %225, i64 0)
+  br label %1269
 
-1333:                                             ; preds = %869
-  %1334 = add nsw i64 %871, -1
-  %1335 = add i64 %870, 1
-  %1336 = call i64 @llvm.smax.i64(i64 %853, i64 0)
-  br label %873
+1288:                                             ; preds = %1269
+  %1289 = add nsw i64 %1271, -1
+  %1290 = add i64 %1270, 1
+  %1291 = mul nsw i64 %1270, %1262
+  %1292 = add nsw i64 %225, %1291
+  %1293 = add nsw i64 %1292, %1265
+  %1294 = icmp slt i64 %1293, 0
+  %1295 = select i1 %1294, i64 %261, i64 0
+  %1296 = getelementptr double, ptr %262, i64 %1293
+  %1297 = getelementptr double, ptr %1296, i64 %1295
+  %1298 = load double, ptr %1297, align 8, !noalias !84
+  %1299 = fmul double %1298, %1298
+  %1300 = select i1 %1294, i64 %266, i64 0
+  %1301 = getelementptr { double, double }, ptr %267, i64 %1293
+  %1302 = getelementptr { double, double }, ptr %1301, i64 %1300
+  %1303 = load double, ptr %1302, align 8, !noalias !84
+  %1304 = getelementptr inbounds nuw i8, ptr %1302, i64 8
+  %1305 = load double, ptr %1304, align 8, !noalias !84
+  %1306 = call double @hypot(double %1303, double %1305) #3, !noalias !88
+  %1307 = load double, ptr %1302, align 8, !noalias !84
+  %1308 = load double, ptr %1304, align 8, !noalias !84
+  %1309 = call double @hypot(double %1307, double %1308) #3, !noalias !94
+  %1310 = fmul double %1306, %1309
+  %1311 = fadd double %1299, %1310
+  %1312 = fadd double %1272, %1311
+  %1313 = select i1 %1294, i64 %64, i64 0
+  %1314 = getelementptr double, ptr %65, i64 %1293
+  %1315 = getelementptr double, ptr %1314, i64 %1313
+  %1316 = load double, ptr %1315, align 8, !noalias !84
+  %1317 = fmul double %1316, %1316
+  %1318 = fadd double %1273, %1317
+  %1319 = select i1 %1294, i64 %244, i64 0
+  %1320 = getelementptr double, ptr %245, i64 %1293
+  %1321 = getelementptr double, ptr %1320, i64 %1319
+  %1322 = load double, ptr %1321, align 8, !noalias !84
+  %1323 = fmul double %1322, %1322
+  %1324 = getelementptr double, ptr %245, i64 %244
+  %1325 = getelementptr double, ptr %1324, i64 %1293
+  %1326 = getelementptr double, ptr %1325, i64 %1319
+  %1327 = load double, ptr %1326, align 8, !noalias !84
+  %1328 = fmul double %1327, %1327
+  %1329 = fadd double %1323, %1328
+  %1330 = shl i64 %244, 4
+  %1331 = getelementptr i8, ptr %245, i64 %1330
+  %1332 = getelementptr double, ptr %1331, i64 %1293
+  %1333 = getelementptr double, ptr %1332, i64 %1319
+  %1334 = load double, ptr %1333, align 8, !noalias !84
+  %1335 = fmul double %1334, %1334
+  %1336 = fadd double %1329, %1335
+  %1337 = fadd double %1318, %1336
+  br label %1269
 
-1337:                                             ; preds = %873
-  %1338 = add nsw i64 %875, -1
-  %1339 = add i64 %874, 1
-  %1340 = icmp slt i64 %874, 0
-  %1341 = select i1 %1340, i64 %64, i64 0
-  %1342 = getelementptr double, ptr %65, i64 %874
-  %1343 = getelementptr double, ptr %1342, i64 %1341
-  %1344 = load double, ptr %1343, align 8, !noalias !61
-  %1345 = icmp slt i64 %870, 0
-  %1346 = select i1 %1345, i64 %235, i64 0
-  %1347 = add i64 %870, %1346
-  %1348 = select i1 %1340, i64 %237, i64 0
-  %1349 = mul i64 %1347, %237
-  %1350 = getelementptr double, ptr %238, i64 %1349
-  %1351 = getelementptr double, ptr %1350, i64 %874
-  %1352 = getelementptr double, ptr %1351, i64 %1348
-  %1353 = load double, ptr %1352, align 8, !noalias !61
-  %1354 = fadd double %1344, %1353
-  %1355 = select i1 %1340, i64 %74, i64 0
-  %1356 = getelementptr double, ptr %75, i64 %874
-  %1357 = getelementptr double, ptr %1356, i64 %1355
-  store double %1354, ptr %1357, align 8, !noalias !61
-  br label %873
+1338:                                             ; preds = %1893, %1256
+  br label %877
 
-1358:                                             ; preds = %902, %902
-  %1359 = icmp eq i32 %903, 0
-  br i1 %1359, label %869, label %905
+1339:                                             ; preds = %1893, %1347, %1259, %884
+  %1340 = phi double [ %881, %1347 ], [ %881, %884 ], [ %1238, %1893 ], [ %1238, %1259 ]
+  %1341 = phi i64 [ %882, %1347 ], [ 0, %884 ], [ %1257, %1893 ], [ %1257, %1259 ]
+  %1342 = icmp slt i64 %1341, 1
+  %1343 = select i1 %1342, i64 6, i64 %1341
+  br label %1896
 
-1360:                                             ; preds = %909
-  %1361 = icmp slt i64 %910, 0
-  %1362 = select i1 %1361, i64 %249, i64 0
-  %1363 = getelementptr double, ptr %250, i64 %910
-  %1364 = getelementptr double, ptr %1363, i64 %1362
-  %1365 = load double, ptr %1364, align 8, !noalias !61
-  %1366 = getelementptr double, ptr %250, i64 %249
-  %1367 = getelementptr double, ptr %1366, i64 %910
-  %1368 = getelementptr double, ptr %1367, i64 %1362
-  %1369 = load double, ptr %1368, align 8, !noalias !61
-  %1370 = fadd double %1365, %1369
-  %1371 = shl i64 %249, 4
-  %1372 = getelementptr i8, ptr %250, i64 %1371
-  %1373 = getelementptr double, ptr %1372, i64 %910
-  %1374 = getelementptr double, ptr %1373, i64 %1362
-  %1375 = load double, ptr %1374, align 8, !noalias !61
-  %1376 = fadd double %1370, %1375
-  %1377 = fsub double %1376, %1376
-  %1378 = fcmp ord double %1377, 0.000000e+00
-  br i1 %1378, label %914, label %1877
+1344:                                             ; preds = %877
+  %1345 = add nsw i64 %879, -1
+  %1346 = add i64 %878, 1
+  br label %1347
 
-1379:                                             ; preds = %993, %993
-  %1380 = call i64 @llvm.smax.i64(i64 %218, i64 0)
-  br label %1381
+1347:                                             ; preds = %1344, %877
+  %1348 = phi i64 [ %1346, %1344 ], [ %878, %877 ]
+  %1349 = phi i64 [ %1345, %1344 ], [ %879, %877 ]
+  %1350 = phi i64 [ %1346, %1344 ], [ 1, %877 ]
+  %1351 = phi i64 [ %878, %1344 ], [ 0, %877 ]
+  br i1 %883, label %884, label %1339
 
-1381:                                             ; preds = %1399, %1379
-  %1382 = phi i64 [ 0, %1379 ], [ %1464, %1399 ]
-  %1383 = phi i64 [ %1380, %1379 ], [ %1463, %1399 ]
-  %1384 = icmp sgt i64 %1383, 0
-  br i1 %1384, label %1462, label %1400
+1352:                                             ; preds = %888
+  %1353 = add nsw i64 %890, -1
+  %1354 = add i64 %889, 1
+  %1355 = call i64 @llvm.smax.i64(i64 %872, i64 0)
+  br label %892
 
-1385:                                             ; preds = %1462
-  %1386 = icmp slt i64 %1469, 0
-  %1387 = select i1 %1386, i64 %266, i64 0
-  %1388 = getelementptr { double, double }, ptr %267, i64 %1469
-  %1389 = getelementptr { double, double }, ptr %1388, i64 %1387
-  %1390 = load double, ptr %1389, align 8, !noalias !96
-  %1391 = getelementptr inbounds nuw i8, ptr %1389, i64 8
-  %1392 = load double, ptr %1391, align 8, !noalias !96
-  %1393 = select i1 %1465, i64 %266, i64 0
-  %1394 = getelementptr { double, double }, ptr %267, i64 %1382
-  %1395 = getelementptr { double, double }, ptr %1394, i64 %1393
-  %1396 = load double, ptr %1395, align 8, !noalias !96
-  %1397 = getelementptr inbounds nuw i8, ptr %1395, i64 8
-  %1398 = load double, ptr %1397, align 8, !noalias !96
-  store double %1390, ptr %1395, align 8, !noalias !96
-  store double %1392, ptr %1397, align 8, !noalias !96
-  store double %1396, ptr %1389, align 8, !noalias !96
-  store double %1398, ptr %1391, align 8, !noalias !96
-  br label %1399
+1356:                                             ; preds = %892
+  %1357 = add nsw i64 %894, -1
+  %1358 = add i64 %893, 1
+  %1359 = icmp slt i64 %893, 0
+  %1360 = select i1 %1359, i64 %64, i64 0
+  %1361 = getelementptr double, ptr %65, i64 %893
+  %1362 = getelementptr double, ptr %1361, i64 %1360
+  %1363 = load double, ptr %1362, align 8, !noalias !65
+  %1364 = icmp slt i64 %889, 0
+  %1365 = select i1 %1364, i64 %235, i64 0
+  %1366 = add i64 %889, %1365
+  %1367 = select i1 %1359, i64 %237, i64 0
+  %1368 = mul i64 %1366, %237
+  %1369 = getelementptr double, ptr %238, i64 %1368
+  %1370 = getelementptr double, ptr %1369, i64 %893
+  %1371 = getelementptr double, ptr %1370, i64 %1367
+  %1372 = load double, ptr %1371, align 8, !noalias !65
+  %1373 = fadd double %1363, %1372
+  %1374 = select i1 %1359, i64 %74, i64 0
+  %1375 = getelementptr double, ptr %75, i64 %893
+  %1376 = getelementptr double, ptr %1375, i64 %1374
+  store double %1373, ptr %1376, align 8, !noalias !65
+  br label %892
 
-1399:                                             ; preds = %1462, %1385
-  br label %1381
+1377:                                             ; preds = %921, %921
+  %1378 = icmp eq i32 %922, 0
+  br i1 %1378, label %888, label %924
 
-1400:                                             ; preds = %1381, %1410
-  %1401 = phi i64 [ %1473, %1410 ], [ 0, %1381 ]
-  %1402 = phi i64 [ %1472, %1410 ], [ %1380, %1381 ]
-  %1403 = icmp sgt i64 %1402, 0
-  br i1 %1403, label %1471, label %1411
+1379:                                             ; preds = %928
+  %1380 = icmp slt i64 %929, 0
+  %1381 = select i1 %1380, i64 %249, i64 0
+  %1382 = getelementptr double, ptr %250, i64 %929
+  %1383 = getelementptr double, ptr %1382, i64 %1381
+  %1384 = load double, ptr %1383, align 8, !noalias !65
+  %1385 = getelementptr double, ptr %250, i64 %249
+  %1386 = getelementptr double, ptr %1385, i64 %929
+  %1387 = getelementptr double, ptr %1386, i64 %1381
+  %1388 = load double, ptr %1387, align 8, !noalias !65
+  %1389 = fadd double %1384, %1388
+  %1390 = shl i64 %249, 4
+  %1391 = getelementptr i8, ptr %250, i64 %1390
+  %1392 = getelementptr double, ptr %1391, i64 %929
+  %1393 = getelementptr double, ptr %1392, i64 %1381
+  %1394 = load double, ptr %1393, align 8, !noalias !65
+  %1395 = fadd double %1389, %1394
+  %1396 = fsub double %1395, %1395
+  %1397 = fcmp ord double %1396, 0.000000e+00
+  br i1 %1397, label %933, label %1896
 
-1404:                                             ; preds = %1482, %1471
-  %1405 = phi i64 [ 0, %1471 ], [ %1506, %1482 ]
-  %1406 = phi i64 [ %1481, %1471 ], [ %1507, %1482 ]
-  %1407 = phi double [ %1480, %1471 ], [ %1509, %1482 ]
-  %1408 = phi double [ %1478, %1471 ], [ %1508, %1482 ]
-  %1409 = icmp sgt i64 %1406, 0
-  br i1 %1409, label %1482, label %1410
-
-1410:                                             ; preds = %1404
-  store double %1408, ptr %1477, align 8, !noalias !96
-  store double %1407, ptr %1479, align 8, !noalias !96
+1398:                                             ; preds = %1012, %1012
+  %1399 = call i64 @llvm.smax.i64(i64 %218, i64 0)
   br label %1400
 
-1411:                                             ; preds = %1400
-  %1412 = icmp ugt i64 %218, -9223372036854775808
-  %1413 = select i1 %1412, i64 0, i64 %218
-  br label %1414
+1400:                                             ; preds = %1418, %1398
+  %1401 = phi i64 [ 0, %1398 ], [ %1483, %1418 ]
+  %1402 = phi i64 [ %1399, %1398 ], [ %1482, %1418 ]
+  %1403 = icmp sgt i64 %1402, 0
+  br i1 %1403, label %1481, label %1419
 
-1414:                                             ; preds = %1459, %1411
-  %1415 = phi i64 [ %218, %1411 ], [ %1417, %1459 ]
-  %1416 = phi i64 [ %1413, %1411 ], [ %1511, %1459 ]
-  %1417 = add i64 %1415, -1
-  %1418 = icmp sgt i64 %1416, 0
-  br i1 %1418, label %1510, label %1549
+1404:                                             ; preds = %1481
+  %1405 = icmp slt i64 %1488, 0
+  %1406 = select i1 %1405, i64 %266, i64 0
+  %1407 = getelementptr { double, double }, ptr %267, i64 %1488
+  %1408 = getelementptr { double, double }, ptr %1407, i64 %1406
+  %1409 = load double, ptr %1408, align 8, !noalias !100
+  %1410 = getelementptr inbounds nuw i8, ptr %1408, i64 8
+  %1411 = load double, ptr %1410, align 8, !noalias !100
+  %1412 = select i1 %1484, i64 %266, i64 0
+  %1413 = getelementptr { double, double }, ptr %267, i64 %1401
+  %1414 = getelementptr { double, double }, ptr %1413, i64 %1412
+  %1415 = load double, ptr %1414, align 8, !noalias !100
+  %1416 = getelementptr inbounds nuw i8, ptr %1414, i64 8
+  %1417 = load double, ptr %1416, align 8, !noalias !100
+  store double %1409, ptr %1414, align 8, !noalias !100
+  store double %1411, ptr %1416, align 8, !noalias !100
+  store double %1415, ptr %1408, align 8, !noalias !100
+  store double %1417, ptr %1410, align 8, !noalias !100
+  br label %1418
 
-1419:                                             ; preds = %1521, %1510
-  %1420 = phi i64 [ %1415, %1510 ], [ %1545, %1521 ]
-  %1421 = phi i64 [ %1520, %1510 ], [ %1546, %1521 ]
-  %1422 = phi double [ %1518, %1510 ], [ %1548, %1521 ]
-  %1423 = phi double [ %1516, %1510 ], [ %1547, %1521 ]
-  %1424 = icmp sgt i64 %1421, 0
-  br i1 %1424, label %1521, label %1425
+1418:                                             ; preds = %1481, %1404
+  br label %1400
 
-1425:                                             ; preds = %1419
-  %1426 = select i1 %1512, i64 %218, i64 0
-  %1427 = add i64 %1417, %1426
-  %1428 = select i1 %1512, i64 %220, i64 0
-  %1429 = mul i64 %1427, %220
-  %1430 = getelementptr { double, double }, ptr %221, i64 %1429
-  %1431 = getelementptr { double, double }, ptr %1430, i64 %1417
-  %1432 = getelementptr { double, double }, ptr %1431, i64 %1428
-  %1433 = load double, ptr %1432, align 8, !noalias !96
-  %1434 = getelementptr inbounds nuw i8, ptr %1432, i64 8
-  %1435 = load double, ptr %1434, align 8, !noalias !96
-  %1436 = call double @llvm.fabs.f64(double %1433)
-  %1437 = call double @llvm.fabs.f64(double %1435)
-  %1438 = fcmp ult double %1436, %1437
-  br i1 %1438, label %1449, label %1439
+1419:                                             ; preds = %1400, %1429
+  %1420 = phi i64 [ %1492, %1429 ], [ 0, %1400 ]
+  %1421 = phi i64 [ %1491, %1429 ], [ %1399, %1400 ]
+  %1422 = icmp sgt i64 %1421, 0
+  br i1 %1422, label %1490, label %1430
 
-1439:                                             ; preds = %1425
-  %1440 = fdiv double %1435, %1433
-  %1441 = fmul double %1435, %1440
-  %1442 = fadd double %1433, %1441
-  %1443 = fmul double %1422, %1440
-  %1444 = fadd double %1423, %1443
-  %1445 = fdiv double %1444, %1442
-  %1446 = fmul double %1423, %1440
-  %1447 = fsub double %1422, %1446
-  %1448 = fdiv double %1447, %1442
-  br label %1459
+1423:                                             ; preds = %1501, %1490
+  %1424 = phi i64 [ 0, %1490 ], [ %1525, %1501 ]
+  %1425 = phi i64 [ %1500, %1490 ], [ %1526, %1501 ]
+  %1426 = phi double [ %1499, %1490 ], [ %1528, %1501 ]
+  %1427 = phi double [ %1497, %1490 ], [ %1527, %1501 ]
+  %1428 = icmp sgt i64 %1425, 0
+  br i1 %1428, label %1501, label %1429
 
-1449:                                             ; preds = %1425
-  %1450 = fdiv double %1433, %1435
-  %1451 = fmul double %1433, %1450
-  %1452 = fadd double %1451, %1435
-  %1453 = fmul double %1423, %1450
-  %1454 = fadd double %1453, %1422
-  %1455 = fdiv double %1454, %1452
-  %1456 = fmul double %1422, %1450
-  %1457 = fsub double %1456, %1423
-  %1458 = fdiv double %1457, %1452
-  br label %1459
+1429:                                             ; preds = %1423
+  store double %1427, ptr %1496, align 8, !noalias !100
+  store double %1426, ptr %1498, align 8, !noalias !100
+  br label %1419
 
-1459:                                             ; preds = %1449, %1439
-  %1460 = phi double [ %1448, %1439 ], [ %1458, %1449 ]
-  %1461 = phi double [ %1445, %1439 ], [ %1455, %1449 ]
-  store double %1461, ptr %1515, align 8, !noalias !96
-  store double %1460, ptr %1517, align 8, !noalias !96
-  br label %1414
+1430:                                             ; preds = %1419
+  %1431 = icmp ugt i64 %218, -9223372036854775808
+  %1432 = select i1 %1431, i64 0, i64 %218
+  br label %1433
 
-1462:                                             ; preds = %1381
-  %1463 = add nsw i64 %1383, -1
-  %1464 = add i64 %1382, 1
-  %1465 = icmp slt i64 %1382, 0
-  %1466 = select i1 %1465, i64 %230, i64 0
-  %1467 = getelementptr i64, ptr %231, i64 %1382
-  %1468 = getelementptr i64, ptr %1467, i64 %1466
-  %1469 = load i64, ptr %1468, align 8, !noalias !96
-  %1470 = icmp eq i64 %1469, %1382
-  br i1 %1470, label %1399, label %1385
+1433:                                             ; preds = %1478, %1430
+  %1434 = phi i64 [ %218, %1430 ], [ %1436, %1478 ]
+  %1435 = phi i64 [ %1432, %1430 ], [ %1530, %1478 ]
+  %1436 = add i64 %1434, -1
+  %1437 = icmp sgt i64 %1435, 0
+  br i1 %1437, label %1529, label %1568
 
-1471:                                             ; preds = %1400
-  %1472 = add nsw i64 %1402, -1
-  %1473 = add i64 %1401, 1
-  %1474 = icmp slt i64 %1401, 0
-  %1475 = select i1 %1474, i64 %266, i64 0
-  %1476 = getelementptr { double, double }, ptr %267, i64 %1401
-  %1477 = getelementptr { double, double }, ptr %1476, i64 %1475
-  %1478 = load double, ptr %1477, align 8, !noalias !96
-  %1479 = getelementptr inbounds nuw i8, ptr %1477, i64 8
-  %1480 = load double, ptr %1479, align 8, !noalias !96
-  %1481 = call i64 @llvm.smax.i64(i64 %1401, i64 0)
-  br label %1404
+1438:                                             ; preds = %1540, %1529
+  %1439 = phi i64 [ %1434, %1529 ], [ %1564, %1540 ]
+  %1440 = phi i64 [ %1539, %1529 ], [ %1565, %1540 ]
+  %1441 = phi double [ %1537, %1529 ], [ %1567, %1540 ]
+  %1442 = phi double [ %1535, %1529 ], [ %1566, %1540 ]
+  %1443 = icmp sgt i64 %1440, 0
+  br i1 %1443, label %1540, label %1444
 
-1482:                                             ; preds = %1404
-  %1483 = select i1 %1474, i64 %218, i64 0
-  %1484 = add i64 %1401, %1483
-  %1485 = icmp slt i64 %1405, 0
-  %1486 = select i1 %1485, i64 %220, i64 0
-  %1487 = mul i64 %1484, %220
-  %1488 = getelementptr { double, double }, ptr %221, i64 %1487
-  %1489 = getelementptr { double, double }, ptr %1488, i64 %1405
-  %1490 = getelementptr { double, double }, ptr %1489, i64 %1486
-  %1491 = load double, ptr %1490, align 8, !noalias !96
-  %1492 = getelementptr inbounds nuw i8, ptr %1490, i64 8
-  %1493 = load double, ptr %1492, align 8, !noalias !96
-  %1494 = select i1 %1485, i64 %266, i64 0
-  %1495 = getelementptr { double, double }, ptr %267, i64 %1405
+1444:                                             ; preds = %1438
+  %1445 = select i1 %1531, i64 %218, i64 0
+  %1446 = add i64 %1436, %1445
+  %1447 = select i1 %1531, i64 %220, i64 0
+  %1448 = mul i64 %1446, %220
+  %1449 = getelementptr { double, double }, ptr %221, i64 %1448
+  %1450 = getelementptr { double, double }, ptr %1449, i64 %1436
+  %1451 = getelementptr { double, double }, ptr %1450, i64 %1447
+  %1452 = load double, ptr %1451, align 8, !noalias !100
+  %1453 = getelementptr inbounds nuw i8, ptr %1451, i64 8
+  %1454 = load double, ptr %1453, align 8, !noalias !100
+  %1455 = call double @llvm.fabs.f64(double %1452)
+  %1456 = call double @llvm.fabs.f64(double %1454)
+  %1457 = fcmp ult double %1455, %1456
+  br i1 %1457, label %1468, label %1458
+
+1458:                                             ; preds = %1444
+  %1459 = fdiv double %1454, %1452
+  %1460 = fmul double %1454, %1459
+  %1461 = fadd double %1452, %1460
+  %1462 = fmul double %1441, %1459
+  %1463 = fadd double %1442, %1462
+  %1464 = fdiv double %1463, %1461
+  %1465 = fmul double %1442, %1459
+  %1466 = fsub double %1441, %1465
+  %1467 = fdiv double %1466, %1461
+  br label %1478
+
+1468:                                             ; preds = %1444
+  %1469 = fdiv double %1452, %1454
+  %1470 = fmul double %1452, %1469
+  %1471 = fadd double %1470, %1454
+  %1472 = fmul double %1442, %1469
+  %1473 = fadd double %1472, %1441
+  %1474 = fdiv double %1473, %1471
+  %1475 = fmul double %1441, %1469
+  %1476 = fsub double %1475, %1442
+  %1477 = fdiv double %1476, %1471
+  br label %1478
+
+1478:                                             ; preds = %1468, %1458
+  %1479 = phi double [ %1467, %1458 ], [ %1477, %1468 ]
+  %1480 = phi double [ %1464, %1458 ], [ %1474, %1468 ]
+  store double %1480, ptr %1534, align 8, !noalias !100
+  store double %1479, ptr %1536, align 8, !noalias !100
+  br label %1433
+
+1481:                                             ; preds = %1400
+  %1482 = add nsw i64 %1402, -1
+  %1483 = add i64 %1401, 1
+  %1484 = icmp slt i64 %1401, 0
+  %1485 = select i1 %1484, i64 %230, i64 0
+  %1486 = getelementptr i64, ptr %231, i64 %1401
+  %1487 = getelementptr i64, ptr %1486, i64 %1485
+  %1488 = load i64, ptr %1487, align 8, !noalias !100
+  %1489 = icmp eq i64 %1488, %1401
+  br i1 %1489, label %1418, label %1404
+
+1490:                                             ; preds = %1419
+  %1491 = add nsw i64 %1421, -1
+  %1492 = add i64 %1420, 1
+  %1493 = icmp slt i64 %1420, 0
+  %1494 = select i1 %1493, i64 %266, i64 0
+  %1495 = getelementptr { double, double }, ptr %267, i64 %1420
   %1496 = getelementptr { double, double }, ptr %1495, i64 %1494
-  %1497 = load double, ptr %1496, align 8, !noalias !96
+  %1497 = load double, ptr %1496, align 8, !noalias !100
   %1498 = getelementptr inbounds nuw i8, ptr %1496, i64 8
-  %1499 = load double, ptr %1498, align 8, !noalias !96
-  %1500 = fmul double %1491, %1499
-  %1501 = fmul double %1493, %1497
-  %1502 = fadd double %1500, %1501
-  %1503 = fmul double %1491, %1497
-  %1504 = fmul double %1493, %1499
-  %1505 = fsub double %1503, %1504
-  %1506 = add i64 %1405, 1
-  %1507 = add nsw i64 %1406, -1
-  %1508 = fsub double %1408, %1505
-  %1509 = fsub double %1407, %1502
-  br label %1404
+  %1499 = load double, ptr %1498, align 8, !noalias !100
+  %1500 = call i64 @llvm.smax.i64(i64 %1420, i64 0)
+  br label %1423
 
-1510:                                             ; preds = %1414
-  %1511 = add nsw i64 %1416, -1
-  %1512 = icmp slt i64 %1417, 0
-  %1513 = select i1 %1512, i64 %266, i64 0
-  %1514 = getelementptr { double, double }, ptr %267, i64 %1417
+1501:                                             ; preds = %1423
+  %1502 = select i1 %1493, i64 %218, i64 0
+  %1503 = add i64 %1420, %1502
+  %1504 = icmp slt i64 %1424, 0
+  %1505 = select i1 %1504, i64 %220, i64 0
+  %1506 = mul i64 %1503, %220
+  %1507 = getelementptr { double, double }, ptr %221, i64 %1506
+  %1508 = getelementptr { double, double }, ptr %1507, i64 %1424
+  %1509 = getelementptr { double, double }, ptr %1508, i64 %1505
+  %1510 = load double, ptr %1509, align 8, !noalias !100
+  %1511 = getelementptr inbounds nuw i8, ptr %1509, i64 8
+  %1512 = load double, ptr %1511, align 8, !noalias !100
+  %1513 = select i1 %1504, i64 %266, i64 0
+  %1514 = getelementptr { double, double }, ptr %267, i64 %1424
   %1515 = getelementptr { double, double }, ptr %1514, i64 %1513
-  %1516 = load double, ptr %1515, align 8, !noalias !96
+  %1516 = load double, ptr %1515, align 8, !noalias !100
   %1517 = getelementptr inbounds nuw i8, ptr %1515, i64 8
-  %1518 = load double, ptr %1517, align 8, !noalias !96
-  %1519 = sub i64 %218, %1415
-  %1520 = call i64 @llvm.smax.i64(i64 %1519, i64 0)
-  br label %1419
+  %1518 = load double, ptr %1517, align 8, !noalias !100
+  %1519 = fmul double %1510, %1518
+  %1520 = fmul double %1512, %1516
+  %1521 = fadd double %1519, %1520
+  %1522 = fmul double %1510, %1516
+  %1523 = fmul double %1512, %1518
+  %1524 = fsub double %1522, %1523
+  %1525 = add i64 %1424, 1
+  %1526 = add nsw i64 %1425, -1
+  %1527 = fsub double %1427, %1524
+  %1528 = fsub double %1426, %1521
+  br label %1423
 
-1521:                                             ; preds = %1419
-  %1522 = select i1 %1512, i64 %218, i64 0
-  %1523 = add i64 %1417, %1522
-  %1524 = icmp slt i64 %1420, 0
-  %1525 = select i1 %1524, i64 %220, i64 0
-  %1526 = mul i64 %1523, %220
-  %1527 = getelementptr { double, double }, ptr %221, i64 %1526
-  %1528 = getelementptr { double, double }, ptr %1527, i64 %1420
-  %1529 = getelementptr { double, double }, ptr %1528, i64 %1525
-  %1530 = load double, ptr %1529, align 8, !noalias !96
-  %1531 = getelementptr inbounds nuw i8, ptr %1529, i64 8
-  %1532 = load double, ptr %1531, align 8, !noalias !96
-  %1533 = select i1 %1524, i64 %266, i64 0
-  %1534 = getelementptr { double, double }, ptr %267, i64 %1420
-  %1535 = getelementptr { double, double }, ptr %1534, i64 %1533
-  %1536 = load double, ptr %1535, align 8, !noalias !96
-  %1537 = getelementptr inbounds nuw i8, ptr %1535, i64 8
-  %1538 = load double, ptr %1537, align 8, !noalias !96
-  %1539 = fmul double %1530, %1538
-  %1540 = fmul double %1532, %1536
-  %1541 = fadd double %1539, %1540
-  %1542 = fmul double %1530, %1536
-  %1543 = fmul double %1532, %1538
-  %1544 = fsub double %1542, %1543
-  %1545 = add i64 %1420, 1
-  %1546 = add nsw i64 %1421, -1
-  %1547 = fsub double %1423, %1544
-  %1548 = fsub double %1422, %1541
-  br label %1419
+1529:                                             ; preds = %1433
+  %1530 = add nsw i64 %1435, -1
+  %1531 = icmp slt i64 %1436, 0
+  %1532 = select i1 %1531, i64 %266, i64 0
+  %1533 = getelementptr { double, double }, ptr %267, i64 %1436
+  %1534 = getelementptr { double, double }, ptr %1533, i64 %1532
+  %1535 = load double, ptr %1534, align 8, !noalias !100
+  %1536 = getelementptr inbounds nuw i8, ptr %1534, i64 8
+  %1537 = load double, ptr %1536, align 8, !noalias !100
+  %1538 = sub i64 %218, %1434
+  %1539 = call i64 @llvm.smax.i64(i64 %1538, i64 0)
+  br label %1438
 
-1549:                                             ; preds = %1414
-  br i1 %856, label %995, label %1164
+1540:                                             ; preds = %1438
+  %1541 = select i1 %1531, i64 %218, i64 0
+  %1542 = add i64 %1436, %1541
+  %1543 = icmp slt i64 %1439, 0
+  %1544 = select i1 %1543, i64 %220, i64 0
+  %1545 = mul i64 %1542, %220
+  %1546 = getelementptr { double, double }, ptr %221, i64 %1545
+  %1547 = getelementptr { double, double }, ptr %1546, i64 %1439
+  %1548 = getelementptr { double, double }, ptr %1547, i64 %1544
+  %1549 = load double, ptr %1548, align 8, !noalias !100
+  %1550 = getelementptr inbounds nuw i8, ptr %1548, i64 8
+  %1551 = load double, ptr %1550, align 8, !noalias !100
+  %1552 = select i1 %1543, i64 %266, i64 0
+  %1553 = getelementptr { double, double }, ptr %267, i64 %1439
+  %1554 = getelementptr { double, double }, ptr %1553, i64 %1552
+  %1555 = load double, ptr %1554, align 8, !noalias !100
+  %1556 = getelementptr inbounds nuw i8, ptr %1554, i64 8
+  %1557 = load double, ptr %1556, align 8, !noalias !100
+  %1558 = fmul double %1549, %1557
+  %1559 = fmul double %1551, %1555
+  %1560 = fadd double %1558, %1559
+  %1561 = fmul double %1549, %1555
+  %1562 = fmul double %1551, %1557
+  %1563 = fsub double %1561, %1562
+  %1564 = add i64 %1439, 1
+  %1565 = add nsw i64 %1440, -1
+  %1566 = fsub double %1442, %1563
+  %1567 = fsub double %1441, %1560
+  br label %1438
 
-1550:                                             ; preds = %1026, %1563
-  %1551 = phi i64 [ %1631, %1563 ], [ 0, %1026 ]
-  %1552 = phi i64 [ %1630, %1563 ], [ %1380, %1026 ]
-  %1553 = icmp sgt i64 %1552, 0
-  br i1 %1553, label %1629, label %1564
+1568:                                             ; preds = %1433
+  br i1 %875, label %1014, label %1183
 
-1554:                                             ; preds = %1629
-  %1555 = mul nsw i64 %1551, %855
-  %1556 = add nsw i64 %218, %1555
-  %1557 = mul nsw i64 %1636, %855
-  %1558 = add nsw i64 %218, %1557
-  br label %1559
+1569:                                             ; preds = %1045, %1582
+  %1570 = phi i64 [ %1650, %1582 ], [ 0, %1045 ]
+  %1571 = phi i64 [ %1649, %1582 ], [ %1399, %1045 ]
+  %1572 = icmp sgt i64 %1571, 0
+  br i1 %1572, label %1648, label %1583
 
-1559:                                             ; preds = %1638, %1554
-  %1560 = phi i64 [ 0, %1554 ], [ %1640, %1638 ]
-  %1561 = phi i64 [ %855, %1554 ], [ %1639, %1638 ]
-  %1562 = icmp sgt i64 %1561, 0
-  br i1 %1562, label %1638, label %1563
+1573:                                             ; preds = %1648
+  %1574 = mul nsw i64 %1570, %874
+  %1575 = add nsw i64 %218, %1574
+  %1576 = mul nsw i64 %1655, %874
+  %1577 = add nsw i64 %218, %1576
+  br label %1578
 
-1563:                                             ; preds = %1629, %1559
-  br label %1550
+1578:                                             ; preds = %1657, %1573
+  %1579 = phi i64 [ 0, %1573 ], [ %1659, %1657 ]
+  %1580 = phi i64 [ %874, %1573 ], [ %1658, %1657 ]
+  %1581 = icmp sgt i64 %1580, 0
+  br i1 %1581, label %1657, label %1582
 
-1564:                                             ; preds = %1550, %1568
-  %1565 = phi i64 [ %1659, %1568 ], [ 0, %1550 ]
-  %1566 = phi i64 [ %1658, %1568 ], [ %1380, %1550 ]
-  %1567 = icmp sgt i64 %1566, 0
-  br i1 %1567, label %1657, label %1576
+1582:                                             ; preds = %1648, %1578
+  br label %1569
 
-1568:                                             ; preds = %1657, %1572
-  %1569 = phi i64 [ 0, %1657 ], [ %1663, %1572 ]
-  %1570 = phi i64 [ %1660, %1657 ], [ %1662, %1572 ]
-  %1571 = icmp sgt i64 %1570, 0
-  br i1 %1571, label %1661, label %1564
+1583:                                             ; preds = %1569, %1587
+  %1584 = phi i64 [ %1678, %1587 ], [ 0, %1569 ]
+  %1585 = phi i64 [ %1677, %1587 ], [ %1399, %1569 ]
+  %1586 = icmp sgt i64 %1585, 0
+  br i1 %1586, label %1676, label %1595
 
-1572:                                             ; preds = %1680, %1661
-  %1573 = phi i64 [ 0, %1661 ], [ %1703, %1680 ]
-  %1574 = phi i64 [ %855, %1661 ], [ %1704, %1680 ]
-  %1575 = icmp sgt i64 %1574, 0
-  br i1 %1575, label %1680, label %1568
+1587:                                             ; preds = %1676, %1591
+  %1588 = phi i64 [ 0, %1676 ], [ %1682, %1591 ]
+  %1589 = phi i64 [ %1679, %1676 ], [ %1681, %1591 ]
+  %1590 = icmp sgt i64 %1589, 0
+  br i1 %1590, label %1680, label %1583
 
-1576:                                             ; preds = %1564, %1625
-  %1577 = phi i64 [ %1579, %1625 ], [ %218, %1564 ]
-  %1578 = phi i64 [ %1708, %1625 ], [ %1413, %1564 ]
-  %1579 = add i64 %1577, -1
-  %1580 = icmp sgt i64 %1578, 0
-  br i1 %1580, label %1707, label %1164
+1591:                                             ; preds = %1699, %1680
+  %1592 = phi i64 [ 0, %1680 ], [ %1722, %1699 ]
+  %1593 = phi i64 [ %874, %1680 ], [ %1723, %1699 ]
+  %1594 = icmp sgt i64 %1593, 0
+  br i1 %1594, label %1699, label %1587
 
-1581:                                             ; preds = %1707, %1585
-  %1582 = phi i64 [ %1577, %1707 ], [ %1715, %1585 ]
-  %1583 = phi i64 [ %1712, %1707 ], [ %1714, %1585 ]
-  %1584 = icmp sgt i64 %1583, 0
-  br i1 %1584, label %1713, label %1589
+1595:                                             ; preds = %1583, %1644
+  %1596 = phi i64 [ %1598, %1644 ], [ %218, %1583 ]
+  %1597 = phi i64 [ %1727, %1644 ], [ %1432, %1583 ]
+  %1598 = add i64 %1596, -1
+  %1599 = icmp sgt i64 %1597, 0
+  br i1 %1599, label %1726, label %1183
 
-1585:                                             ; preds = %1730, %1713
-  %1586 = phi i64 [ 0, %1713 ], [ %1753, %1730 ]
-  %1587 = phi i64 [ %855, %1713 ], [ %1754, %1730 ]
-  %1588 = icmp sgt i64 %1587, 0
-  br i1 %1588, label %1730, label %1581
+1600:                                             ; preds = %1726, %1604
+  %1601 = phi i64 [ %1596, %1726 ], [ %1734, %1604 ]
+  %1602 = phi i64 [ %1731, %1726 ], [ %1733, %1604 ]
+  %1603 = icmp sgt i64 %1602, 0
+  br i1 %1603, label %1732, label %1608
 
-1589:                                             ; preds = %1581
-  %1590 = icmp slt i64 %1579, 0
-  %1591 = select i1 %1590, i64 %218, i64 0
-  %1592 = add i64 %1579, %1591
-  %1593 = select i1 %1590, i64 %220, i64 0
-  %1594 = mul i64 %1592, %220
-  %1595 = getelementptr { double, double }, ptr %221, i64 %1594
-  %1596 = getelementptr { double, double }, ptr %1595, i64 %1579
-  %1597 = getelementptr { double, double }, ptr %1596, i64 %1593
-  %1598 = load double, ptr %1597, align 8, !noalias !100
-  %1599 = getelementptr inbounds nuw i8, ptr %1597, i64 8
-  %1600 = load double, ptr %1599, align 8, !noalias !100
-  %1601 = call double @llvm.fabs.f64(double %1598)
-  %1602 = call double @llvm.fabs.f64(double %1600)
-  %1603 = fcmp ult double %1601, %1602
-  br i1 %1603, label %1613, label %1604
+1604:                                             ; preds = %1749, %1732
+  %1605 = phi i64 [ 0, %1732 ], [ %1772, %1749 ]
+  %1606 = phi i64 [ %874, %1732 ], [ %1773, %1749 ]
+  %1607 = icmp sgt i64 %1606, 0
+  br i1 %1607, label %1749, label %1600
 
-1604:                                             ; preds = %1589
-  %1605 = fdiv double %1600, %1598
-  %1606 = fmul double %1600, %1605
-  %1607 = fadd double %1598, %1606
-  %1608 = fmul double %1605, 0.000000e+00
-  %1609 = fadd double %1608, 1.000000e+00
-  %1610 = fdiv double %1609, %1607
-  %1611 = fsub double 0.000000e+00, %1605
-  %1612 = fdiv double %1611, %1607
-  br label %1622
+1608:                                             ; preds = %1600
+  %1609 = icmp slt i64 %1598, 0
+  %1610 = select i1 %1609, i64 %218, i64 0
+  %1611 = add i64 %1598, %1610
+  %1612 = select i1 %1609, i64 %220, i64 0
+  %1613 = mul i64 %1611, %220
+  %1614 = getelementptr { double, double }, ptr %221, i64 %1613
+  %1615 = getelementptr { double, double }, ptr %1614, i64 %1598
+  %1616 = getelementptr { double, double }, ptr %1615, i64 %1612
+  %1617 = load double, ptr %1616, align 8, !noalias !104
+  %1618 = getelementptr inbounds nuw i8, ptr %1616, i64 8
+  %1619 = load double, ptr %1618, align 8, !noalias !104
+  %1620 = call double @llvm.fabs.f64(double %1617)
+  %1621 = call double @llvm.fabs.f64(double %1619)
+  %1622 = fcmp ult double %1620, %1621
+  br i1 %1622, label %1632, label %1623
 
-1613:                                             ; preds = %1589
-  %1614 = fdiv double %1598, %1600
-  %1615 = fmul double %1598, %1614
-  %1616 = fadd double %1615, %1600
-  %1617 = fadd double %1614, 0.000000e+00
-  %1618 = fdiv double %1617, %1616
-  %1619 = fmul double %1614, 0.000000e+00
-  %1620 = fadd double %1619, -1.000000e+00
-  %1621 = fdiv double %1620, %1616
-  br label %1622
+1623:                                             ; preds = %1608
+  %1624 = fdiv double %1619, %1617
+  %1625 = fmul double %1619, %1624
+  %1626 = fadd double %1617, %1625
+  %1627 = fmul double %1624, 0.000000e+00
+  %1628 = fadd double %1627, 1.000000e+00
+  %1629 = fdiv double %1628, %1626
+  %1630 = fsub double 0.000000e+00, %1624
+  %1631 = fdiv double %1630, %1626
+  br label %1641
 
-1622:                                             ; preds = %1613, %1604
-  %1623 = phi double [ %1612, %1604 ], [ %1621, %1613 ]
-  %1624 = phi double [ %1610, %1604 ], [ %1618, %1613 ]
-  br label %1625
+1632:                                             ; preds = %1608
+  %1633 = fdiv double %1617, %1619
+  %1634 = fmul double %1617, %1633
+  %1635 = fadd double %1634, %1619
+  %1636 = fadd double %1633, 0.000000e+00
+  %1637 = fdiv double %1636, %1635
+  %1638 = fmul double %1633, 0.000000e+00
+  %1639 = fadd double %1638, -1.000000e+00
+  %1640 = fdiv double %1639, %1635
+  br label %1641
 
-1625:                                             ; preds = %1757, %1622
-  %1626 = phi i64 [ 0, %1622 ], [ %1772, %1757 ]
-  %1627 = phi i64 [ %855, %1622 ], [ %1773, %1757 ]
-  %1628 = icmp sgt i64 %1627, 0
-  br i1 %1628, label %1757, label %1576
+1641:                                             ; preds = %1632, %1623
+  %1642 = phi double [ %1631, %1623 ], [ %1640, %1632 ]
+  %1643 = phi double [ %1629, %1623 ], [ %1637, %1632 ]
+  br label %1644
 
-1629:                                             ; preds = %1550
-  %1630 = add nsw i64 %1552, -1
-  %1631 = add i64 %1551, 1
-  %1632 = icmp slt i64 %1551, 0
-  %1633 = select i1 %1632, i64 %230, i64 0
-  %1634 = getelementptr i64, ptr %231, i64 %1551
-  %1635 = getelementptr i64, ptr %1634, i64 %1633
-  %1636 = load i64, ptr %1635, align 8, !noalias !100
-  %1637 = icmp eq i64 %1636, %1551
-  br i1 %1637, label %1563, label %1554
+1644:                                             ; preds = %1776, %1641
+  %1645 = phi i64 [ 0, %1641 ], [ %1791, %1776 ]
+  %1646 = phi i64 [ %874, %1641 ], [ %1792, %1776 ]
+  %1647 = icmp sgt i64 %1646, 0
+  br i1 %1647, label %1776, label %1595
 
-1638:                                             ; preds = %1559
-  %1639 = add nsw i64 %1561, -1
-  %1640 = add i64 %1560, 1
-  %1641 = add nsw i64 %1558, %1560
-  %1642 = icmp slt i64 %1641, 0
-  %1643 = select i1 %1642, i64 %266, i64 0
-  %1644 = getelementptr { double, double }, ptr %267, i64 %1641
-  %1645 = getelementptr { double, double }, ptr %1644, i64 %1643
-  %1646 = load double, ptr %1645, align 8, !noalias !100
-  %1647 = getelementptr inbounds nuw i8, ptr %1645, i64 8
-  %1648 = load double, ptr %1647, align 8, !noalias !100
-  %1649 = add nsw i64 %1556, %1560
-  %1650 = icmp slt i64 %1649, 0
-  %1651 = select i1 %1650, i64 %266, i64 0
-  %1652 = getelementptr { double, double }, ptr %267, i64 %1649
-  %1653 = getelementptr { double, double }, ptr %1652, i64 %1651
-  %1654 = load double, ptr %1653, align 8, !noalias !100
-  %1655 = getelementptr inbounds nuw i8, ptr %1653, i64 8
-  %1656 = load double, ptr %1655, align 8, !noalias !100
-  store double %1646, ptr %1653, align 8, !noalias !100
-  store double %1648, ptr %1655, align 8, !noalias !100
-  store double %1654, ptr %1645, align 8, !noalias !100
-  store double %1656, ptr %1647, align 8, !noalias !100
-  br label %1559
+1648:                                             ; preds = %1569
+  %1649 = add nsw i64 %1571, -1
+  %1650 = add i64 %1570, 1
+  %1651 = icmp slt i64 %1570, 0
+  %1652 = select i1 %1651, i64 %230, i64 0
+  %1653 = getelementptr i64, ptr %231, i64 %1570
+  %1654 = getelementptr i64, ptr %1653, i64 %1652
+  %1655 = load i64, ptr %1654, align 8, !noalias !104
+  %1656 = icmp eq i64 %1655, %1570
+  br i1 %1656, label %1582, label %1573
 
-1657:                                             ; preds = %1564
-  %1658 = add nsw i64 %1566, -1
-  %1659 = add i64 %1565, 1
-  %1660 = call i64 @llvm.smax.i64(i64 %1565, i64 0)
-  br label %1568
-
-1661:                                             ; preds = %1568
-  %1662 = add nsw i64 %1570, -1
-  %1663 = add i64 %1569, 1
-  %1664 = icmp slt i64 %1565, 0
-  %1665 = select i1 %1664, i64 %218, i64 0
-  %1666 = add i64 %1565, %1665
-  %1667 = icmp slt i64 %1569, 0
-  %1668 = select i1 %1667, i64 %220, i64 0
-  %1669 = mul i64 %1666, %220
-  %1670 = getelementptr { double, double }, ptr %221, i64 %1669
-  %1671 = getelementptr { double, double }, ptr %1670, i64 %1569
-  %1672 = getelementptr { double, double }, ptr %1671, i64 %1668
-  %1673 = load double, ptr %1672, align 8, !noalias !100
+1657:                                             ; preds = %1578
+  %1658 = add nsw i64 %1580, -1
+  %1659 = add i64 %1579, 1
+  %1660 = add nsw i64 %1577, %1579
+  %1661 = icmp slt i64 %1660, 0
+  %1662 = select i1 %1661, i64 %266, i64 0
+  %1663 = getelementptr { double, double }, ptr %267, i64 %1660
+  %1664 = getelementptr { double, double }, ptr %1663, i64 %1662
+  %1665 = load double, ptr %1664, align 8, !noalias !104
+  %1666 = getelementptr inbounds nuw i8, ptr %1664, i64 8
+  %1667 = load double, ptr %1666, align 8, !noalias !104
+  %1668 = add nsw i64 %1575, %1579
+  %1669 = icmp slt i64 %1668, 0
+  %1670 = select i1 %1669, i64 %266, i64 0
+  %1671 = getelementptr { double, double }, ptr %267, i64 %1668
+  %1672 = getelementptr { double, double }, ptr %1671, i64 %1670
+  %1673 = load double, ptr %1672, align 8, !noalias !104
   %1674 = getelementptr inbounds nuw i8, ptr %1672, i64 8
-  %1675 = load double, ptr %1674, align 8, !noalias !100
-  %1676 = mul nsw i64 %1565, %855
-  %1677 = add nsw i64 %218, %1676
-  %1678 = mul nsw i64 %1569, %855
-  %1679 = add nsw i64 %218, %1678
-  br label %1572
+  %1675 = load double, ptr %1674, align 8, !noalias !104
+  store double %1665, ptr %1672, align 8, !noalias !104
+  store double %1667, ptr %1674, align 8, !noalias !104
+  store double %1673, ptr %1664, align 8, !noalias !104
+  store double %1675, ptr %1666, align 8, !noalias !104
+  br label %1578
 
-1680:                                             ; preds = %1572
-  %1681 = add nsw i64 %1677, %1573
-  %1682 = icmp slt i64 %1681, 0
-  %1683 = select i1 %1682, i64 %266, i64 0
-  %1684 = getelementptr { double, double }, ptr %267, i64 %1681
-  %1685 = getelementptr { double, double }, ptr %1684, i64 %1683
-  %1686 = load double, ptr %1685, align 8, !noalias !100
-  %1687 = getelementptr inbounds nuw i8, ptr %1685, i64 8
-  %1688 = load double, ptr %1687, align 8, !noalias !100
-  %1689 = add nsw i64 %1679, %1573
-  %1690 = icmp slt i64 %1689, 0
-  %1691 = select i1 %1690, i64 %266, i64 0
-  %1692 = getelementptr { double, double }, ptr %267, i64 %1689
-  %1693 = getelementptr { double, double }, ptr %1692, i64 %1691
-  %1694 = load double, ptr %1693, align 8, !noalias !100
-  %1695 = getelementptr inbounds nuw i8, ptr %1693, i64 8
-  %1696 = load double, ptr %1695, align 8, !noalias !100
-  %1697 = fmul double %1673, %1696
-  %1698 = fmul double %1675, %1694
-  %1699 = fadd double %1697, %1698
-  %1700 = fmul double %1673, %1694
-  %1701 = fmul double %1675, %1696
-  %1702 = fsub double %1700, %1701
-  %1703 = add i64 %1573, 1
-  %1704 = add nsw i64 %1574, -1
-  %1705 = fsub double %1686, %1702
-  %1706 = fsub double %1688, %1699
-  store double %1705, ptr %1685, align 8, !noalias !100
-  store double %1706, ptr %1687, align 8, !noalias !100
-  br label %1572
+1676:                                             ; preds = %1583
+  %1677 = add nsw i64 %1585, -1
+  %1678 = add i64 %1584, 1
+  %1679 = call i64 @llvm.smax.i64(i64 %1584, i64 0)
+  br label %1587
 
-1707:                                             ; preds = %1576
-  %1708 = add nsw i64 %1578, -1
-  %1709 = mul nsw i64 %1579, %855
-  %1710 = add nsw i64 %218, %1709
-  %1711 = sub i64 %218, %1577
-  %1712 = call i64 @llvm.smax.i64(i64 %1711, i64 0)
-  br label %1581
+1680:                                             ; preds = %1587
+  %1681 = add nsw i64 %1589, -1
+  %1682 = add i64 %1588, 1
+  %1683 = icmp slt i64 %1584, 0
+  %1684 = select i1 %1683, i64 %218, i64 0
+  %1685 = add i64 %1584, %1684
+  %1686 = icmp slt i64 %1588, 0
+  %1687 = select i1 %1686, i64 %220, i64 0
+  %1688 = mul i64 %1685, %220
+  %1689 = getelementptr { double, double }, ptr %221, i64 %1688
+  %1690 = getelementptr { double, double }, ptr %1689, i64 %1588
+  %1691 = getelementptr { double, double }, ptr %1690, i64 %1687
+  %1692 = load double, ptr %1691, align 8, !noalias !104
+  %1693 = getelementptr inbounds nuw i8, ptr %1691, i64 8
+  %1694 = load double, ptr %1693, align 8, !noalias !104
+  %1695 = mul nsw i64 %1584, %874
+  %1696 = add nsw i64 %218, %1695
+  %1697 = mul nsw i64 %1588, %874
+  %1698 = add nsw i64 %218, %1697
+  br label %1591
 
-1713:                                             ; preds = %1581
-  %1714 = add nsw i64 %1583, -1
-  %1715 = add i64 %1582, 1
-  %1716 = icmp slt i64 %1579, 0
-  %1717 = select i1 %1716, i64 %218, i64 0
-  %1718 = add i64 %1579, %1717
-  %1719 = icmp slt i64 %1582, 0
-  %1720 = select i1 %1719, i64 %220, i64 0
-  %1721 = mul i64 %1718, %220
-  %1722 = getelementptr { double, double }, ptr %221, i64 %1721
-  %1723 = getelementptr { double, double }, ptr %1722, i64 %1582
-  %1724 = getelementptr { double, double }, ptr %1723, i64 %1720
-  %1725 = load double, ptr %1724, align 8, !noalias !100
-  %1726 = getelementptr inbounds nuw i8, ptr %1724, i64 8
-  %1727 = load double, ptr %1726, align 8, !noalias !100
-  %1728 = mul nsw i64 %1582, %855
+1699:                                             ; preds = %1591
+  %1700 = add nsw i64 %1696, %1592
+  %1701 = icmp slt i64 %1700, 0
+  %1702 = select i1 %1701, i64 %266, i64 0
+  %1703 = getelementptr { double, double }, ptr %267, i64 %1700
+  %1704 = getelementptr { double, double }, ptr %1703, i64 %1702
+  %1705 = load double, ptr %1704, align 8, !noalias !104
+  %1706 = getelementptr inbounds nuw i8, ptr %1704, i64 8
+  %1707 = load double, ptr %1706, align 8, !noalias !104
+  %1708 = add nsw i64 %1698, %1592
+  %1709 = icmp slt i64 %1708, 0
+  %1710 = select i1 %1709, i64 %266, i64 0
+  %1711 = getelementptr { double, double }, ptr %267, i64 %1708
+  %1712 = getelementptr { double, double }, ptr %1711, i64 %1710
+  %1713 = load double, ptr %1712, align 8, !noalias !104
+  %1714 = getelementptr inbounds nuw i8, ptr %1712, i64 8
+  %1715 = load double, ptr %1714, align 8, !noalias !104
+  %1716 = fmul double %1692, %1715
+  %1717 = fmul double %1694, %1713
+  %1718 = fadd double %1716, %1717
+  %1719 = fmul double %1692, %1713
+  %1720 = fmul double %1694, %1715
+  %1721 = fsub double %1719, %1720
+  %1722 = add i64 %1592, 1
+  %1723 = add nsw i64 %1593, -1
+  %1724 = fsub double %1705, %1721
+  %1725 = fsub double %1707, %1718
+  store double %1724, ptr %1704, align 8, !noalias !104
+  store double %1725, ptr %1706, align 8, !noalias !104
+  br label %1591
+
+1726:                                             ; preds = %1595
+  %1727 = add nsw i64 %1597, -1
+  %1728 = mul nsw i64 %1598, %874
   %1729 = add nsw i64 %218, %1728
-  br label %1585
+  %1730 = sub i64 %218, %1596
+  %1731 = call i64 @llvm.smax.i64(i64 %1730, i64 0)
+  br label %1600
 
-1730:                                             ; preds = %1585
-  %1731 = add nsw i64 %1710, %1586
-  %1732 = icmp slt i64 %1731, 0
-  %1733 = select i1 %1732, i64 %266, i64 0
-  %1734 = getelementptr { double, double }, ptr %267, i64 %1731
-  %1735 = getelementptr { double, double }, ptr %1734, i64 %1733
-  %1736 = load double, ptr %1735, align 8, !noalias !100
-  %1737 = getelementptr inbounds nuw i8, ptr %1735, i64 8
-  %1738 = load double, ptr %1737, align 8, !noalias !100
-  %1739 = add nsw i64 %1729, %1586
-  %1740 = icmp slt i64 %1739, 0
-  %1741 = select i1 %1740, i64 %266, i64 0
-  %1742 = getelementptr { double, double }, ptr %267, i64 %1739
-  %1743 = getelementptr { double, double }, ptr %1742, i64 %1741
-  %1744 = load double, ptr %1743, align 8, !noalias !100
+1732:                                             ; preds = %1600
+  %1733 = add nsw i64 %1602, -1
+  %1734 = add i64 %1601, 1
+  %1735 = icmp slt i64 %1598, 0
+  %1736 = select i1 %1735, i64 %218, i64 0
+  %1737 = add i64 %1598, %1736
+  %1738 = icmp slt i64 %1601, 0
+  %1739 = select i1 %1738, i64 %220, i64 0
+  %1740 = mul i64 %1737, %220
+  %1741 = getelementptr { double, double }, ptr %221, i64 %1740
+  %1742 = getelementptr { double, double }, ptr %1741, i64 %1601
+  %1743 = getelementptr { double, double }, ptr %1742, i64 %1739
+  %1744 = load double, ptr %1743, align 8, !noalias !104
   %1745 = getelementptr inbounds nuw i8, ptr %1743, i64 8
-  %1746 = load double, ptr %1745, align 8, !noalias !100
-  %1747 = fmul double %1725, %1746
-  %1748 = fmul double %1727, %1744
-  %1749 = fadd double %1747, %1748
-  %1750 = fmul double %1725, %1744
-  %1751 = fmul double %1727, %1746
-  %1752 = fsub double %1750, %1751
-  %1753 = add i64 %1586, 1
-  %1754 = add nsw i64 %1587, -1
-  %1755 = fsub double %1736, %1752
-  %1756 = fsub double %1738, %1749
-  store double %1755, ptr %1735, align 8, !noalias !100
-  store double %1756, ptr %1737, align 8, !noalias !100
-  br label %1585
+  %1746 = load double, ptr %1745, align 8, !noalias !104
+  %1747 = mul nsw i64 %1601, %874
+  %1748 = add nsw i64 %218, %1747
+  br label %1604
 
-1757:                                             ; preds = %1625
-  %1758 = add nsw i64 %1710, %1626
+1749:                                             ; preds = %1604
+  %1750 = add nsw i64 %1729, %1605
+  %1751 = icmp slt i64 %1750, 0
+  %1752 = select i1 %1751, i64 %266, i64 0
+  %1753 = getelementptr { double, double }, ptr %267, i64 %1750
+  %1754 = getelementptr { double, double }, ptr %1753, i64 %1752
+  %1755 = load double, ptr %1754, align 8, !noalias !104
+  %1756 = getelementptr inbounds nuw i8, ptr %1754, i64 8
+  %1757 = load double, ptr %1756, align 8, !noalias !104
+  %1758 = add nsw i64 %1748, %1605
   %1759 = icmp slt i64 %1758, 0
   %1760 = select i1 %1759, i64 %266, i64 0
   %1761 = getelementptr { double, double }, ptr %267, i64 %1758
   %1762 = getelementptr { double, double }, ptr %1761, i64 %1760
-  %1763 = load double, ptr %1762, align 8, !noalias !100
+  %1763 = load double, ptr %1762, align 8, !noalias !104
   %1764 = getelementptr inbounds nuw i8, ptr %1762, i64 8
-  %1765 = load double, ptr %1764, align 8, !noalias !100
-  %1766 = fmul double %1763, %1623
-  %1767 = fmul double %1765, %1624
+  %1765 = load double, ptr %1764, align 8, !noalias !104
+  %1766 = fmul double %1744, %1765
+  %1767 = fmul double %1746, %1763
   %1768 = fadd double %1766, %1767
-  %1769 = fmul double %1763, %1624
-  %1770 = fmul double %1765, %1623
+  %1769 = fmul double %1744, %1763
+  %1770 = fmul double %1746, %1765
   %1771 = fsub double %1769, %1770
-  %1772 = add i64 %1626, 1
-  %1773 = add nsw i64 %1627, -1
-  store double %1771, ptr %1762, align 8, !noalias !100
-  store double %1768, ptr %1764, align 8, !noalias !100
-  br label %1625
+  %1772 = add i64 %1605, 1
+  %1773 = add nsw i64 %1606, -1
+  %1774 = fsub double %1755, %1771
+  %1775 = fsub double %1757, %1768
+  store double %1774, ptr %1754, align 8, !noalias !104
+  store double %1775, ptr %1756, align 8, !noalias !104
+  br label %1604
 
-1774:                                             ; preds = %1165
-  %1775 = add nsw i64 %1167, -1
-  %1776 = add i64 %1166, 1
-  %1777 = icmp slt i64 %1166, 0
-  %1778 = select i1 %1777, i64 %64, i64 0
-  %1779 = getelementptr double, ptr %65, i64 %1166
-  %1780 = getelementptr double, ptr %1779, i64 %1778
-  %1781 = load double, ptr %1780, align 8, !noalias !61
-  %1782 = select i1 %1777, i64 %99, i64 0
-  %1783 = getelementptr double, ptr %100, i64 %1166
-  %1784 = getelementptr double, ptr %1783, i64 %1782
-  %1785 = load double, ptr %1784, align 8, !noalias !104
-  %1786 = select i1 %1777, i64 %94, i64 0
-  %1787 = getelementptr double, ptr %95, i64 %1166
-  %1788 = getelementptr double, ptr %1787, i64 %1786
-  %1789 = load double, ptr %1788, align 8, !noalias !104
-  %1790 = call double @llvm.fabs.f64(double %1781)
-  %1791 = fmul double %1789, %1790
-  %1792 = fadd double %1785, %1791
-  %1793 = select i1 %1777, i64 %261, i64 0
-  %1794 = getelementptr double, ptr %262, i64 %1166
-  %1795 = getelementptr double, ptr %1794, i64 %1793
-  %1796 = load double, ptr %1795, align 8, !noalias !61
-  %1797 = fdiv double %1796, %1792
-  %1798 = select i1 %1777, i64 %266, i64 0
-  %1799 = getelementptr { double, double }, ptr %267, i64 %1166
-  %1800 = getelementptr { double, double }, ptr %1799, i64 %1798
-  %1801 = load double, ptr %1800, align 8, !noalias !61
-  %1802 = fdiv double %1801, %1792
-  %1803 = getelementptr inbounds nuw i8, ptr %1800, i64 8
-  %1804 = load double, ptr %1803, align 8, !noalias !61
-  %1805 = fdiv double %1804, %1792
-  %1806 = fmul double %1797, %1797
-  %1807 = fmul double %1802, %1802
-  %1808 = fadd double %1806, %1807
-  %1809 = fmul double %1805, %1805
-  %1810 = fadd double %1808, %1809
-  %1811 = fadd double %1168, %1810
-  br label %1165
+1776:                                             ; preds = %1644
+  %1777 = add nsw i64 %1729, %1645
+  %1778 = icmp slt i64 %1777, 0
+  %1779 = select i1 %1778, i64 %266, i64 0
+  %1780 = getelementptr { double, double }, ptr %267, i64 %1777
+  %1781 = getelementptr { double, double }, ptr %1780, i64 %1779
+  %1782 = load double, ptr %1781, align 8, !noalias !104
+  %1783 = getelementptr inbounds nuw i8, ptr %1781, i64 8
+  %1784 = load double, ptr %1783, align 8, !noalias !104
+  %1785 = fmul double %1782, %1642
+  %1786 = fmul double %1784, %1643
+  %1787 = fadd double %1785, %1786
+  %1788 = fmul double %1782, %1643
+  %1789 = fmul double %1784, %1642
+  %1790 = fsub double %1788, %1789
+  %1791 = add i64 %1645, 1
+  %1792 = add nsw i64 %1646, -1
+  store double %1790, ptr %1781, align 8, !noalias !104
+  store double %1787, ptr %1783, align 8, !noalias !104
+  br label %1644
 
-1812:                                             ; preds = %1209
-  %1813 = fcmp ult double %1182, 1.000000e+00
-  br i1 %1813, label %1213, label %1877
+1793:                                             ; preds = %1184
+  %1794 = add nsw i64 %1186, -1
+  %1795 = add i64 %1185, 1
+  %1796 = icmp slt i64 %1185, 0
+  %1797 = select i1 %1796, i64 %64, i64 0
+  %1798 = getelementptr double, ptr %65, i64 %1185
+  %1799 = getelementptr double, ptr %1798, i64 %1797
+  %1800 = load double, ptr %1799, align 8, !noalias !65
+  %1801 = select i1 %1796, i64 %99, i64 0
+  %1802 = getelementptr double, ptr %100, i64 %1185
+  %1803 = getelementptr double, ptr %1802, i64 %1801
+  %1804 = load double, ptr %1803, align 8, !noalias !108
+  %1805 = select i1 %1796, i64 %94, i64 0
+  %1806 = getelementptr double, ptr %95, i64 %1185
+  %1807 = getelementptr double, ptr %1806, i64 %1805
+  %1808 = load double, ptr %1807, align 8, !noalias !108
+  %1809 = call double @llvm.fabs.f64(double %1800)
+  %1810 = fmul double %1808, %1809
+  %1811 = fadd double %1804, %1810
+  %1812 = select i1 %1796, i64 %261, i64 0
+  %1813 = getelementptr double, ptr %262, i64 %1185
+  %1814 = getelementptr double, ptr %1813, i64 %1812
+  %1815 = load double, ptr %1814, align 8, !noalias !65
+  %1816 = fdiv double %1815, %1811
+  %1817 = select i1 %1796, i64 %266, i64 0
+  %1818 = getelementptr { double, double }, ptr %267, i64 %1185
+  %1819 = getelementptr { double, double }, ptr %1818, i64 %1817
+  %1820 = load double, ptr %1819, align 8, !noalias !65
+  %1821 = fdiv double %1820, %1811
+  %1822 = getelementptr inbounds nuw i8, ptr %1819, i64 8
+  %1823 = load double, ptr %1822, align 8, !noalias !65
+  %1824 = fdiv double %1823, %1811
+  %1825 = fmul double %1816, %1816
+  %1826 = fmul double %1821, %1821
+  %1827 = fadd double %1825, %1826
+  %1828 = fmul double %1824, %1824
+  %1829 = fadd double %1827, %1828
+  %1830 = fadd double %1187, %1829
+  br label %1184
 
-1814:                                             ; preds = %1220
-  %1815 = add nsw i64 %1222, -1
-  %1816 = add i64 %1221, 1
-  %1817 = icmp slt i64 %1221, 0
-  %1818 = select i1 %1817, i64 %244, i64 0
-  %1819 = getelementptr double, ptr %245, i64 %1221
-  %1820 = getelementptr double, ptr %1819, i64 %1818
-  %1821 = load double, ptr %1820, align 8, !noalias !61
-  %1822 = select i1 %1817, i64 %261, i64 0
-  %1823 = getelementptr double, ptr %262, i64 %1221
-  %1824 = getelementptr double, ptr %1823, i64 %1822
-  %1825 = load double, ptr %1824, align 8, !noalias !61
-  %1826 = fadd double %1821, %1825
-  store double %1826, ptr %1820, align 8, !noalias !61
-  %1827 = getelementptr double, ptr %245, i64 %244
-  %1828 = getelementptr double, ptr %1827, i64 %1221
-  %1829 = getelementptr double, ptr %1828, i64 %1818
-  %1830 = load double, ptr %1829, align 8, !noalias !61
-  %1831 = select i1 %1817, i64 %266, i64 0
-  %1832 = getelementptr { double, double }, ptr %267, i64 %1221
-  %1833 = getelementptr { double, double }, ptr %1832, i64 %1831
-  %1834 = load double, ptr %1833, align 8, !noalias !61
-  %1835 = fadd double %1830, %1834
-  store double %1835, ptr %1829, align 8, !noalias !61
-  %1836 = shl i64 %244, 4
-  %1837 = getelementptr i8, ptr %245, i64 %1836
-  %1838 = getelementptr double, ptr %1837, i64 %1221
-  %1839 = getelementptr double, ptr %1838, i64 %1818
-  %1840 = load double, ptr %1839, align 8, !noalias !61
-  %1841 = getelementptr inbounds nuw i8, ptr %1833, i64 8
-  %1842 = load double, ptr %1841, align 8, !noalias !61
-  %1843 = fadd double %1840, %1842
-  store double %1843, ptr %1839, align 8, !noalias !61
-  br label %1224
+1831:                                             ; preds = %1228
+  %1832 = fcmp ult double %1201, 1.000000e+00
+  br i1 %1832, label %1232, label %1896
 
-1844:                                             ; preds = %1224
-  %1845 = add nsw i64 %1226, -1
-  %1846 = add i64 %1225, 1
-  %1847 = icmp slt i64 %1225, 0
-  %1848 = add i64 %1225, 3
-  %1849 = select i1 %1847, i64 %1848, i64 %1225
-  %1850 = mul i64 %1849, 24
-  %1851 = getelementptr i8, ptr @5, i64 %1850
-  %1852 = load double, ptr %1851, align 8, !noalias !61
-  %1853 = load double, ptr %1820, align 8, !noalias !61
-  %1854 = fmul double %1852, %1853
-  %1855 = getelementptr i8, ptr @6, i64 %1850
-  %1856 = getelementptr i8, ptr %1855, i64 8
-  %1857 = load double, ptr %1856, align 8, !noalias !61
-  %1858 = load double, ptr %1829, align 8, !noalias !61
-  %1859 = fmul double %1857, %1858
-  %1860 = fadd double %1854, %1859
-  %1861 = getelementptr i8, ptr @7, i64 %1850
-  %1862 = getelementptr i8, ptr %1861, i64 16
-  %1863 = load double, ptr %1862, align 8, !noalias !61
-  %1864 = load double, ptr %1839, align 8, !noalias !61
-  %1865 = fmul double %1863, %1864
-  %1866 = fadd double %1860, %1865
-  %1867 = select i1 %1847, i64 %235, i64 0
-  %1868 = add i64 %1225, %1867
-  %1869 = select i1 %1817, i64 %237, i64 0
-  %1870 = mul i64 %1868, %237
-  %1871 = getelementptr double, ptr %238, i64 %1870
-  %1872 = getelementptr double, ptr %1871, i64 %1221
-  %1873 = getelementptr double, ptr %1872, i64 %1869
-  store double %1866, ptr %1873, align 8, !noalias !61
-  br label %1224
+1833:                                             ; preds = %1239
+  %1834 = add nsw i64 %1241, -1
+  %1835 = add i64 %1240, 1
+  %1836 = icmp slt i64 %1240, 0
+  %1837 = select i1 %1836, i64 %244, i64 0
+  %1838 = getelementptr double, ptr %245, i64 %1240
+  %1839 = getelementptr double, ptr %1838, i64 %1837
+  %1840 = load double, ptr %1839, align 8, !noalias !65
+  %1841 = select i1 %1836, i64 %261, i64 0
+  %1842 = getelementptr double, ptr %262, i64 %1240
+  %1843 = getelementptr double, ptr %1842, i64 %1841
+  %1844 = load double, ptr %1843, align 8, !noalias !65
+  %1845 = fadd double %1840, %1844
+  store double %1845, ptr %1839, align 8, !noalias !65
+  %1846 = getelementptr double, ptr %245, i64 %244
+  %1847 = getelementptr double, ptr %1846, i64 %1240
+  %1848 = getelementptr double, ptr %1847, i64 %1837
+  %1849 = load double, ptr %1848, align 8, !noalias !65
+  %1850 = select i1 %1836, i64 %266, i64 0
+  %1851 = getelementptr { double, double }, ptr %267, i64 %1240
+  %1852 = getelementptr { double, double }, ptr %1851, i64 %1850
+  %1853 = load double, ptr %1852, align 8, !noalias !65
+  %1854 = fadd double %1849, %1853
+  store double %1854, ptr %1848, align 8, !noalias !65
+  %1855 = shl i64 %244, 4
+  %1856 = getelementptr i8, ptr %245, i64 %1855
+  %1857 = getelementptr double, ptr %1856, i64 %1240
+  %1858 = getelementptr double, ptr %1857, i64 %1837
+  %1859 = load double, ptr %1858, align 8, !noalias !65
+  %1860 = getelementptr inbounds nuw i8, ptr %1852, i64 8
+  %1861 = load double, ptr %1860, align 8, !noalias !65
+  %1862 = fadd double %1859, %1861
+  store double %1862, ptr %1858, align 8, !noalias !65
+  br label %1243
 
-1874:                                             ; preds = %1245
-  %1875 = fmul double %852, %852
-  %1876 = fcmp ugt double %1248, %1875
-  br i1 %1876, label %1319, label %1320
+1863:                                             ; preds = %1243
+  %1864 = add nsw i64 %1245, -1
+  %1865 = add i64 %1244, 1
+  %1866 = icmp slt i64 %1244, 0
+  %1867 = add i64 %1244, 3
+  %1868 = select i1 %1866, i64 %1867, i64 %1244
+  %1869 = mul i64 %1868, 24
+  %1870 = getelementptr i8, ptr @5, i64 %1869
+  %1871 = load double, ptr %1870, align 8, !noalias !65
+  %1872 = load double, ptr %1839, align 8, !noalias !65
+  %1873 = fmul double %1871, %1872
+  %1874 = getelementptr i8, ptr @6, i64 %1869
+  %1875 = getelementptr i8, ptr %1874, i64 8
+  %1876 = load double, ptr %1875, align 8, !noalias !65
+  %1877 = load double, ptr %1848, align 8, !noalias !65
+  %1878 = fmul double %1876, %1877
+  %1879 = fadd double %1873, %1878
+  %1880 = getelementptr i8, ptr @7, i64 %1869
+  %1881 = getelementptr i8, ptr %1880, i64 16
+  %1882 = load double, ptr %1881, align 8, !noalias !65
+  %1883 = load double, ptr %1858, align 8, !noalias !65
+  %1884 = fmul double %1882, %1883
+  %1885 = fadd double %1879, %1884
+  %1886 = select i1 %1866, i64 %235, i64 0
+  %1887 = add i64 %1244, %1886
+  %1888 = select i1 %1836, i64 %237, i64 0
+  %1889 = mul i64 %1887, %237
+  %1890 = getelementptr double, ptr %238, i64 %1889
+  %1891 = getelementptr double, ptr %1890, i64 %1240
+  %1892 = getelementptr double, ptr %1891, i64 %1888
+  store double %1885, ptr %1892, align 8, !noalias !65
+  br label %1243
 
-1877:                                             ; preds = %1209, %993, %902, %1213, %1812, %1170, %1360, %905, %1320
-  %1878 = phi double [ %1321, %1320 ], [ %1182, %1213 ], [ 0.000000e+00, %905 ], [ 0.000000e+00, %993 ], [ 0.000000e+00, %902 ], [ 0x7FF0000000000000, %1360 ], [ %862, %1170 ], [ %1182, %1812 ], [ 0.000000e+00, %1209 ]
-  %1879 = phi i64 [ %1324, %1320 ], [ %1331, %1213 ], [ %1332, %905 ], [ 0, %993 ], [ 0, %902 ], [ %1332, %1360 ], [ %1331, %1170 ], [ %1331, %1812 ], [ 0, %1209 ]
-  %1880 = phi i1 [ %1323, %1320 ], [ true, %1213 ], [ true, %905 ], [ true, %993 ], [ true, %902 ], [ true, %1360 ], [ true, %1170 ], [ true, %1812 ], [ true, %1209 ]
-  %1881 = phi i64 [ 0, %1320 ], [ 0, %1213 ], [ %906, %905 ], [ 0, %993 ], [ 0, %902 ], [ 0, %1360 ], [ 0, %1170 ], [ 0, %1812 ], [ 0, %1209 ]
-  %1882 = phi i32 [ 0, %1320 ], [ 0, %1213 ], [ 0, %905 ], [ %994, %993 ], [ %904, %902 ], [ 0, %1360 ], [ 0, %1170 ], [ 0, %1812 ], [ %1212, %1209 ]
-  switch i32 %1882, label %2552 [
-    i32 -2, label %2550
-    i32 0, label %2550
-  ], !prof !32
+1893:                                             ; preds = %1264
+  %1894 = fmul double %871, %871
+  %1895 = fcmp ugt double %1267, %1894
+  br i1 %1895, label %1338, label %1339
 
-1883:                                             ; preds = %2550
-  br label %2683
+1896:                                             ; preds = %1228, %1012, %921, %1232, %1831, %1189, %1379, %924, %1339
+  %1897 = phi double [ %1340, %1339 ], [ %1201, %1232 ], [ 0.000000e+00, %924 ], [ 0.000000e+00, %1012 ], [ 0.000000e+00, %921 ], [ 0x7FF0000000000000, %1379 ], [ %881, %1189 ], [ %1201, %1831 ], [ 0.000000e+00, %1228 ]
+  %1898 = phi i64 [ %1343, %1339 ], [ %1350, %1232 ], [ %1351, %924 ], [ 0, %1012 ], [ 0, %921 ], [ %1351, %1379 ], [ %1350, %1189 ], [ %1350, %1831 ], [ 0, %1228 ]
+  %1899 = phi i1 [ %1342, %1339 ], [ true, %1232 ], [ true, %924 ], [ true, %1012 ], [ true, %921 ], [ true, %1379 ], [ true, %1189 ], [ true, %1831 ], [ true, %1228 ]
+  %1900 = phi i64 [ 0, %1339 ], [ 0, %1232 ], [ %925, %924 ], [ 0, %1012 ], [ 0, %921 ], [ 0, %1379 ], [ 0, %1189 ], [ 0, %1831 ], [ 0, %1228 ]
+  %1901 = phi i32 [ 0, %1339 ], [ 0, %1232 ], [ 0, %924 ], [ %1013, %1012 ], [ %923, %921 ], [ 0, %1379 ], [ 0, %1189 ], [ 0, %1831 ], [ %1231, %1228 ]
+  switch i32 %1901, label %2639 [
+    i32 -2, label %2637
+    i32 0, label %2637
+  ], !prof !33
 
-1884:                                             ; preds = %2550
-  br i1 %1880, label %2304, label %1885
+1902:                                             ; preds = %2637
+  br label %2773
 
-1885:                                             ; preds = %1884, %2553
-  %1886 = phi i64 [ %2555, %2553 ], [ 0, %1884 ]
-  %1887 = phi i64 [ %2554, %2553 ], [ %282, %1884 ]
-  %1888 = icmp sgt i64 %1887, 0
-  br i1 %1888, label %2553, label %1889
+1903:                                             ; preds = %2637
+  br i1 %1899, label %2391, label %1904
 
-1889:                                             ; preds = %1885
-  %1890 = getelementptr i8, ptr %196, i64 32
-  %1891 = load i64, ptr %1890, align 8, !noalias !12
-  %1892 = icmp ne i64 %1891, 1
-  store ptr null, ptr %6, align 8, !noalias !107
-  store double 0.000000e+00, ptr %7, align 8, !noalias !107
-  store ptr null, ptr %8, align 8, !noalias !107
-  store double 0.000000e+00, ptr %9, align 8, !noalias !107
-  %1893 = load i64, ptr %116, align 8, !noalias !107
-  %1894 = call i64 @llvm.smax.i64(i64 %1893, i64 0)
-  br label %1895
+1904:                                             ; preds = %1903, %2640
+  %1905 = phi i64 [ %2642, %2640 ], [ 0, %1903 ]
+  %1906 = phi i64 [ %2641, %2640 ], [ %292, %1903 ]
+  %1907 = icmp sgt i64 %1906, 0
+  br i1 %1907, label %2640, label %1908
 
-1895:                                             ; preds = %1930, %1889
-  %1896 = phi i64 [ 0, %1889 ], [ %1932, %1930 ]
-  %1897 = phi i64 [ %1894, %1889 ], [ %1931, %1930 ]
-  %1898 = icmp sgt i64 %1897, 0
-  br i1 %1898, label %1930, label %1899
+1908:                                             ; preds = %1904
+  %1909 = getelementptr i8, ptr %196, i64 32
+  %1910 = load i64, ptr %1909, align 8, !noalias !22
+  %1911 = icmp ne i64 %1910, 1
+  store ptr null, ptr %6, align 8, !noalias !111
+  store double 0.000000e+00, ptr %7, align 8, !noalias !111
+  store ptr null, ptr %8, align 8, !noalias !111
+  store double 0.000000e+00, ptr %9, align 8, !noalias !111
+  %1912 = load i64, ptr %116, align 8, !noalias !111
+  %1913 = call i64 @llvm.smax.i64(i64 %1912, i64 0)
+  br label %1914
 
-1899:                                             ; preds = %1895
-  store ptr null, ptr %6, align 8, !noalias !107
-  %1900 = call fastcc i32 @solve(ptr nonnull %6, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !107
-  switch i32 %1900, label %2008 [
-    i32 -2, label %1964
-    i32 0, label %1964
-  ], !prof !32
+1914:                                             ; preds = %1949, %1908
+  %1915 = phi i64 [ 0, %1908 ], [ %1951, %1949 ]
+  %1916 = phi i64 [ %1913, %1908 ], [ %1950, %1949 ]
+  %1917 = icmp sgt i64 %1916, 0
+  br i1 %1917, label %1949, label %1918
 
-1901:                                             ; preds = %1967, %1970
-  %1902 = phi i64 [ %1972, %1970 ], [ 0, %1967 ]
-  %1903 = phi i64 [ %1971, %1970 ], [ %1894, %1967 ]
-  %1904 = icmp sgt i64 %1903, 0
-  br i1 %1904, label %1970, label %1905
+1918:                                             ; preds = %1914
+  store ptr null, ptr %6, align 8, !noalias !111
+  %1919 = call fastcc i32 @solve(ptr nonnull %6, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !111
+  switch i32 %1919, label %2027 [
+    i32 -2, label %1983
+    i32 0, label %1983
+  ], !prof !33
 
-1905:                                             ; preds = %1901
-  %1906 = getelementptr i8, ptr %110, i64 24
-  %1907 = load i64, ptr %1906, align 8, !noalias !107
-  %1908 = add nsw i64 %1907, 1
-  store i64 %1908, ptr %1906, align 8, !noalias !107
-  store ptr null, ptr %4, align 8, !noalias !111
-  store ptr null, ptr %5, align 8, !noalias !111
-  store double %366, ptr %33, align 8, !noalias !111
-  %1909 = icmp sgt i64 %45, 0
-  br i1 %1909, label %1910, label %1913
+1920:                                             ; preds = %1986, %1989
+  %1921 = phi i64 [ %1991, %1989 ], [ 0, %1986 ]
+  %1922 = phi i64 [ %1990, %1989 ], [ %1913, %1986 ]
+  %1923 = icmp sgt i64 %1922, 0
+  br i1 %1923, label %1989, label %1924
 
-1910:                                             ; preds = %1905
-  store ptr null, ptr %4, align 8, !noalias !111
-  %1911 = call fastcc i32 @_sample(ptr nonnull %4, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
-  switch i32 %1911, label %1912 [
-    i32 -2, label %1913
-    i32 0, label %1913
-  ], !prof !32
+1924:                                             ; preds = %1920
+  %1925 = getelementptr i8, ptr %110, i64 24
+  %1926 = load i64, ptr %1925, align 8, !noalias !111
+  %1927 = add nsw i64 %1926, 1
+  store i64 %1927, ptr %1925, align 8, !noalias !111
+  store ptr null, ptr %4, align 8, !noalias !115
+  store ptr null, ptr %5, align 8, !noalias !115
+  store double %376, ptr %33, align 8, !noalias !115
+  %1928 = icmp sgt i64 %45, 0
+  br i1 %1928, label %1929, label %1932
 
-1912:                                             ; preds = %1910
-  br label %1913
+1929:                                             ; preds = %1924
+  store ptr null, ptr %4, align 8, !noalias !115
+  %1930 = call fastcc i32 @_sample(ptr nonnull %4, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %376) #3
+  switch i32 %1930, label %1931 [
+    i32 -2, label %1932
+    i32 0, label %1932
+  ], !prof !33
 
-1913:                                             ; preds = %1910, %1910, %1905, %1912
-  %1914 = phi i32 [ %1911, %1912 ], [ 0, %1905 ], [ 0, %1910 ], [ 0, %1910 ]
-  switch i32 %1914, label %1919 [
-    i32 -2, label %1915
-    i32 0, label %1915
-  ], !prof !32
+1931:                                             ; preds = %1929
+  br label %1932
 
-1915:                                             ; preds = %1913, %1913
-  %1916 = load i64, ptr %30, align 8, !noalias !118
-  %1917 = inttoptr i64 %1916 to ptr
-  %1918 = call i32 %1917(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %250) #3, !noalias !118
-  br label %1919
+1932:                                             ; preds = %1929, %1929, %1924, %1931
+  %1933 = phi i32 [ %1930, %1931 ], [ 0, %1924 ], [ 0, %1929 ], [ 0, %1929 ]
+  switch i32 %1933, label %1938 [
+    i32 -2, label %1934
+    i32 0, label %1934
+  ], !prof !33
 
-1919:                                             ; preds = %1913, %1915
-  %1920 = phi i32 [ %1918, %1915 ], [ 0, %1913 ]
-  %1921 = phi i32 [ 0, %1915 ], [ %1914, %1913 ]
-  switch i32 %1921, label %2008 [
+1934:                                             ; preds = %1932, %1932
+  %1935 = load i64, ptr %30, align 8, !noalias !122
+  %1936 = inttoptr i64 %1935 to ptr
+  %1937 = call i32 %1936(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %250) #3, !noalias !122
+  br label %1938
+
+1938:                                             ; preds = %1932, %1934
+  %1939 = phi i32 [ %1937, %1934 ], [ 0, %1932 ]
+  %1940 = phi i32 [ 0, %1934 ], [ %1933, %1932 ]
+  switch i32 %1940, label %2027 [
+    i32 -2, label %2005
+    i32 0, label %2005
+  ], !prof !33
+
+1941:                                             ; preds = %2005
+  %1942 = sext i32 %1939 to i64
+  br label %2027
+
+1943:                                             ; preds = %2005, %2007
+  %1944 = phi i64 [ %2009, %2007 ], [ 0, %2005 ]
+  %1945 = phi i64 [ %2008, %2007 ], [ %1913, %2005 ]
+  %1946 = icmp sgt i64 %1945, 0
+  br i1 %1946, label %2007, label %1947
+
+1947:                                             ; preds = %1943
+  store ptr null, ptr %8, align 8, !noalias !111
+  %1948 = call fastcc i32 @solve(ptr nonnull %8, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !111
+  switch i32 %1948, label %2027 [
+    i32 -2, label %2023
+    i32 0, label %2023
+  ], !prof !33
+
+1949:                                             ; preds = %1914
+  %1950 = add nsw i64 %1916, -1
+  %1951 = add i64 %1915, 1
+  %1952 = icmp slt i64 %1915, 0
+  %1953 = select i1 %1952, i64 %237, i64 0
+  %1954 = getelementptr double, ptr %238, i64 %1915
+  %1955 = getelementptr double, ptr %1954, i64 %1953
+  %1956 = load double, ptr %1955, align 8, !noalias !111
+  %1957 = fmul double %1956, 0xC02418FD8BAFFE05
+  %1958 = getelementptr double, ptr %238, i64 %237
+  %1959 = getelementptr double, ptr %1958, i64 %1915
+  %1960 = getelementptr double, ptr %1959, i64 %1953
+  %1961 = load double, ptr %1960, align 8, !noalias !111
+  %1962 = fmul double %1961, 0x3FF61D41B2D54580
+  %1963 = fadd double %1957, %1962
+  %1964 = shl i64 %237, 4
+  %1965 = getelementptr i8, ptr %238, i64 %1964
+  %1966 = getelementptr double, ptr %1965, i64 %1915
+  %1967 = getelementptr double, ptr %1966, i64 %1953
+  %1968 = load double, ptr %1967, align 8, !noalias !111
+  %1969 = fmul double %1968, 0xBFD5555555555555
+  %1970 = fadd double %1963, %1969
+  %1971 = fdiv double %1970, %410
+  %1972 = select i1 %1952, i64 %271, i64 0
+  %1973 = getelementptr double, ptr %272, i64 %1915
+  %1974 = getelementptr double, ptr %1973, i64 %1972
+  store double %1971, ptr %1974, align 8, !noalias !111
+  %1975 = select i1 %1952, i64 %84, i64 0
+  %1976 = getelementptr double, ptr %85, i64 %1915
+  %1977 = getelementptr double, ptr %1976, i64 %1975
+  %1978 = load double, ptr %1977, align 8, !noalias !111
+  %1979 = fadd double %1978, %1971
+  %1980 = select i1 %1952, i64 %261, i64 0
+  %1981 = getelementptr double, ptr %262, i64 %1915
+  %1982 = getelementptr double, ptr %1981, i64 %1980
+  store double %1979, ptr %1982, align 8, !noalias !111
+  br label %1914
+
+1983:                                             ; preds = %1918, %1918
+  store double 0.000000e+00, ptr %7, align 8, !noalias !111
+  %1984 = call fastcc i32 @norm(ptr nonnull %7, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1912) #3, !noalias !111
+  %1985 = load double, ptr %7, align 8, !noalias !111
+  switch i32 %1984, label %2027 [
     i32 -2, label %1986
     i32 0, label %1986
-  ], !prof !32
+  ], !prof !33
 
-1922:                                             ; preds = %1986
-  %1923 = sext i32 %1920 to i64
-  br label %2008
+1986:                                             ; preds = %1983, %1983
+  %1987 = fcmp olt double %1985, 1.000000e+00
+  %1988 = select i1 %1987, i1 true, i1 %1911
+  br i1 %1988, label %2027, label %1920
 
-1924:                                             ; preds = %1986, %1988
-  %1925 = phi i64 [ %1990, %1988 ], [ 0, %1986 ]
-  %1926 = phi i64 [ %1989, %1988 ], [ %1894, %1986 ]
-  %1927 = icmp sgt i64 %1926, 0
-  br i1 %1927, label %1988, label %1928
+1989:                                             ; preds = %1920
+  %1990 = add nsw i64 %1922, -1
+  %1991 = add i64 %1921, 1
+  %1992 = icmp slt i64 %1921, 0
+  %1993 = select i1 %1992, i64 %64, i64 0
+  %1994 = getelementptr double, ptr %65, i64 %1921
+  %1995 = getelementptr double, ptr %1994, i64 %1993
+  %1996 = load double, ptr %1995, align 8, !noalias !111
+  %1997 = select i1 %1992, i64 %261, i64 0
+  %1998 = getelementptr double, ptr %262, i64 %1921
+  %1999 = getelementptr double, ptr %1998, i64 %1997
+  %2000 = load double, ptr %1999, align 8, !noalias !111
+  %2001 = fadd double %1996, %2000
+  %2002 = select i1 %1992, i64 %74, i64 0
+  %2003 = getelementptr double, ptr %75, i64 %1921
+  %2004 = getelementptr double, ptr %2003, i64 %2002
+  store double %2001, ptr %2004, align 8, !noalias !111
+  br label %1920
 
-1928:                                             ; preds = %1924
-  store ptr null, ptr %8, align 8, !noalias !107
-  %1929 = call fastcc i32 @solve(ptr nonnull %8, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !107
-  switch i32 %1929, label %2008 [
-    i32 -2, label %2004
-    i32 0, label %2004
-  ], !prof !32
+2005:                                             ; preds = %1938, %1938
+  %2006 = icmp eq i32 %1939, 0
+  br i1 %2006, label %1943, label %1941
 
-1930:                                             ; preds = %1895
-  %1931 = add nsw i64 %1897, -1
-  %1932 = add i64 %1896, 1
-  %1933 = icmp slt i64 %1896, 0
-  %1934 = select i1 %1933, i64 %237, i64 0
-  %1935 = getelementptr double, ptr %238, i64 %1896
-  %1936 = getelementptr double, ptr %1935, i64 %1934
-  %1937 = load double, ptr %1936, align 8, !noalias !107
-  %1938 = fmul double %1937, 0xC02418FD8BAFFE05
-  %1939 = getelementptr double, ptr %238, i64 %237
-  %1940 = getelementptr double, ptr %1939, i64 %1896
-  %1941 = getelementptr double, ptr %1940, i64 %1934
-  %1942 = load double, ptr %1941, align 8, !noalias !107
-  %1943 = fmul double %1942, 0x3FF61D41B2D54580
-  %1944 = fadd double %1938, %1943
-  %1945 = shl i64 %237, 4
-  %1946 = getelementptr i8, ptr %238, i64 %1945
-  %1947 = getelementptr double, ptr %1946, i64 %1896
-  %1948 = getelementptr double, ptr %1947, i64 %1934
-  %1949 = load double, ptr %1948, align 8, !noalias !107
-  %1950 = fmul double %1949, 0xBFD5555555555555
-  %1951 = fadd double %1944, %1950
-  %1952 = fdiv double %1951, %391
-  %1953 = select i1 %1933, i64 %271, i64 0
-  %1954 = getelementptr double, ptr %272, i64 %1896
-  %1955 = getelementptr double, ptr %1954, i64 %1953
-  store double %1952, ptr %1955, align 8, !noalias !107
-  %1956 = select i1 %1933, i64 %84, i64 0
-  %1957 = getelementptr double, ptr %85, i64 %1896
-  %1958 = getelementptr double, ptr %1957, i64 %1956
-  %1959 = load double, ptr %1958, align 8, !noalias !107
-  %1960 = fadd double %1959, %1952
-  %1961 = select i1 %1933, i64 %261, i64 0
-  %1962 = getelementptr double, ptr %262, i64 %1896
-  %1963 = getelementptr double, ptr %1962, i64 %1961
-  store double %1960, ptr %1963, align 8, !noalias !107
-  br label %1895
+2007:                                             ; preds = %1943
+  %2008 = add nsw i64 %1945, -1
+  %2009 = add i64 %1944, 1
+  %2010 = icmp slt i64 %1944, 0
+  %2011 = select i1 %2010, i64 %249, i64 0
+  %2012 = getelementptr double, ptr %250, i64 %1944
+  %2013 = getelementptr double, ptr %2012, i64 %2011
+  %2014 = load double, ptr %2013, align 8, !noalias !111
+  %2015 = select i1 %2010, i64 %271, i64 0
+  %2016 = getelementptr double, ptr %272, i64 %1944
+  %2017 = getelementptr double, ptr %2016, i64 %2015
+  %2018 = load double, ptr %2017, align 8, !noalias !111
+  %2019 = fadd double %2014, %2018
+  %2020 = select i1 %2010, i64 %261, i64 0
+  %2021 = getelementptr double, ptr %262, i64 %1944
+  %2022 = getelementptr double, ptr %2021, i64 %2020
+  store double %2019, ptr %2022, align 8, !noalias !111
+  br label %1943
 
-1964:                                             ; preds = %1899, %1899
-  store double 0.000000e+00, ptr %7, align 8, !noalias !107
-  %1965 = call fastcc i32 @norm(ptr nonnull %7, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1893) #3, !noalias !107
-  %1966 = load double, ptr %7, align 8, !noalias !107
-  switch i32 %1965, label %2008 [
-    i32 -2, label %1967
-    i32 0, label %1967
-  ], !prof !32
+2023:                                             ; preds = %1947, %1947
+  store double 0.000000e+00, ptr %9, align 8, !noalias !111
+  %2024 = call fastcc i32 @norm(ptr nonnull %9, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1912) #3, !noalias !111
+  switch i32 %2024, label %2027 [
+    i32 -2, label %2025
+    i32 0, label %2025
+  ], !prof !33
 
-1967:                                             ; preds = %1964, %1964
-  %1968 = fcmp olt double %1966, 1.000000e+00
-  %1969 = select i1 %1968, i1 true, i1 %1892
-  br i1 %1969, label %2008, label %1901
+2025:                                             ; preds = %2023, %2023
+  %2026 = load double, ptr %9, align 8, !noalias !111
+  br label %2027
 
-1970:                                             ; preds = %1901
-  %1971 = add nsw i64 %1903, -1
-  %1972 = add i64 %1902, 1
-  %1973 = icmp slt i64 %1902, 0
-  %1974 = select i1 %1973, i64 %64, i64 0
-  %1975 = getelementptr double, ptr %65, i64 %1902
-  %1976 = getelementptr double, ptr %1975, i64 %1974
-  %1977 = load double, ptr %1976, align 8, !noalias !107
-  %1978 = select i1 %1973, i64 %261, i64 0
-  %1979 = getelementptr double, ptr %262, i64 %1902
-  %1980 = getelementptr double, ptr %1979, i64 %1978
-  %1981 = load double, ptr %1980, align 8, !noalias !107
-  %1982 = fadd double %1977, %1981
-  %1983 = select i1 %1973, i64 %74, i64 0
-  %1984 = getelementptr double, ptr %75, i64 %1902
-  %1985 = getelementptr double, ptr %1984, i64 %1983
-  store double %1982, ptr %1985, align 8, !noalias !107
-  br label %1901
+2027:                                             ; preds = %2023, %1947, %1938, %1983, %1918, %1986, %1941, %2025
+  %2028 = phi double [ %1985, %1986 ], [ 0.000000e+00, %1918 ], [ %1985, %1941 ], [ 0.000000e+00, %1983 ], [ 0.000000e+00, %1938 ], [ 0.000000e+00, %1947 ], [ %2026, %2025 ], [ 0.000000e+00, %2023 ]
+  %2029 = phi i64 [ 0, %1986 ], [ 0, %1918 ], [ %1942, %1941 ], [ 0, %1983 ], [ 0, %1938 ], [ 0, %1947 ], [ 0, %2025 ], [ 0, %2023 ]
+  %2030 = phi i32 [ 0, %1986 ], [ %1919, %1918 ], [ 0, %1941 ], [ %1984, %1983 ], [ %1940, %1938 ], [ %1948, %1947 ], [ 0, %2025 ], [ %2024, %2023 ]
+  switch i32 %2030, label %2660 [
+    i32 -2, label %2658
+    i32 0, label %2658
+  ], !prof !33
 
-1986:                                             ; preds = %1919, %1919
-  %1987 = icmp eq i32 %1920, 0
-  br i1 %1987, label %1924, label %1922
+2031:                                             ; preds = %2658
+  br label %2773
 
-1988:                                             ; preds = %1924
-  %1989 = add nsw i64 %1926, -1
-  %1990 = add i64 %1925, 1
-  %1991 = icmp slt i64 %1925, 0
-  %1992 = select i1 %1991, i64 %249, i64 0
-  %1993 = getelementptr double, ptr %250, i64 %1925
-  %1994 = getelementptr double, ptr %1993, i64 %1992
-  %1995 = load double, ptr %1994, align 8, !noalias !107
-  %1996 = select i1 %1991, i64 %271, i64 0
-  %1997 = getelementptr double, ptr %272, i64 %1925
-  %1998 = getelementptr double, ptr %1997, i64 %1996
-  %1999 = load double, ptr %1998, align 8, !noalias !107
-  %2000 = fadd double %1995, %1999
-  %2001 = select i1 %1991, i64 %261, i64 0
-  %2002 = getelementptr double, ptr %262, i64 %1925
-  %2003 = getelementptr double, ptr %2002, i64 %2001
-  store double %2000, ptr %2003, align 8, !noalias !107
-  br label %1924
+2032:                                             ; preds = %2658
+  %2033 = add nsw i64 %1898, 12
+  %2034 = sitofp i64 %2033 to double
+  %2035 = fdiv double 0x4027666666666667, %2034
+  %2036 = fcmp olt double %2028, 1.000000e-10
+  %2037 = select i1 %2036, double 1.000000e-10, double %2028
+  %2038 = call double @llvm.pow.f64(double %2037, double -2.500000e-01)
+  %2039 = icmp eq i64 %2029, 0
+  %2040 = fcmp olt double %2028, 1.000000e+00
+  %2041 = select i1 %2039, i1 %2040, i1 false
+  br i1 %2041, label %2042, label %2374
 
-2004:                                             ; preds = %1928, %1928
-  store double 0.000000e+00, ptr %9, align 8, !noalias !107
-  %2005 = call fastcc i32 @norm(ptr nonnull %9, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1893) #3, !noalias !107
-  switch i32 %2005, label %2008 [
-    i32 -2, label %2006
-    i32 0, label %2006
-  ], !prof !32
+2042:                                             ; preds = %2032
+  br i1 %285, label %2043, label %2057
 
-2006:                                             ; preds = %2004, %2004
-  %2007 = load double, ptr %9, align 8, !noalias !107
-  br label %2008
+2043:                                             ; preds = %2042
+  %2044 = getelementptr i8, ptr %157, i64 56
+  %2045 = load i64, ptr %2044, align 8, !noalias !22
+  %2046 = inttoptr i64 %2045 to ptr
+  %2047 = call i64 %2046(i64 %0, double %411, i64 %67) #3, !noalias !22
+  %2048 = icmp eq i64 %2047, 0
+  br i1 %2048, label %2057, label %2049
 
-2008:                                             ; preds = %2004, %1928, %1919, %1964, %1899, %1967, %1922, %2006
-  %2009 = phi double [ %1966, %1967 ], [ 0.000000e+00, %1899 ], [ %1966, %1922 ], [ 0.000000e+00, %1964 ], [ 0.000000e+00, %1919 ], [ 0.000000e+00, %1928 ], [ %2007, %2006 ], [ 0.000000e+00, %2004 ]
-  %2010 = phi i64 [ 0, %1967 ], [ 0, %1899 ], [ %1923, %1922 ], [ 0, %1964 ], [ 0, %1919 ], [ 0, %1928 ], [ 0, %2006 ], [ 0, %2004 ]
-  %2011 = phi i32 [ 0, %1967 ], [ %1900, %1899 ], [ 0, %1922 ], [ %1965, %1964 ], [ %1921, %1919 ], [ %1929, %1928 ], [ 0, %2006 ], [ %2005, %2004 ]
-  switch i32 %2011, label %2573 [
-    i32 -2, label %2571
-    i32 0, label %2571
-  ], !prof !32
+2049:                                             ; preds = %2043
+  %2050 = load i64, ptr %393, align 8, !noalias !22
+  %2051 = add nsw i64 %2050, 1
+  store i64 %2051, ptr %393, align 8, !noalias !22
+  %2052 = fmul double %410, 2.500000e-01
+  %2053 = getelementptr i8, ptr %110, i64 72
+  store i64 6, ptr %2053, align 8, !noalias !22
+  %2054 = getelementptr i8, ptr %196, i64 16
+  %2055 = load i64, ptr %2054, align 8, !noalias !22
+  %2056 = sub nsw i64 1, %2055
+  store i64 1, ptr %1909, align 8, !noalias !22
+  store i64 %2056, ptr %418, align 8, !noalias !22
+  br label %2448
 
-2012:                                             ; preds = %2571
-  br label %2683
+2057:                                             ; preds = %2043, %2042
+  %2058 = load i64, ptr %391, align 8, !noalias !22
+  %2059 = add nsw i64 %2058, 1
+  store i64 %2059, ptr %391, align 8, !noalias !22
+  %2060 = getelementptr i8, ptr %105, i64 24
+  %2061 = load double, ptr %2060, align 8, !noalias !22
+  %2062 = fcmp ogt double %2061, 0.000000e+00
+  br i1 %2062, label %2063, label %2073
 
-2013:                                             ; preds = %2571
-  %2014 = add nsw i64 %1879, 12
-  %2015 = sitofp i64 %2014 to double
-  %2016 = fdiv double 0x4027666666666667, %2015
-  %2017 = fcmp olt double %2009, 1.000000e-10
-  %2018 = select i1 %2017, double 1.000000e-10, double %2009
-  %2019 = call double @llvm.pow.f64(double %2018, double -2.500000e-01)
-  %2020 = icmp eq i64 %2010, 0
-  %2021 = fcmp olt double %2009, 1.000000e+00
-  %2022 = select i1 %2020, i1 %2021, i1 false
-  br i1 %2022, label %2023, label %2287
+2063:                                             ; preds = %2057
+  %2064 = getelementptr i8, ptr %105, i64 32
+  %2065 = load double, ptr %2064, align 8, !noalias !22
+  %2066 = fdiv double %410, %2065
+  %2067 = fdiv double %2061, %2037
+  %2068 = call double @llvm.pow.f64(double %2067, double 2.500000e-01)
+  %2069 = fmul double %2066, %2068
+  %2070 = fcmp olt double %2069, 1.000000e+00
+  %2071 = select i1 %2070, double %2069, double 1.000000e+00
+  %2072 = fmul double %2038, %2071
+  br label %2073
 
-2023:                                             ; preds = %2013
-  br i1 %275, label %2024, label %2038
+2073:                                             ; preds = %2063, %2057
+  %2074 = phi double [ %2072, %2063 ], [ %2038, %2057 ]
+  %2075 = fmul double %2035, %2074
+  %2076 = fcmp olt double %2075, 1.000000e+01
+  %2077 = select i1 %2076, double %2075, double 1.000000e+01
+  store double %411, ptr %105, align 8, !noalias !22
+  %2078 = getelementptr i8, ptr %105, i64 32
+  store double %410, ptr %2078, align 8, !noalias !22
+  store double %2037, ptr %2060, align 8, !noalias !22
+  br label %2079
 
-2024:                                             ; preds = %2023
-  %2025 = getelementptr i8, ptr %157, i64 56
-  %2026 = load i64, ptr %2025, align 8, !noalias !12
-  %2027 = inttoptr i64 %2026 to ptr
-  %2028 = call i64 %2027(i64 %0, double %392, i64 %67) #3, !noalias !12
-  %2029 = icmp eq i64 %2028, 0
-  br i1 %2029, label %2038, label %2030
+2079:                                             ; preds = %2083, %2073
+  %2080 = phi i64 [ 0, %2073 ], [ %2663, %2083 ]
+  %2081 = phi i64 [ %292, %2073 ], [ %2662, %2083 ]
+  %2082 = icmp sgt i64 %2081, 0
+  br i1 %2082, label %2661, label %2087
 
-2030:                                             ; preds = %2024
-  %2031 = load i64, ptr %374, align 8, !noalias !12
-  %2032 = add nsw i64 %2031, 1
-  store i64 %2032, ptr %374, align 8, !noalias !12
-  %2033 = fmul double %391, 2.500000e-01
-  %2034 = getelementptr i8, ptr %110, i64 72
-  store i64 6, ptr %2034, align 8, !noalias !12
-  %2035 = getelementptr i8, ptr %196, i64 16
-  %2036 = load i64, ptr %2035, align 8, !noalias !12
-  %2037 = sub nsw i64 1, %2036
-  store i64 1, ptr %1890, align 8, !noalias !12
-  store i64 %2037, ptr %399, align 8, !noalias !12
-  br label %2361
+2083:                                             ; preds = %2661, %2718
+  %2084 = phi i64 [ 0, %2661 ], [ %2720, %2718 ]
+  %2085 = phi i64 [ 3, %2661 ], [ %2719, %2718 ]
+  %2086 = icmp sgt i64 %2085, 0
+  br i1 %2086, label %2718, label %2079
 
-2038:                                             ; preds = %2024, %2023
-  %2039 = load i64, ptr %372, align 8, !noalias !12
-  %2040 = add nsw i64 %2039, 1
-  store i64 %2040, ptr %372, align 8, !noalias !12
-  %2041 = getelementptr i8, ptr %105, i64 24
-  %2042 = load double, ptr %2041, align 8, !noalias !12
-  %2043 = fcmp ogt double %2042, 0.000000e+00
-  br i1 %2043, label %2044, label %2054
+2087:                                             ; preds = %2079
+  store double %410, ptr %791, align 8, !noalias !22
+  %2088 = getelementptr i8, ptr %27, i64 24
+  %2089 = load i64, ptr %2088, align 8, !noalias !22
+  %2090 = load i64, ptr %381, align 8, !noalias !123
+  %2091 = icmp eq i64 %2090, 0
+  br i1 %2091, label %2735, label %2092
 
-2044:                                             ; preds = %2038
-  %2045 = getelementptr i8, ptr %105, i64 32
-  %2046 = load double, ptr %2045, align 8, !noalias !12
-  %2047 = fdiv double %391, %2046
-  %2048 = fdiv double %2042, %2018
-  %2049 = call double @llvm.pow.f64(double %2048, double 2.500000e-01)
-  %2050 = fmul double %2047, %2049
-  %2051 = fcmp olt double %2050, 1.000000e+00
-  %2052 = select i1 %2051, double %2050, double 1.000000e+00
-  %2053 = fmul double %2019, %2052
-  br label %2054
+2092:                                             ; preds = %2087
+  %2093 = load i64, ptr %275, align 8, !noalias !123
+  %2094 = load i64, ptr %116, align 8, !noalias !123
+  %2095 = icmp slt i64 %2093, 0
+  %2096 = select i1 %2095, i64 %279, i64 0
+  %2097 = add i64 %2093, %2096
+  %2098 = mul i64 %2097, %281
+  %2099 = getelementptr double, ptr %282, i64 %2098
+  store double %376, ptr %2099, align 8, !noalias !123
+  %2100 = getelementptr i8, ptr %2099, i64 8
+  store double %410, ptr %2100, align 8, !noalias !123
+  %2101 = add nsw i64 %2093, 1
+  %2102 = icmp slt i64 %2093, -1
+  %2103 = select i1 %2102, i64 %279, i64 0
+  %2104 = add i64 %2101, %2103
+  %2105 = mul i64 %2104, %281
+  %2106 = getelementptr double, ptr %282, i64 %2105
+  store double %411, ptr %2106, align 8, !noalias !123
+  %2107 = getelementptr i8, ptr %2106, i64 8
+  store double 0.000000e+00, ptr %2107, align 8, !noalias !123
+  %2108 = call i64 @llvm.smax.i64(i64 %2094, i64 0)
+  br label %2109
 
-2054:                                             ; preds = %2044, %2038
-  %2055 = phi double [ %2053, %2044 ], [ %2019, %2038 ]
-  %2056 = fmul double %2016, %2055
-  %2057 = fcmp olt double %2056, 1.000000e+01
-  %2058 = select i1 %2057, double %2056, double 1.000000e+01
-  store double %392, ptr %105, align 8, !noalias !12
-  %2059 = getelementptr i8, ptr %105, i64 32
-  store double %391, ptr %2059, align 8, !noalias !12
-  store double %2018, ptr %2041, align 8, !noalias !12
-  br label %2060
+2109:                                             ; preds = %2113, %2092
+  %2110 = phi i64 [ 0, %2092 ], [ %2120, %2113 ]
+  %2111 = phi i64 [ %2108, %2092 ], [ %2119, %2113 ]
+  %2112 = icmp sgt i64 %2111, 0
+  br i1 %2112, label %2118, label %2117
 
-2060:                                             ; preds = %2064, %2054
-  %2061 = phi i64 [ 0, %2054 ], [ %2576, %2064 ]
-  %2062 = phi i64 [ %282, %2054 ], [ %2575, %2064 ]
-  %2063 = icmp sgt i64 %2062, 0
-  br i1 %2063, label %2574, label %2068
+2113:                                             ; preds = %2139, %2118
+  %2114 = phi i64 [ 0, %2118 ], [ %2141, %2139 ]
+  %2115 = phi i64 [ %2138, %2118 ], [ %2140, %2139 ]
+  %2116 = icmp sgt i64 %2115, 0
+  br i1 %2116, label %2139, label %2109
 
-2064:                                             ; preds = %2574, %2631
-  %2065 = phi i64 [ 0, %2574 ], [ %2633, %2631 ]
-  %2066 = phi i64 [ 3, %2574 ], [ %2632, %2631 ]
-  %2067 = icmp sgt i64 %2066, 0
-  br i1 %2067, label %2631, label %2060
+2117:                                             ; preds = %2109
+  store i64 %2101, ptr %275, align 8, !noalias !123
+  br label %2735
 
-2068:                                             ; preds = %2060
-  store double %391, ptr %772, align 8, !noalias !12
-  %2069 = getelementptr i8, ptr %160, i64 8
-  %2070 = load i64, ptr %2069, align 8, !noalias !12
-  %2071 = icmp sgt i64 %2070, 0
-  br i1 %2071, label %2081, label %2072
-
-2072:                                             ; preds = %2068
-  %2073 = getelementptr i8, ptr %110, i64 48
-  %2074 = load i64, ptr %2073, align 8, !noalias !12
-  %2075 = icmp slt i64 %2074, 0
-  %2076 = select i1 %2075, i64 %114, i64 0
-  %2077 = getelementptr double, ptr %115, i64 %2074
-  %2078 = getelementptr double, ptr %2077, i64 %2076
-  %2079 = load double, ptr %2078, align 8, !noalias !12
-  %2080 = fcmp ugt double %2079, %392
-  br i1 %2080, label %2242, label %2088
-
-2081:                                             ; preds = %2068
-  %2082 = getelementptr i8, ptr %160, i64 16
-  %2083 = load i64, ptr %2082, align 8, !noalias !12
-  %2084 = inttoptr i64 %2083 to ptr
-  %2085 = call i64 %2084(i64 %0, double %366, double %391) #3, !noalias !12
-  %2086 = getelementptr i8, ptr %105, i64 48
-  %2087 = load double, ptr %2086, align 8, !noalias !12
-  br label %2088
-
-2088:                                             ; preds = %2072, %2081
-  %2089 = phi double [ %2087, %2081 ], [ 1.000000e+00, %2072 ]
-  %2090 = phi i64 [ %2085, %2081 ], [ 0, %2072 ]
-  %2091 = fcmp oeq double %2089, 1.000000e+00
-  br i1 %2091, label %2092, label %2094
-
-2092:                                             ; preds = %2088
-  %2093 = load double, ptr %105, align 8, !noalias !12
-  br label %2097
-
-2094:                                             ; preds = %2088
-  %2095 = fmul double %2089, %391
-  %2096 = fadd double %366, %2095
-  br label %2097
-
-2097:                                             ; preds = %2094, %2092
-  %2098 = phi double [ %2093, %2092 ], [ %2096, %2094 ]
-  %2099 = icmp eq i64 %2090, -4
-  %2100 = select i1 %2099, i64 -4, i64 0
-  br i1 %2099, label %2154, label %2101
-
-2101:                                             ; preds = %2097
-  %2102 = fcmp uge double %2089, 1.000000e+00
-  %2103 = load i64, ptr %116, align 8, !noalias !12
-  %2104 = load i64, ptr %157, align 8, !noalias !12
-  %2105 = icmp eq i64 %2104, 1
-  %2106 = getelementptr i8, ptr %110, i64 48
-  %2107 = load i64, ptr %2106, align 8, !noalias !12
-  %2108 = icmp slt i64 %2107, %114
-  br i1 %2108, label %2109, label %2152
-
-2109:                                             ; preds = %2101
-  %2110 = icmp slt i64 %2107, 0
-  %2111 = select i1 %2110, i64 %114, i64 0
-  %2112 = getelementptr double, ptr %115, i64 %2107
-  %2113 = getelementptr double, ptr %2112, i64 %2111
-  %2114 = load double, ptr %2113, align 8, !noalias !12
-  %2115 = fcmp uge double %2114, %2098
-  %2116 = fcmp une double %2114, %2098
-  %2117 = or i1 %2116, %2102
-  %2118 = and i1 %2115, %2117
-  br i1 %2118, label %2152, label %2119
-
-2119:                                             ; preds = %2142, %2109
-  %2120 = phi i64 [ %2107, %2109 ], [ %2140, %2142 ]
-  %2121 = icmp slt i64 %2120, 0
-  %2122 = select i1 %2121, i64 %114, i64 0
-  %2123 = getelementptr double, ptr %115, i64 %2120
+2118:                                             ; preds = %2109
+  %2119 = add nsw i64 %2111, -1
+  %2120 = add i64 %2110, 1
+  %2121 = icmp slt i64 %2110, 0
+  %2122 = select i1 %2121, i64 %64, i64 0
+  %2123 = getelementptr double, ptr %65, i64 %2110
   %2124 = getelementptr double, ptr %2123, i64 %2122
-  %2125 = load double, ptr %2124, align 8, !noalias !12
-  %2126 = fsub double %2125, %366
-  %2127 = fdiv double %2126, %391
-  %2128 = mul nsw i64 %2120, %2103
-  %2129 = shl i64 %2128, 3
-  %2130 = add i64 %2129, %1
-  %2131 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2648
+  %2125 = load double, ptr %2124, align 8, !noalias !123
+  %2126 = select i1 %2121, i64 %69, i64 0
+  %2127 = getelementptr double, ptr %70, i64 %2110
+  %2128 = getelementptr double, ptr %2127, i64 %2126
+  %2129 = load double, ptr %2128, align 8, !noalias !123
+  %2130 = icmp slt i64 %2110, -2
+  %2131 = select i1 %2130, i64 %281, i64 0
+  %2132 = getelementptr double, ptr %2099, i64 %2110
+  %2133 = getelementptr i8, ptr %2132, i64 16
+  %2134 = getelementptr double, ptr %2133, i64 %2131
+  store double %2125, ptr %2134, align 8, !noalias !123
+  %2135 = getelementptr double, ptr %2106, i64 %2110
+  %2136 = getelementptr i8, ptr %2135, i64 16
+  %2137 = getelementptr double, ptr %2136, i64 %2131
+  store double %2129, ptr %2137, align 8, !noalias !123
+  %2138 = call i64 @llvm.smax.i64(i64 %2089, i64 0)
+  br label %2113
 
-2132:                                             ; preds = %2652
-  %2133 = getelementptr i8, ptr %157, i64 56
-  %2134 = load i64, ptr %2133, align 8, !noalias !12
-  %2135 = load double, ptr %2124, align 8, !noalias !12
-  %2136 = inttoptr i64 %2134 to ptr
-  %2137 = call i64 %2136(i64 %0, double %2135, i64 %2130) #3, !noalias !12
-  %2138 = icmp eq i64 %2137, 0
-  br i1 %2138, label %2139, label %2154
+2139:                                             ; preds = %2113
+  %2140 = add nsw i64 %2115, -1
+  %2141 = add i64 %2114, 1
+  %2142 = mul nsw i64 %2114, %64
+  %2143 = add nsw i64 %2142, %2110
+  %2144 = icmp slt i64 %2143, 0
+  %2145 = select i1 %2144, i64 %89, i64 0
+  %2146 = getelementptr double, ptr %90, i64 %2143
+  %2147 = getelementptr double, ptr %2146, i64 %2145
+  %2148 = load double, ptr %2147, align 8, !noalias !123
+  %2149 = mul nsw i64 %2141, %2094
+  %2150 = add nsw i64 %2149, 2
+  %2151 = add nsw i64 %2150, %2110
+  %2152 = icmp slt i64 %2151, 0
+  %2153 = select i1 %2152, i64 %281, i64 0
+  %2154 = getelementptr double, ptr %2099, i64 %2151
+  %2155 = getelementptr double, ptr %2154, i64 %2153
+  store double %2148, ptr %2155, align 8, !noalias !123
+  br label %2113
 
-2139:                                             ; preds = %2652, %2132
-  %2140 = add nsw i64 %2120, 1
-  %2141 = icmp slt i64 %2140, %114
-  br i1 %2141, label %2142, label %2152
+2156:                                             ; preds = %2735
+  %2157 = getelementptr i8, ptr %110, i64 48
+  %2158 = load i64, ptr %2157, align 8, !noalias !22
+  %2159 = icmp slt i64 %2158, 0
+  %2160 = select i1 %2159, i64 %114, i64 0
+  %2161 = getelementptr double, ptr %115, i64 %2158
+  %2162 = getelementptr double, ptr %2161, i64 %2160
+  %2163 = load double, ptr %2162, align 8, !noalias !22
+  %2164 = fcmp ugt double %2163, %411
+  br i1 %2164, label %2329, label %2172
 
-2142:                                             ; preds = %2139
-  %2143 = icmp slt i64 %2120, -1
-  %2144 = select i1 %2143, i64 %114, i64 0
-  %2145 = getelementptr double, ptr %115, i64 %2140
-  %2146 = getelementptr double, ptr %2145, i64 %2144
-  %2147 = load double, ptr %2146, align 8, !noalias !12
-  %2148 = fcmp uge double %2147, %2098
-  %2149 = fcmp une double %2147, %2098
-  %2150 = or i1 %2149, %2102
-  %2151 = and i1 %2148, %2150
-  br i1 %2151, label %2152, label %2119
+2165:                                             ; preds = %2735
+  %2166 = getelementptr i8, ptr %160, i64 16
+  %2167 = load i64, ptr %2166, align 8, !noalias !22
+  %2168 = inttoptr i64 %2167 to ptr
+  %2169 = call i64 %2168(i64 %0, double %376, double %410) #3, !noalias !22
+  %2170 = getelementptr i8, ptr %105, i64 48
+  %2171 = load double, ptr %2170, align 8, !noalias !22
+  br label %2172
 
-2152:                                             ; preds = %2142, %2109, %2139, %2101
-  %2153 = phi i64 [ %2107, %2109 ], [ %2140, %2142 ], [ %2140, %2139 ], [ %2107, %2101 ]
-  store i64 %2153, ptr %2106, align 8, !noalias !12
-  br label %2154
+2172:                                             ; preds = %2156, %2165
+  %2173 = phi double [ %2171, %2165 ], [ 1.000000e+00, %2156 ]
+  %2174 = phi i64 [ %2169, %2165 ], [ 0, %2156 ]
+  %2175 = fcmp oeq double %2173, 1.000000e+00
+  br i1 %2175, label %2176, label %2178
 
-2154:                                             ; preds = %2132, %2152, %2097
-  %2155 = phi i64 [ %2100, %2097 ], [ 0, %2152 ], [ %2137, %2132 ]
-  %2156 = icmp eq i64 %2155, 0
-  %2157 = icmp ne i64 %2090, 0
-  %2158 = select i1 %2156, i1 %2157, i1 false
-  %2159 = fcmp olt double %2089, 1.000000e+00
-  %2160 = and i1 %2158, %2159
-  br i1 %2160, label %2161, label %2200
+2176:                                             ; preds = %2172
+  %2177 = load double, ptr %105, align 8, !noalias !22
+  br label %2181
 
-2161:                                             ; preds = %2154
-  %2162 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2163
+2178:                                             ; preds = %2172
+  %2179 = fmul double %2173, %410
+  %2180 = fadd double %376, %2179
+  br label %2181
 
-2163:                                             ; preds = %2161, %2188
-  %2164 = phi i64 [ 0, %2161 ], [ %2190, %2188 ]
-  %2165 = phi i64 [ %2162, %2161 ], [ %2189, %2188 ]
-  %2166 = icmp sgt i64 %2165, 0
-  br i1 %2166, label %2188, label %2167
+2181:                                             ; preds = %2178, %2176
+  %2182 = phi double [ %2177, %2176 ], [ %2180, %2178 ]
+  %2183 = icmp eq i64 %2174, -4
+  %2184 = select i1 %2183, i64 -4, i64 0
+  br i1 %2183, label %2238, label %2185
 
-2167:                                             ; preds = %2163
-  %2168 = getelementptr i8, ptr %27, i64 24
-  %2169 = load i64, ptr %2168, align 8, !noalias !119
-  %2170 = getelementptr i8, ptr %30, i64 16
-  %2171 = load i64, ptr %2170, align 8, !noalias !119
-  call fastcc void @pydy_nested(i64 %72, i64 %62, i64 %87, i64 %64, i64 %2169, i64 %77, i64 %2171) #3, !noalias !119
-  %2172 = call i64 @llvm.smax.i64(i64 %69, i64 0)
-  br label %2173
+2185:                                             ; preds = %2181
+  %2186 = fcmp uge double %2173, 1.000000e+00
+  %2187 = load i64, ptr %116, align 8, !noalias !22
+  %2188 = load i64, ptr %157, align 8, !noalias !22
+  %2189 = icmp eq i64 %2188, 1
+  %2190 = getelementptr i8, ptr %110, i64 48
+  %2191 = load i64, ptr %2190, align 8, !noalias !22
+  %2192 = icmp slt i64 %2191, %114
+  br i1 %2192, label %2193, label %2236
 
-2173:                                             ; preds = %2177, %2167
-  %2174 = phi i64 [ 0, %2167 ], [ %2179, %2177 ]
-  %2175 = phi i64 [ %2172, %2167 ], [ %2178, %2177 ]
-  %2176 = icmp sgt i64 %2175, 0
-  br i1 %2176, label %2177, label %2664
+2193:                                             ; preds = %2185
+  %2194 = icmp slt i64 %2191, 0
+  %2195 = select i1 %2194, i64 %114, i64 0
+  %2196 = getelementptr double, ptr %115, i64 %2191
+  %2197 = getelementptr double, ptr %2196, i64 %2195
+  %2198 = load double, ptr %2197, align 8, !noalias !22
+  %2199 = fcmp uge double %2198, %2182
+  %2200 = fcmp une double %2198, %2182
+  %2201 = or i1 %2200, %2186
+  %2202 = and i1 %2199, %2201
+  br i1 %2202, label %2236, label %2203
 
-2177:                                             ; preds = %2173
-  %2178 = add nsw i64 %2175, -1
-  %2179 = add i64 %2174, 1
-  %2180 = icmp slt i64 %2174, 0
-  %2181 = select i1 %2180, i64 %74, i64 0
-  %2182 = getelementptr double, ptr %75, i64 %2174
-  %2183 = getelementptr double, ptr %2182, i64 %2181
-  %2184 = load double, ptr %2183, align 8, !noalias !123
-  %2185 = select i1 %2180, i64 %69, i64 0
-  %2186 = getelementptr double, ptr %70, i64 %2174
-  %2187 = getelementptr double, ptr %2186, i64 %2185
-  store double %2184, ptr %2187, align 8, !noalias !123
-  br label %2173
+2203:                                             ; preds = %2226, %2193
+  %2204 = phi i64 [ %2191, %2193 ], [ %2224, %2226 ]
+  %2205 = icmp slt i64 %2204, 0
+  %2206 = select i1 %2205, i64 %114, i64 0
+  %2207 = getelementptr double, ptr %115, i64 %2204
+  %2208 = getelementptr double, ptr %2207, i64 %2206
+  %2209 = load double, ptr %2208, align 8, !noalias !22
+  %2210 = fsub double %2209, %376
+  %2211 = fdiv double %2210, %410
+  %2212 = mul nsw i64 %2204, %2187
+  %2213 = shl i64 %2212, 3
+  %2214 = add i64 %2213, %1
+  %2215 = call i64 @llvm.smax.i64(i64 %79, i64 0)
+  br label %2739
 
-2188:                                             ; preds = %2163
-  %2189 = add nsw i64 %2165, -1
-  %2190 = add i64 %2164, 1
-  %2191 = icmp slt i64 %2164, 0
-  %2192 = select i1 %2191, i64 %79, i64 0
-  %2193 = getelementptr double, ptr %80, i64 %2164
-  %2194 = getelementptr double, ptr %2193, i64 %2192
-  store double %2089, ptr %2194, align 8, !noalias !119
-  br label %2163
+2216:                                             ; preds = %2743
+  %2217 = getelementptr i8, ptr %157, i64 56
+  %2218 = load i64, ptr %2217, align 8, !noalias !22
+  %2219 = load double, ptr %2208, align 8, !noalias !22
+  %2220 = inttoptr i64 %2218 to ptr
+  %2221 = call i64 %2220(i64 %0, double %2219, i64 %2214) #3, !noalias !22
+  %2222 = icmp eq i64 %2221, 0
+  br i1 %2222, label %2223, label %2238
 
-2195:                                             ; preds = %2664
-  %2196 = getelementptr i8, ptr %157, i64 56
-  %2197 = load i64, ptr %2196, align 8, !noalias !12
-  %2198 = inttoptr i64 %2197 to ptr
-  %2199 = call i64 %2198(i64 %0, double %2098, i64 %67) #3, !noalias !12
-  br label %2200
+2223:                                             ; preds = %2743, %2216
+  %2224 = add nsw i64 %2204, 1
+  %2225 = icmp slt i64 %2224, %114
+  br i1 %2225, label %2226, label %2236
 
-2200:                                             ; preds = %2664, %2195, %2154
-  %2201 = phi i64 [ %2199, %2195 ], [ 0, %2664 ], [ %2155, %2154 ]
-  %2202 = icmp eq i64 %2201, 0
-  br i1 %2202, label %2204, label %2203
+2226:                                             ; preds = %2223
+  %2227 = icmp slt i64 %2204, -1
+  %2228 = select i1 %2227, i64 %114, i64 0
+  %2229 = getelementptr double, ptr %115, i64 %2224
+  %2230 = getelementptr double, ptr %2229, i64 %2228
+  %2231 = load double, ptr %2230, align 8, !noalias !22
+  %2232 = fcmp uge double %2231, %2182
+  %2233 = fcmp une double %2231, %2182
+  %2234 = or i1 %2233, %2186
+  %2235 = and i1 %2232, %2234
+  br i1 %2235, label %2236, label %2203
 
-2203:                                             ; preds = %2200
-  store double %366, ptr %105, align 8, !noalias !12
-  store double %391, ptr %298, align 8, !noalias !12
-  br label %2226
+2236:                                             ; preds = %2226, %2193, %2223, %2185
+  %2237 = phi i64 [ %2191, %2193 ], [ %2224, %2226 ], [ %2224, %2223 ], [ %2191, %2185 ]
+  store i64 %2237, ptr %2190, align 8, !noalias !22
+  br label %2238
 
-2204:                                             ; preds = %2200
-  br i1 %2091, label %2205, label %2207
+2238:                                             ; preds = %2216, %2236, %2181
+  %2239 = phi i64 [ %2184, %2181 ], [ 0, %2236 ], [ %2221, %2216 ]
+  %2240 = icmp eq i64 %2239, 0
+  %2241 = icmp ne i64 %2174, 0
+  %2242 = select i1 %2240, i1 %2241, i1 false
+  %2243 = fcmp olt double %2173, 1.000000e+00
+  %2244 = and i1 %2242, %2243
+  br i1 %2244, label %2245, label %2283
 
-2205:                                             ; preds = %2204
+2245:                                             ; preds = %2238
+  %2246 = call i64 @llvm.smax.i64(i64 %79, i64 0)
+  br label %2247
+
+2247:                                             ; preds = %2245, %2271
+  %2248 = phi i64 [ 0, %2245 ], [ %2273, %2271 ]
+  %2249 = phi i64 [ %2246, %2245 ], [ %2272, %2271 ]
+  %2250 = icmp sgt i64 %2249, 0
+  br i1 %2250, label %2271, label %2251
+
+2251:                                             ; preds = %2247
+  %2252 = load i64, ptr %2088, align 8, !noalias !126
+  %2253 = getelementptr i8, ptr %30, i64 16
+  %2254 = load i64, ptr %2253, align 8, !noalias !126
+  call fastcc void @pydy_nested(i64 %72, i64 %62, i64 %87, i64 %64, i64 %2252, i64 %77, i64 %2254) #3, !noalias !126
+  %2255 = call i64 @llvm.smax.i64(i64 %69, i64 0)
+  br label %2256
+
+2256:                                             ; preds = %2260, %2251
+  %2257 = phi i64 [ 0, %2251 ], [ %2262, %2260 ]
+  %2258 = phi i64 [ %2255, %2251 ], [ %2261, %2260 ]
+  %2259 = icmp sgt i64 %2258, 0
+  br i1 %2259, label %2260, label %2754
+
+2260:                                             ; preds = %2256
+  %2261 = add nsw i64 %2258, -1
+  %2262 = add i64 %2257, 1
+  %2263 = icmp slt i64 %2257, 0
+  %2264 = select i1 %2263, i64 %74, i64 0
+  %2265 = getelementptr double, ptr %75, i64 %2257
+  %2266 = getelementptr double, ptr %2265, i64 %2264
+  %2267 = load double, ptr %2266, align 8, !noalias !130
+  %2268 = select i1 %2263, i64 %69, i64 0
+  %2269 = getelementptr double, ptr %70, i64 %2257
+  %2270 = getelementptr double, ptr %2269, i64 %2268
+  store double %2267, ptr %2270, align 8, !noalias !130
+  br label %2256
+
+2271:                                             ; preds = %2247
+  %2272 = add nsw i64 %2249, -1
+  %2273 = add i64 %2248, 1
+  %2274 = icmp slt i64 %2248, 0
+  %2275 = select i1 %2274, i64 %79, i64 0
+  %2276 = getelementptr double, ptr %80, i64 %2248
+  %2277 = getelementptr double, ptr %2276, i64 %2275
+  store double %2173, ptr %2277, align 8, !noalias !126
+  br label %2247
+
+2278:                                             ; preds = %2754
+  %2279 = getelementptr i8, ptr %157, i64 56
+  %2280 = load i64, ptr %2279, align 8, !noalias !22
+  %2281 = inttoptr i64 %2280 to ptr
+  %2282 = call i64 %2281(i64 %0, double %2182, i64 %67) #3, !noalias !22
+  br label %2283
+
+2283:                                             ; preds = %2754, %2278, %2238
+  %2284 = phi i64 [ %2282, %2278 ], [ 0, %2754 ], [ %2239, %2238 ]
+  %2285 = icmp eq i64 %2284, 0
+  br i1 %2285, label %2287, label %2286
+
+2286:                                             ; preds = %2283
+  store double %376, ptr %105, align 8, !noalias !22
+  store double %410, ptr %308, align 8, !noalias !22
+  br label %2309
+
+2287:                                             ; preds = %2283
+  br i1 %2175, label %2288, label %2290
+
+2288:                                             ; preds = %2287
   store i8 0, ptr %24, align 1, !noalias !12
-  %2206 = call fastcc i32 @write_reached(ptr nonnull %24, ptr %30, ptr %70, i64 %69, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %2206, label %2667 [
-    i32 -2, label %2207
-    i32 0, label %2207
-  ], !prof !32
+  %2289 = call fastcc i32 @write_reached(ptr nonnull %24, ptr %30, ptr %70, i64 %69, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
+  switch i32 %2289, label %2757 [
+    i32 -2, label %2290
+    i32 0, label %2290
+  ], !prof !33
 
-2207:                                             ; preds = %2205, %2205, %2204
-  %2208 = icmp eq i64 %2090, 0
-  br i1 %2208, label %2226, label %2209
+2290:                                             ; preds = %2288, %2288, %2287
+  %2291 = icmp eq i64 %2174, 0
+  br i1 %2291, label %2309, label %2292
 
-2209:                                             ; preds = %2207
-  %2210 = call i64 @llvm.smax.i64(i64 %64, i64 0)
-  br label %2211
+2292:                                             ; preds = %2290
+  %2293 = call i64 @llvm.smax.i64(i64 %64, i64 0)
+  br label %2294
 
-2211:                                             ; preds = %2215, %2209
-  %2212 = phi i64 [ 0, %2209 ], [ %2217, %2215 ]
-  %2213 = phi i64 [ %2210, %2209 ], [ %2216, %2215 ]
-  %2214 = icmp sgt i64 %2213, 0
-  br i1 %2214, label %2215, label %2668
+2294:                                             ; preds = %2298, %2292
+  %2295 = phi i64 [ 0, %2292 ], [ %2300, %2298 ]
+  %2296 = phi i64 [ %2293, %2292 ], [ %2299, %2298 ]
+  %2297 = icmp sgt i64 %2296, 0
+  br i1 %2297, label %2298, label %2758
 
-2215:                                             ; preds = %2211
-  %2216 = add nsw i64 %2213, -1
-  %2217 = add i64 %2212, 1
-  %2218 = icmp slt i64 %2212, 0
-  %2219 = select i1 %2218, i64 %69, i64 0
-  %2220 = getelementptr double, ptr %70, i64 %2212
-  %2221 = getelementptr double, ptr %2220, i64 %2219
-  %2222 = load double, ptr %2221, align 8, !noalias !126
-  %2223 = select i1 %2218, i64 %64, i64 0
-  %2224 = getelementptr double, ptr %65, i64 %2212
-  %2225 = getelementptr double, ptr %2224, i64 %2223
-  store double %2222, ptr %2225, align 8, !noalias !126
-  br label %2211
+2298:                                             ; preds = %2294
+  %2299 = add nsw i64 %2296, -1
+  %2300 = add i64 %2295, 1
+  %2301 = icmp slt i64 %2295, 0
+  %2302 = select i1 %2301, i64 %69, i64 0
+  %2303 = getelementptr double, ptr %70, i64 %2295
+  %2304 = getelementptr double, ptr %2303, i64 %2302
+  %2305 = load double, ptr %2304, align 8, !noalias !133
+  %2306 = select i1 %2301, i64 %64, i64 0
+  %2307 = getelementptr double, ptr %65, i64 %2295
+  %2308 = getelementptr double, ptr %2307, i64 %2306
+  store double %2305, ptr %2308, align 8, !noalias !133
+  br label %2294
 
-2226:                                             ; preds = %2207, %2668, %2203
-  %2227 = phi i64 [ %2201, %2203 ], [ %2090, %2668 ], [ 0, %2207 ]
-  switch i64 %2227, label %2241 [
-    i64 6, label %2228
-    i64 0, label %2242
+2309:                                             ; preds = %2290, %2758, %2286
+  %2310 = phi i64 [ %2284, %2286 ], [ %2174, %2758 ], [ 0, %2290 ]
+  switch i64 %2310, label %2326 [
+    i64 6, label %2311
+    i64 0, label %2329
   ]
 
-2228:                                             ; preds = %2226
-  %2229 = load i64, ptr %2069, align 8, !noalias !12
-  %2230 = icmp eq i64 %2229, 0
-  br i1 %2230, label %2231, label %2241
-
-2231:                                             ; preds = %2228
-  %2232 = load i64, ptr %372, align 8, !noalias !12
-  %2233 = add nsw i64 %2232, -1
-  store i64 %2233, ptr %372, align 8, !noalias !12
-  %2234 = load i64, ptr %374, align 8, !noalias !12
-  %2235 = add nsw i64 %2234, 1
-  store i64 %2235, ptr %374, align 8, !noalias !12
-  %2236 = fmul double %391, 2.500000e-01
-  %2237 = getelementptr i8, ptr %110, i64 72
-  store i64 6, ptr %2237, align 8, !noalias !12
-  %2238 = getelementptr i8, ptr %196, i64 16
-  %2239 = load i64, ptr %2238, align 8, !noalias !12
-  %2240 = sub nsw i64 1, %2239
-  store i64 1, ptr %1890, align 8, !noalias !12
-  store i64 %2240, ptr %399, align 8, !noalias !12
-  store double 0.000000e+00, ptr %772, align 8, !noalias !12
-  br label %2361
-
-2241:                                             ; preds = %2228, %2226
-  br label %2683
-
-2242:                                             ; preds = %2226, %2072
-  br label %2243
-
-2243:                                             ; preds = %2242, %2669
-  %2244 = phi i64 [ 0, %2242 ], [ %2671, %2669 ]
-  %2245 = phi i64 [ %282, %2242 ], [ %2670, %2669 ]
-  %2246 = icmp sgt i64 %2245, 0
-  br i1 %2246, label %2669, label %2247
-
-2247:                                             ; preds = %2243
-  %2248 = getelementptr i8, ptr %110, i64 24
-  %2249 = load i64, ptr %2248, align 8, !noalias !12
-  %2250 = add nsw i64 %2249, 1
-  store i64 %2250, ptr %2248, align 8, !noalias !12
-  store ptr null, ptr %15, align 8, !noalias !129
-  store ptr null, ptr %16, align 8, !noalias !129
-  store double %392, ptr %33, align 8, !noalias !129
-  %2251 = icmp sgt i64 %45, 0
-  br i1 %2251, label %2252, label %2255
-
-2252:                                             ; preds = %2247
-  store ptr null, ptr %15, align 8, !noalias !129
-  %2253 = call fastcc i32 @_sample(ptr nonnull %15, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %392) #3
-  switch i32 %2253, label %2254 [
-    i32 -2, label %2255
-    i32 0, label %2255
-  ], !prof !32
-
-2254:                                             ; preds = %2252
-  br label %2255
-
-2255:                                             ; preds = %2252, %2252, %2247, %2254
-  %2256 = phi i32 [ %2253, %2254 ], [ 0, %2247 ], [ 0, %2252 ], [ 0, %2252 ]
-  switch i32 %2256, label %2261 [
-    i32 -2, label %2257
-    i32 0, label %2257
-  ], !prof !32
-
-2257:                                             ; preds = %2255, %2255
-  %2258 = load i64, ptr %30, align 8, !noalias !136
-  %2259 = inttoptr i64 %2258 to ptr
-  %2260 = call i32 %2259(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !136
-  br label %2261
-
-2261:                                             ; preds = %2255, %2257
-  %2262 = phi i32 [ %2260, %2257 ], [ 0, %2255 ]
-  %2263 = phi i32 [ 0, %2257 ], [ %2256, %2255 ]
-  switch i32 %2263, label %2682 [
-    i32 -2, label %2680
-    i32 0, label %2680
-  ], !prof !32
-
-2264:                                             ; preds = %2680
-  %2265 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %2265, align 8, !noalias !12
-  store double %391, ptr %298, align 8, !noalias !12
-  %2266 = icmp slt i32 %2262, 0
-  %2267 = select i1 %2266, i64 -4, i64 2
-  br label %2683
-
-2268:                                             ; preds = %2680
-  %2269 = icmp sgt i64 %1879, 2
-  %2270 = fcmp ogt double %1878, 1.000000e-03
-  %2271 = select i1 %2269, i1 %2270, i1 false
-  %2272 = zext i1 %2271 to i64
-  store i64 %2272, ptr %399, align 8, !noalias !12
-  %2273 = getelementptr i8, ptr %196, i64 16
-  store i64 0, ptr %2273, align 8, !noalias !12
-  store i64 0, ptr %1890, align 8, !noalias !12
-  %2274 = fcmp ule double %2058, 1.000000e+00
-  %2275 = fcmp uge double %2058, 1.200000e+00
-  %2276 = or i1 %2274, %2275
-  %2277 = select i1 %2276, i1 true, i1 %2271
-  br i1 %2277, label %2278, label %2282
-
-2278:                                             ; preds = %2268
-  %2279 = fcmp ogt double %2058, 2.000000e-01
-  %2280 = select i1 %2279, double %2058, double 2.000000e-01
-  %2281 = fmul double %391, %2280
-  br label %2282
-
-2282:                                             ; preds = %2268, %2278
-  %2283 = phi double [ %2281, %2278 ], [ %391, %2268 ]
-  %2284 = getelementptr i8, ptr %110, i64 48
-  %2285 = load i64, ptr %2284, align 8, !noalias !12
-  %2286 = icmp eq i64 %2285, %114
-  br i1 %2286, label %2364, label %364
-
-2287:                                             ; preds = %2013
-  %2288 = load i64, ptr %374, align 8, !noalias !12
-  %2289 = add nsw i64 %2288, 1
-  store i64 %2289, ptr %374, align 8, !noalias !12
-  %2290 = select i1 %2020, i64 2, i64 3
-  %2291 = getelementptr i8, ptr %110, i64 72
-  store i64 %2290, ptr %2291, align 8, !noalias !12
-  %2292 = fsub double %2009, %2009
-  %2293 = fcmp ord double %2292, 0.000000e+00
-  br i1 %2293, label %2294, label %2298
-
-2294:                                             ; preds = %2287
-  %2295 = fmul double %2016, %2019
-  %2296 = fcmp ogt double %2295, 2.000000e-01
-  %2297 = select i1 %2296, double %2295, double 2.000000e-01
-  br label %2298
-
-2298:                                             ; preds = %2294, %2287
-  %2299 = phi double [ 2.500000e-01, %2287 ], [ %2297, %2294 ]
-  %2300 = fmul double %391, %2299
-  %2301 = getelementptr i8, ptr %196, i64 16
-  %2302 = load i64, ptr %2301, align 8, !noalias !12
-  %2303 = sub nsw i64 1, %2302
-  store i64 1, ptr %1890, align 8, !noalias !12
-  store i64 %2303, ptr %399, align 8, !noalias !12
-  br label %2361
-
-2304:                                             ; preds = %1884
-  %2305 = load i64, ptr %374, align 8, !noalias !12
-  %2306 = add nsw i64 %2305, 1
-  store i64 %2306, ptr %374, align 8, !noalias !12
-  %2307 = icmp eq i64 %1881, 0
-  br i1 %2307, label %2310, label %2308
-
-2308:                                             ; preds = %2304
-  %2309 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %2309, align 8, !noalias !12
-  br label %2317
-
-2310:                                             ; preds = %2304
-  %2311 = fsub double %1878, %1878
-  %2312 = fcmp ord double %2311, 0.000000e+00
-  br i1 %2312, label %2313, label %2315
-
-2313:                                             ; preds = %2310
-  %2314 = getelementptr i8, ptr %110, i64 72
-  store i64 7, ptr %2314, align 8, !noalias !12
-  br label %2317
-
-2315:                                             ; preds = %2310
-  %2316 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %2316, align 8, !noalias !12
-  br label %2317
-
-2317:                                             ; preds = %2315, %2313, %2308
-  %2318 = getelementptr i8, ptr %196, i64 16
-  %2319 = load i64, ptr %2318, align 8, !noalias !12
-  %2320 = icmp eq i64 %2319, 1
-  %2321 = and i1 %2320, %2307
-  br i1 %2321, label %2322, label %2349
-
-2322:                                             ; preds = %2317
-  %2323 = call i64 @llvm.smax.i64(i64 %206, i64 0)
-  br label %2324
-
-2324:                                             ; preds = %2336, %2322
-  %2325 = phi i64 [ 0, %2322 ], [ %2344, %2336 ]
-  %2326 = phi i64 [ %2323, %2322 ], [ %2343, %2336 ]
-  %2327 = phi i1 [ false, %2322 ], [ %2337, %2336 ]
-  %2328 = icmp sgt i64 %2326, 0
-  br i1 %2328, label %2342, label %2345
-
-2329:                                             ; preds = %2342
-  %2330 = icmp slt i64 %2325, 0
-  %2331 = select i1 %2330, i64 %206, i64 0
-  %2332 = getelementptr double, ptr %207, i64 %2325
-  %2333 = getelementptr double, ptr %2332, i64 %2331
-  %2334 = load double, ptr %2333, align 8, !noalias !137
-  %2335 = fcmp une double %2334, 0.000000e+00
-  br label %2336
-
-2336:                                             ; preds = %2342, %2329
-  %2337 = phi i1 [ true, %2342 ], [ %2335, %2329 ]
-  %2338 = icmp slt i64 %2325, 0
-  %2339 = select i1 %2338, i64 %206, i64 0
-  %2340 = getelementptr double, ptr %207, i64 %2325
-  %2341 = getelementptr double, ptr %2340, i64 %2339
-  store double 0.000000e+00, ptr %2341, align 8, !noalias !137
-  br label %2324
-
-2342:                                             ; preds = %2324
-  %2343 = add nsw i64 %2326, -1
-  %2344 = add i64 %2325, 1
-  br i1 %2327, label %2336, label %2329
-
-2345:                                             ; preds = %2324
-  br i1 %2327, label %2346, label %2347
-
-2346:                                             ; preds = %2345
-  store i64 0, ptr %450, align 8, !noalias !12
-  br label %2361
-
-2347:                                             ; preds = %2345
-  store i64 0, ptr %2318, align 8, !noalias !12
-  %2348 = fmul double %391, 5.000000e-01
-  br label %2349
-
-2349:                                             ; preds = %2347, %2317
-  %2350 = phi double [ %2348, %2347 ], [ %365, %2317 ]
-  %2351 = load i64, ptr %2318, align 8, !noalias !12
-  %2352 = icmp ne i64 %2351, 1
-  %2353 = and i1 %2352, %2307
-  br i1 %2353, label %2357, label %2354
-
-2354:                                             ; preds = %2349
-  %2355 = select i1 %2307, double 5.000000e-01, double 2.500000e-01
-  %2356 = fmul double %391, %2355
-  store double 0.000000e+00, ptr %772, align 8, !noalias !12
-  br label %2357
-
-2357:                                             ; preds = %2349, %2354
-  %2358 = phi double [ %2356, %2354 ], [ %2350, %2349 ]
-  %2359 = load i64, ptr %2318, align 8, !noalias !12
-  %2360 = sub nsw i64 1, %2359
-  store i64 %2360, ptr %399, align 8, !noalias !12
-  br label %2361
-
-2361:                                             ; preds = %2357, %2346, %2298, %2231, %2030, %763
-  %2362 = phi double [ %2300, %2298 ], [ %2033, %2030 ], [ %2236, %2231 ], [ %365, %2346 ], [ %2358, %2357 ], [ %766, %763 ]
-  br label %361
-
-2363:                                             ; preds = %381
-  store double %391, ptr %298, align 8, !noalias !12
-  br label %2683
-
-2364:                                             ; preds = %2282
-  store double %2283, ptr %298, align 8, !noalias !12
-  br label %2683
-
-2365:                                             ; preds = %283
-  %2366 = icmp slt i64 %284, 0
-  %2367 = select i1 %2366, i64 %94, i64 0
-  %2368 = getelementptr double, ptr %95, i64 %284
-  %2369 = getelementptr double, ptr %2368, i64 %2367
-  %2370 = load double, ptr %2369, align 8, !noalias !12
-  %2371 = fcmp olt double %2370, %286
-  %2372 = select i1 %2371, double %2370, double %286
-  %2373 = add i64 %284, 1
-  %2374 = add nsw i64 %285, -1
-  br label %283
-
-2375:                                             ; preds = %316, %316
-  %2376 = icmp eq i32 %317, 0
-  br i1 %2376, label %323, label %319
-
-2377:                                             ; preds = %316
-  br label %2683
-
-2378:                                             ; preds = %323, %323
-  %2379 = load i8, ptr %23, align 1, !noalias !12
-  %2380 = icmp eq i8 %2379, 0
-  br i1 %2380, label %330, label %329
-
-2381:                                             ; preds = %323
-  br label %2683
-
-2382:                                             ; preds = %337, %332
-  br label %2683
-
-2383:                                             ; preds = %414, %414
-  %2384 = load i64, ptr %196, align 8, !noalias !12
-  %2385 = inttoptr i64 %2384 to ptr
-  %2386 = call i32 %2385(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !12
-  %2387 = sext i32 %2386 to i64
-  br label %434
-
-2388:                                             ; preds = %414
-  br label %2683
-
-2389:                                             ; preds = %418
-  %2390 = add nsw i64 %420, -1
-  %2391 = add i64 %419, 1
-  %2392 = icmp slt i64 %419, 0
-  %2393 = select i1 %2392, i64 %64, i64 0
-  %2394 = getelementptr double, ptr %65, i64 %419
-  %2395 = getelementptr double, ptr %2394, i64 %2393
-  %2396 = load double, ptr %2395, align 8, !noalias !12
-  %2397 = select i1 %2392, i64 %74, i64 0
-  %2398 = getelementptr double, ptr %75, i64 %419
-  %2399 = getelementptr double, ptr %2398, i64 %2397
-  store double %2396, ptr %2399, align 8, !noalias !12
-  br label %418
-
-2400:                                             ; preds = %422
-  %2401 = add nsw i64 %424, -1
-  %2402 = add i64 %423, 1
-  %2403 = icmp slt i64 %423, 0
-  %2404 = select i1 %2403, i64 %64, i64 0
-  %2405 = getelementptr double, ptr %65, i64 %423
-  %2406 = getelementptr double, ptr %2405, i64 %2404
-  %2407 = load double, ptr %2406, align 8, !noalias !12
-  %2408 = call double @llvm.fabs.f64(double %2407)
-  %2409 = fcmp olt double %2408, 1.000000e-05
-  %2410 = select i1 %2409, double 1.000000e-05, double %2408
-  %2411 = fmul double %2410, 1.500000e-08
-  %2412 = fadd double %2407, %2411
-  %2413 = fsub double %2412, %2407
-  %2414 = select i1 %2403, i64 %74, i64 0
-  %2415 = getelementptr double, ptr %75, i64 %423
-  %2416 = getelementptr double, ptr %2415, i64 %2414
-  store double %2412, ptr %2416, align 8, !noalias !12
-  %2417 = getelementptr i8, ptr %110, i64 24
-  %2418 = load i64, ptr %2417, align 8, !noalias !12
-  %2419 = add nsw i64 %2418, 1
-  store i64 %2419, ptr %2417, align 8, !noalias !12
-  store ptr null, ptr %17, align 8, !noalias !140
-  store ptr null, ptr %18, align 8, !noalias !140
-  store double %366, ptr %33, align 8, !noalias !140
-  %2420 = icmp sgt i64 %45, 0
-  br i1 %2420, label %2421, label %2424
-
-2421:                                             ; preds = %2400
-  store ptr null, ptr %17, align 8, !noalias !140
-  %2422 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %366) #3
-  switch i32 %2422, label %2423 [
-    i32 -2, label %2424
-    i32 0, label %2424
-  ], !prof !32
-
-2423:                                             ; preds = %2421
-  br label %2424
-
-2424:                                             ; preds = %2421, %2421, %2400, %2423
-  %2425 = phi i32 [ %2422, %2423 ], [ 0, %2400 ], [ 0, %2421 ], [ 0, %2421 ]
-  switch i32 %2425, label %2430 [
-    i32 -2, label %2426
-    i32 0, label %2426
-  ], !prof !32
-
-2426:                                             ; preds = %2424, %2424
-  %2427 = load i64, ptr %30, align 8, !noalias !147
-  %2428 = inttoptr i64 %2427 to ptr
-  %2429 = call i32 %2428(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !147
-  br label %2430
-
-2430:                                             ; preds = %2424, %2426
-  %2431 = phi i32 [ %2429, %2426 ], [ 0, %2424 ]
-  %2432 = phi i32 [ 0, %2426 ], [ %2425, %2424 ]
-  switch i32 %2432, label %2435 [
-    i32 -2, label %2433
-    i32 0, label %2433
-  ], !prof !32
-
-2433:                                             ; preds = %2430, %2430
-  %2434 = icmp eq i32 %2431, 0
-  br i1 %2434, label %428, label %426
-
-2435:                                             ; preds = %2430
-  br label %2683
-
-2436:                                             ; preds = %428
-  %2437 = add nsw i64 %430, -1
-  %2438 = add i64 %429, 1
-  %2439 = icmp slt i64 %429, 0
-  %2440 = select i1 %2439, i64 %69, i64 0
-  %2441 = getelementptr double, ptr %70, i64 %429
-  %2442 = getelementptr double, ptr %2441, i64 %2440
-  %2443 = load double, ptr %2442, align 8, !noalias !12
-  %2444 = select i1 %2439, i64 %84, i64 0
-  %2445 = getelementptr double, ptr %85, i64 %429
-  %2446 = getelementptr double, ptr %2445, i64 %2444
-  %2447 = load double, ptr %2446, align 8, !noalias !12
-  %2448 = fsub double %2443, %2447
-  %2449 = fdiv double %2448, %2413
-  %2450 = mul nsw i64 %429, %406
-  %2451 = add nsw i64 %2450, %423
-  %2452 = icmp slt i64 %2451, 0
-  %2453 = select i1 %2452, i64 %206, i64 0
-  %2454 = getelementptr double, ptr %207, i64 %2451
-  %2455 = getelementptr double, ptr %2454, i64 %2453
-  store double %2449, ptr %2455, align 8, !noalias !12
-  br label %428
-
-2456:                                             ; preds = %437
-  %2457 = add nsw i64 %439, -1
-  %2458 = add i64 %438, 1
-  %2459 = icmp slt i64 %438, 0
-  %2460 = select i1 %2459, i64 %206, i64 0
-  %2461 = getelementptr double, ptr %207, i64 %438
-  %2462 = getelementptr double, ptr %2461, i64 %2460
-  %2463 = load double, ptr %2462, align 8, !noalias !12
-  %2464 = fsub double %2463, %2463
-  %2465 = fcmp ord double %2464, 0.000000e+00
-  br i1 %2465, label %442, label %441
-
-2466:                                             ; preds = %461
-  %2467 = add nsw i64 %463, -1
-  %2468 = add i64 %462, 1
-  br label %465
-
-2469:                                             ; preds = %465
-  %2470 = add nsw i64 %467, -1
-  %2471 = add i64 %466, 1
-  %2472 = mul nsw i64 %462, %225
-  %2473 = add nsw i64 %2472, %466
-  %2474 = icmp slt i64 %2473, 0
-  %2475 = select i1 %2474, i64 %206, i64 0
-  %2476 = getelementptr double, ptr %207, i64 %2473
-  %2477 = getelementptr double, ptr %2476, i64 %2475
-  %2478 = load double, ptr %2477, align 8, !noalias !12
-  %2479 = fneg double %2478
-  %2480 = icmp slt i64 %462, 0
-  %2481 = select i1 %2480, i64 %211, i64 0
-  %2482 = add i64 %462, %2481
-  %2483 = icmp slt i64 %466, 0
-  %2484 = select i1 %2483, i64 %213, i64 0
-  %2485 = mul i64 %2482, %213
-  %2486 = getelementptr double, ptr %214, i64 %2485
-  %2487 = getelementptr double, ptr %2486, i64 %466
-  %2488 = getelementptr double, ptr %2487, i64 %2484
-  store double %2479, ptr %2488, align 8, !noalias !12
-  %2489 = load double, ptr %2477, align 8, !noalias !12
-  %2490 = fneg double %2489
-  %2491 = select i1 %2480, i64 %218, i64 0
-  %2492 = add i64 %462, %2491
-  %2493 = select i1 %2483, i64 %220, i64 0
-  %2494 = mul i64 %2492, %220
-  %2495 = getelementptr { double, double }, ptr %221, i64 %2494
-  %2496 = getelementptr { double, double }, ptr %2495, i64 %466
-  %2497 = getelementptr { double, double }, ptr %2496, i64 %2493
-  store double %2490, ptr %2497, align 8, !noalias !12
-  %2498 = getelementptr inbounds nuw i8, ptr %2497, i64 8
-  store double 0.000000e+00, ptr %2498, align 8, !noalias !12
-  br label %465
-
-2499:                                             ; preds = %774
-  %2500 = add nsw i64 %776, -1
-  %2501 = add i64 %775, 1
-  %2502 = fcmp ogt double %773, 0.000000e+00
-  br i1 %2502, label %778, label %787
-
-2503:                                             ; preds = %789
-  %2504 = add nsw i64 %791, -1
-  %2505 = add i64 %790, 1
-  br i1 %2502, label %793, label %833
-
-2506:                                             ; preds = %843
-  %2507 = add nsw i64 %845, -1
-  %2508 = add i64 %844, 1
-  br label %847
-
-2509:                                             ; preds = %847
-  %2510 = add nsw i64 %849, -1
-  %2511 = add i64 %848, 1
-  %2512 = icmp slt i64 %844, 0
-  %2513 = add i64 %844, 3
-  %2514 = select i1 %2512, i64 %2513, i64 %844
-  %2515 = mul i64 %2514, 24
-  %2516 = getelementptr i8, ptr @1, i64 %2515
-  %2517 = load double, ptr %2516, align 8, !noalias !12
-  %2518 = icmp slt i64 %848, 0
-  %2519 = select i1 %2518, i64 %237, i64 0
-  %2520 = getelementptr double, ptr %238, i64 %848
-  %2521 = getelementptr double, ptr %2520, i64 %2519
-  %2522 = load double, ptr %2521, align 8, !noalias !12
-  %2523 = fmul double %2517, %2522
-  %2524 = getelementptr i8, ptr @2, i64 %2515
-  %2525 = getelementptr i8, ptr %2524, i64 8
-  %2526 = load double, ptr %2525, align 8, !noalias !12
-  %2527 = getelementptr double, ptr %238, i64 %237
-  %2528 = getelementptr double, ptr %2527, i64 %848
-  %2529 = getelementptr double, ptr %2528, i64 %2519
-  %2530 = load double, ptr %2529, align 8, !noalias !12
-  %2531 = fmul double %2526, %2530
-  %2532 = fadd double %2523, %2531
-  %2533 = getelementptr i8, ptr @3, i64 %2515
-  %2534 = getelementptr i8, ptr %2533, i64 16
-  %2535 = load double, ptr %2534, align 8, !noalias !12
-  %2536 = shl i64 %237, 4
-  %2537 = getelementptr i8, ptr %238, i64 %2536
-  %2538 = getelementptr double, ptr %2537, i64 %848
-  %2539 = getelementptr double, ptr %2538, i64 %2519
-  %2540 = load double, ptr %2539, align 8, !noalias !12
-  %2541 = fmul double %2535, %2540
-  %2542 = fadd double %2532, %2541
-  %2543 = select i1 %2512, i64 %242, i64 0
-  %2544 = add i64 %844, %2543
-  %2545 = select i1 %2518, i64 %244, i64 0
-  %2546 = mul i64 %2544, %244
-  %2547 = getelementptr double, ptr %245, i64 %2546
-  %2548 = getelementptr double, ptr %2547, i64 %848
-  %2549 = getelementptr double, ptr %2548, i64 %2545
-  store double %2542, ptr %2549, align 8, !noalias !12
-  br label %847
-
-2550:                                             ; preds = %1877, %1877
-  %2551 = icmp slt i64 %1881, 0
-  br i1 %2551, label %1883, label %1884
-
-2552:                                             ; preds = %1877
-  br label %2683
-
-2553:                                             ; preds = %1885
-  %2554 = add nsw i64 %1887, -1
-  %2555 = add i64 %1886, 1
-  %2556 = icmp slt i64 %1886, 0
-  %2557 = select i1 %2556, i64 %64, i64 0
-  %2558 = getelementptr double, ptr %65, i64 %1886
-  %2559 = getelementptr double, ptr %2558, i64 %2557
-  %2560 = load double, ptr %2559, align 8, !noalias !12
-  %2561 = select i1 %2556, i64 %237, i64 0
-  %2562 = shl i64 %237, 4
-  %2563 = getelementptr i8, ptr %238, i64 %2562
-  %2564 = getelementptr double, ptr %2563, i64 %1886
-  %2565 = getelementptr double, ptr %2564, i64 %2561
-  %2566 = load double, ptr %2565, align 8, !noalias !12
-  %2567 = fadd double %2560, %2566
-  %2568 = select i1 %2556, i64 %69, i64 0
-  %2569 = getelementptr double, ptr %70, i64 %1886
-  %2570 = getelementptr double, ptr %2569, i64 %2568
-  store double %2567, ptr %2570, align 8, !noalias !12
-  br label %1885
-
-2571:                                             ; preds = %2008, %2008
-  %2572 = icmp slt i64 %2010, 0
-  br i1 %2572, label %2012, label %2013
-
-2573:                                             ; preds = %2008
-  br label %2683
-
-2574:                                             ; preds = %2060
-  %2575 = add nsw i64 %2062, -1
-  %2576 = add i64 %2061, 1
-  %2577 = icmp slt i64 %2061, 0
-  %2578 = select i1 %2577, i64 %237, i64 0
-  %2579 = getelementptr double, ptr %238, i64 %2061
-  %2580 = getelementptr double, ptr %2579, i64 %2578
-  %2581 = load double, ptr %2580, align 8, !noalias !12
-  %2582 = fmul double %2581, 0xC039A12CE7B30915
-  %2583 = getelementptr double, ptr %238, i64 %237
-  %2584 = getelementptr double, ptr %2583, i64 %2061
-  %2585 = getelementptr double, ptr %2584, i64 %2578
-  %2586 = load double, ptr %2585, align 8, !noalias !12
-  %2587 = fmul double %2586, 0x402497AF24BB677E
-  %2588 = fadd double %2582, %2587
-  %2589 = shl i64 %237, 4
-  %2590 = getelementptr i8, ptr %238, i64 %2589
-  %2591 = getelementptr double, ptr %2590, i64 %2061
-  %2592 = getelementptr double, ptr %2591, i64 %2578
-  %2593 = load double, ptr %2592, align 8, !noalias !12
-  %2594 = fmul double %2593, 0xC005555555555555
-  %2595 = fadd double %2588, %2594
-  %2596 = fmul double %2581, 0x402F295C43B61425
-  %2597 = fmul double %2586, 0xC021D406EE60BECF
-  %2598 = fadd double %2596, %2597
-  %2599 = fmul double %2593, 0x400AAAAAAAAAAAAB
-  %2600 = fadd double %2598, %2599
-  %2601 = select i1 %2577, i64 %69, i64 0
-  %2602 = getelementptr double, ptr %70, i64 %2061
-  %2603 = getelementptr double, ptr %2602, i64 %2601
-  %2604 = load double, ptr %2603, align 8, !noalias !12
-  %2605 = select i1 %2577, i64 %64, i64 0
-  %2606 = getelementptr double, ptr %65, i64 %2061
-  %2607 = getelementptr double, ptr %2606, i64 %2605
-  %2608 = load double, ptr %2607, align 8, !noalias !12
-  %2609 = fsub double %2604, %2608
-  %2610 = select i1 %2577, i64 %89, i64 0
-  %2611 = getelementptr double, ptr %90, i64 %2061
-  %2612 = getelementptr double, ptr %2611, i64 %2610
-  store double %2609, ptr %2612, align 8, !noalias !12
-  %2613 = fneg double %2595
-  %2614 = fsub double %2613, %2600
-  %2615 = add nsw i64 %64, %2061
-  %2616 = icmp slt i64 %2615, 0
-  %2617 = select i1 %2616, i64 %89, i64 0
-  %2618 = getelementptr double, ptr %90, i64 %2615
-  %2619 = getelementptr double, ptr %2618, i64 %2617
-  store double %2614, ptr %2619, align 8, !noalias !12
-  %2620 = fneg double %2600
-  %2621 = shl nsw i64 %64, 1
-  %2622 = add nsw i64 %2621, %2061
-  %2623 = icmp slt i64 %2622, 0
-  %2624 = select i1 %2623, i64 %89, i64 0
-  %2625 = getelementptr double, ptr %90, i64 %2622
-  %2626 = getelementptr double, ptr %2625, i64 %2624
-  store double %2620, ptr %2626, align 8, !noalias !12
-  %2627 = load double, ptr %2607, align 8, !noalias !12
-  %2628 = select i1 %2577, i64 %256, i64 0
-  %2629 = getelementptr double, ptr %257, i64 %2061
-  %2630 = getelementptr double, ptr %2629, i64 %2628
-  store double %2627, ptr %2630, align 8, !noalias !12
-  br label %2064
-
-2631:                                             ; preds = %2064
-  %2632 = add nsw i64 %2066, -1
-  %2633 = add i64 %2065, 1
-  %2634 = mul nsw i64 %2065, %64
-  %2635 = add nsw i64 %2634, %2061
-  %2636 = icmp slt i64 %2635, 0
-  %2637 = select i1 %2636, i64 %89, i64 0
-  %2638 = getelementptr double, ptr %90, i64 %2635
-  %2639 = getelementptr double, ptr %2638, i64 %2637
-  %2640 = load double, ptr %2639, align 8, !noalias !12
-  %2641 = icmp slt i64 %2065, -1
-  %2642 = select i1 %2641, i64 %254, i64 0
-  %2643 = add i64 %2633, %2642
-  %2644 = mul i64 %2643, %256
-  %2645 = getelementptr double, ptr %257, i64 %2644
-  %2646 = getelementptr double, ptr %2645, i64 %2061
-  %2647 = getelementptr double, ptr %2646, i64 %2628
-  store double %2640, ptr %2647, align 8, !noalias !12
-  br label %2064
-
-2648:                                             ; preds = %2119, %2657
-  %2649 = phi i64 [ 0, %2119 ], [ %2659, %2657 ]
-  %2650 = phi i64 [ %2131, %2119 ], [ %2658, %2657 ]
-  %2651 = icmp sgt i64 %2650, 0
-  br i1 %2651, label %2657, label %2652
-
-2652:                                             ; preds = %2648
-  %2653 = getelementptr i8, ptr %27, i64 24
-  %2654 = load i64, ptr %2653, align 8, !noalias !148
-  %2655 = getelementptr i8, ptr %30, i64 16
-  %2656 = load i64, ptr %2655, align 8, !noalias !148
-  call fastcc void @pydy_nested(i64 %2130, i64 %62, i64 %87, i64 %64, i64 %2654, i64 %77, i64 %2656) #3, !noalias !148
-  br i1 %2105, label %2132, label %2139
-
-2657:                                             ; preds = %2648
-  %2658 = add nsw i64 %2650, -1
-  %2659 = add i64 %2649, 1
-  %2660 = icmp slt i64 %2649, 0
-  %2661 = select i1 %2660, i64 %79, i64 0
-  %2662 = getelementptr double, ptr %80, i64 %2649
-  %2663 = getelementptr double, ptr %2662, i64 %2661
-  store double %2127, ptr %2663, align 8, !noalias !148
-  br label %2648
-
-2664:                                             ; preds = %2173
-  %2665 = load i64, ptr %157, align 8, !noalias !12
-  %2666 = icmp eq i64 %2665, 1
-  br i1 %2666, label %2195, label %2200
-
-2667:                                             ; preds = %2205
-  br label %2683
-
-2668:                                             ; preds = %2211
-  store double %2098, ptr %105, align 8, !noalias !12
-  store double 0.000000e+00, ptr %298, align 8, !noalias !12
-  store i64 0, ptr %110, align 8, !noalias !12
-  br label %2226
-
-2669:                                             ; preds = %2243
-  %2670 = add nsw i64 %2245, -1
-  %2671 = add i64 %2244, 1
-  %2672 = icmp slt i64 %2244, 0
-  %2673 = select i1 %2672, i64 %69, i64 0
-  %2674 = getelementptr double, ptr %70, i64 %2244
-  %2675 = getelementptr double, ptr %2674, i64 %2673
-  %2676 = load double, ptr %2675, align 8, !noalias !12
-  %2677 = select i1 %2672, i64 %64, i64 0
-  %2678 = getelementptr double, ptr %65, i64 %2244
-  %2679 = getelementptr double, ptr %2678, i64 %2677
-  store double %2676, ptr %2679, align 8, !noalias !12
-  br label %2243
-
-2680:                                             ; preds = %2261, %2261
-  %2681 = icmp eq i32 %2262, 0
-  br i1 %2681, label %2268, label %2264
-
-2682:                                             ; preds = %2261
-  br label %2683
-
-2683:                                             ; preds = %2682, %2667, %2573, %2552, %2435, %2388, %2382, %2381, %2377, %2364, %2363, %2264, %2241, %2012, %1883, %445, %380, %369, %329, %319, %192
-  %2684 = phi i64 [ 0, %2552 ], [ -1, %192 ], [ 2, %2363 ], [ %2227, %2241 ], [ -4, %1883 ], [ 0, %2682 ], [ %2267, %2264 ], [ 0, %2377 ], [ %322, %319 ], [ 0, %2381 ], [ 0, %329 ], [ 0, %2382 ], [ -1, %369 ], [ 1, %380 ], [ 0, %2388 ], [ 0, %2435 ], [ -4, %445 ], [ 0, %2573 ], [ 0, %2667 ], [ -4, %2012 ], [ 0, %2364 ]
-  ret i64 %2684
+2311:                                             ; preds = %2309
+  %2312 = load i64, ptr %2736, align 8, !noalias !22
+  %2313 = icmp eq i64 %2312, 0
+  br i1 %2313, label %2314, label %2326
+
+2314:                                             ; preds = %2311
+  %2315 = load i64, ptr %391, align 8, !noalias !22
+  %2316 = add nsw i64 %2315, -1
+  store i64 %2316, ptr %391, align 8, !noalias !22
+  %2317 = load i64, ptr %275, align 8, !noalias !22
+  %2318 = add nsw i64 %2317, -1
+  store i64 %2318, ptr %275, align 8, !noalias !22
+  %2319 = load i64, ptr %393, align 8, !noalias !22
+  %2320 = add nsw i64 %2319, 1
+  store i64 %2320, ptr %393, align 8, !noalias !22
+  %2321 = fmul double %410, 2.500000e-01
+  %2322 = getelementptr i8, ptr %110, i64 72
+  store i64 6, ptr %2322, align 8, !noalias !22
+  %2323 = getelementptr i8, ptr %196, i64 16
+  %2324 = load i64, ptr %2323, align 8, !noalias !22
+  %2325 = sub nsw i64 1, %2324
+  store i64 1, ptr %1909, align 8, !noalias !22
+  store i64 %2325, ptr %418, align 8, !noalias !22
+  store double 0.000000e+00, ptr %791, align 8, !noalias !22
+  br label %2448
+
+2326:                                             ; preds = %2311, %2309
+  %2327 = load i64, ptr %275, align 8, !noalias !22
+  %2328 = add nsw i64 %2327, 1
+  store i64 %2328, ptr %275, align 8, !noalias !22
+  br label %2773
+
+2329:                                             ; preds = %2309, %2156
+  br label %2330
+
+2330:                                             ; preds = %2329, %2759
+  %2331 = phi i64 [ 0, %2329 ], [ %2761, %2759 ]
+  %2332 = phi i64 [ %292, %2329 ], [ %2760, %2759 ]
+  %2333 = icmp sgt i64 %2332, 0
+  br i1 %2333, label %2759, label %2334
+
+2334:                                             ; preds = %2330
+  %2335 = getelementptr i8, ptr %110, i64 24
+  %2336 = load i64, ptr %2335, align 8, !noalias !22
+  %2337 = add nsw i64 %2336, 1
+  store i64 %2337, ptr %2335, align 8, !noalias !22
+  store ptr null, ptr %15, align 8, !noalias !136
+  store ptr null, ptr %16, align 8, !noalias !136
+  store double %411, ptr %33, align 8, !noalias !136
+  %2338 = icmp sgt i64 %45, 0
+  br i1 %2338, label %2339, label %2342
+
+2339:                                             ; preds = %2334
+  store ptr null, ptr %15, align 8, !noalias !136
+  %2340 = call fastcc i32 @_sample(ptr nonnull %15, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %411) #3
+  switch i32 %2340, label %2341 [
+    i32 -2, label %2342
+    i32 0, label %2342
+  ], !prof !33
+
+2341:                                             ; preds = %2339
+  br label %2342
+
+2342:                                             ; preds = %2339, %2339, %2334, %2341
+  %2343 = phi i32 [ %2340, %2341 ], [ 0, %2334 ], [ 0, %2339 ], [ 0, %2339 ]
+  switch i32 %2343, label %2348 [
+    i32 -2, label %2344
+    i32 0, label %2344
+  ], !prof !33
+
+2344:                                             ; preds = %2342, %2342
+  %2345 = load i64, ptr %30, align 8, !noalias !143
+  %2346 = inttoptr i64 %2345 to ptr
+  %2347 = call i32 %2346(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !143
+  br label %2348
+
+2348:                                             ; preds = %2342, %2344
+  %2349 = phi i32 [ %2347, %2344 ], [ 0, %2342 ]
+  %2350 = phi i32 [ 0, %2344 ], [ %2343, %2342 ]
+  switch i32 %2350, label %2772 [
+    i32 -2, label %2770
+    i32 0, label %2770
+  ], !prof !33
+
+2351:                                             ; preds = %2770
+  %2352 = getelementptr i8, ptr %110, i64 72
+  store i64 3, ptr %2352, align 8, !noalias !22
+  store double %410, ptr %308, align 8, !noalias !22
+  %2353 = icmp slt i32 %2349, 0
+  %2354 = select i1 %2353, i64 -4, i64 2
+  br label %2773
+
+2355:                                             ; preds = %2770
+  %2356 = icmp sgt i64 %1898, 2
+  %2357 = fcmp ogt double %1897, 1.000000e-03
+  %2358 = select i1 %2356, i1 %2357, i1 false
+  %2359 = zext i1 %2358 to i64
+  store i64 %2359, ptr %418, align 8, !noalias !22
+  %2360 = getelementptr i8, ptr %196, i64 16
+  store i64 0, ptr %2360, align 8, !noalias !22
+  store i64 0, ptr %1909, align 8, !noalias !22
+  %2361 = fcmp ule double %2077, 1.000000e+00
+  %2362 = fcmp uge double %2077, 1.200000e+00
+  %2363 = or i1 %2361, %2362
+  %2364 = select i1 %2363, i1 true, i1 %2358
+  br i1 %2364, label %2365, label %2369
+
+2365:                                             ; preds = %2355
+  %2366 = fcmp ogt double %2077, 2.000000e-01
+  %2367 = select i1 %2366, double %2077, double 2.000000e-01
+  %2368 = fmul double %410, %2367
+  br label %2369
+
+2369:                                             ; preds = %2355, %2365
+  %2370 = phi double [ %2368, %2365 ], [ %410, %2355 ]
+  %2371 = getelementptr i8, ptr %110, i64 48
+  %2372 = load i64, ptr %2371, align 8, !noalias !22
+  %2373 = icmp eq i64 %2372, %114
+  br i1 %2373, label %2451, label %374
+
+2374:                                             ; preds = %2032
+  %2375 = load i64, ptr %393, align 8, !noalias !22
+  %2376 = add nsw i64 %2375, 1
+  store i64 %2376, ptr %393, align 8, !noalias !22
+  %2377 = select i1 %2039, i64 2, i64 3
+  %2378 = getelementptr i8, ptr %110, i64 72
+  store i64 %2377, ptr %2378, align 8, !noalias !22
+  %2379 = fsub double %2028, %2028
+  %2380 = fcmp ord double %2379, 0.000000e+00
+  br i1 %2380, label %2381, label %2385
+
+2381:                                             ; preds = %2374
+  %2382 = fmul double %2035, %2038
+  %2383 = fcmp ogt double %2382, 2.000000e-01
+  %2384 = select i1 %2383, double %2382, double 2.000000e-01
+  br label %2385
+
+2385:                                             ; preds = %2381, %2374
+  %2386 = phi double [ 2.500000e-01, %2374 ], [ %2384, %2381 ]
+  %2387 = fmul double %410, %2386
+  %2388 = getelementptr i8, ptr %196, i64 16
+  %2389 = load i64, ptr %2388, align 8, !noalias !22
+  %2390 = sub nsw i64 1, %2389
+  store i64 1, ptr %1909, align 8, !noalias !22
+  store i64 %2390, ptr %418, align 8, !noalias !22
+  br label %2448
+
+2391:                                             ; preds = %1903
+  %2392 = load i64, ptr %393, align 8, !noalias !22
+  %2393 = add nsw i64 %2392, 1
+  store i64 %2393, ptr %393, align 8, !noalias !22
+  %2394 = icmp eq i64 %1900, 0
+  br i1 %2394, label %2397, label %2395
+
+2395:                                             ; preds = %2391
+  %2396 = getelementptr i8, ptr %110, i64 72
+  store i64 3, ptr %2396, align 8, !noalias !22
+  br label %2404
+
+2397:                                             ; preds = %2391
+  %2398 = fsub double %1897, %1897
+  %2399 = fcmp ord double %2398, 0.000000e+00
+  br i1 %2399, label %2400, label %2402
+
+2400:                                             ; preds = %2397
+  %2401 = getelementptr i8, ptr %110, i64 72
+  store i64 7, ptr %2401, align 8, !noalias !22
+  br label %2404
+
+2402:                                             ; preds = %2397
+  %2403 = getelementptr i8, ptr %110, i64 72
+  store i64 4, ptr %2403, align 8, !noalias !22
+  br label %2404
+
+2404:                                             ; preds = %2402, %2400, %2395
+  %2405 = getelementptr i8, ptr %196, i64 16
+  %2406 = load i64, ptr %2405, align 8, !noalias !22
+  %2407 = icmp eq i64 %2406, 1
+  %2408 = and i1 %2407, %2394
+  br i1 %2408, label %2409, label %2436
+
+2409:                                             ; preds = %2404
+  %2410 = call i64 @llvm.smax.i64(i64 %206, i64 0)
+  br label %2411
+
+2411:                                             ; preds = %2423, %2409
+  %2412 = phi i64 [ 0, %2409 ], [ %2431, %2423 ]
+  %2413 = phi i64 [ %2410, %2409 ], [ %2430, %2423 ]
+  %2414 = phi i1 [ false, %2409 ], [ %2424, %2423 ]
+  %2415 = icmp sgt i64 %2413, 0
+  br i1 %2415, label %2429, label %2432
+
+2416:                                             ; preds = %2429
+  %2417 = icmp slt i64 %2412, 0
+  %2418 = select i1 %2417, i64 %206, i64 0
+  %2419 = getelementptr double, ptr %207, i64 %2412
+  %2420 = getelementptr double, ptr %2419, i64 %2418
+  %2421 = load double, ptr %2420, align 8, !noalias !144
+  %2422 = fcmp une double %2421, 0.000000e+00
+  br label %2423
+
+2423:                                             ; preds = %2429, %2416
+  %2424 = phi i1 [ true, %2429 ], [ %2422, %2416 ]
+  %2425 = icmp slt i64 %2412, 0
+  %2426 = select i1 %2425, i64 %206, i64 0
+  %2427 = getelementptr double, ptr %207, i64 %2412
+  %2428 = getelementptr double, ptr %2427, i64 %2426
+  store double 0.000000e+00, ptr %2428, align 8, !noalias !144
+  br label %2411
+
+2429:                                             ; preds = %2411
+  %2430 = add nsw i64 %2413, -1
+  %2431 = add i64 %2412, 1
+  br i1 %2414, label %2423, label %2416
+
+2432:                                             ; preds = %2411
+  br i1 %2414, label %2433, label %2434
+
+2433:                                             ; preds = %2432
+  store i64 0, ptr %469, align 8, !noalias !22
+  br label %2448
+
+2434:                                             ; preds = %2432
+  store i64 0, ptr %2405, align 8, !noalias !22
+  %2435 = fmul double %410, 5.000000e-01
+  br label %2436
+
+2436:                                             ; preds = %2434, %2404
+  %2437 = phi double [ %2435, %2434 ], [ %375, %2404 ]
+  %2438 = load i64, ptr %2405, align 8, !noalias !22
+  %2439 = icmp ne i64 %2438, 1
+  %2440 = and i1 %2439, %2394
+  br i1 %2440, label %2444, label %2441
+
+2441:                                             ; preds = %2436
+  %2442 = select i1 %2394, double 5.000000e-01, double 2.500000e-01
+  %2443 = fmul double %410, %2442
+  store double 0.000000e+00, ptr %791, align 8, !noalias !22
+  br label %2444
+
+2444:                                             ; preds = %2436, %2441
+  %2445 = phi double [ %2443, %2441 ], [ %2437, %2436 ]
+  %2446 = load i64, ptr %2405, align 8, !noalias !22
+  %2447 = sub nsw i64 1, %2446
+  store i64 %2447, ptr %418, align 8, !noalias !22
+  br label %2448
+
+2448:                                             ; preds = %2444, %2433, %2385, %2314, %2049, %782
+  %2449 = phi double [ %2387, %2385 ], [ %2052, %2049 ], [ %2321, %2314 ], [ %375, %2433 ], [ %2445, %2444 ], [ %785, %782 ]
+  br label %371
+
+2450:                                             ; preds = %400
+  store double %410, ptr %308, align 8, !noalias !22
+  br label %2773
+
+2451:                                             ; preds = %2369
+  store double %2370, ptr %308, align 8, !noalias !22
+  br label %2773
+
+2452:                                             ; preds = %293
+  %2453 = icmp slt i64 %294, 0
+  %2454 = select i1 %2453, i64 %94, i64 0
+  %2455 = getelementptr double, ptr %95, i64 %294
+  %2456 = getelementptr double, ptr %2455, i64 %2454
+  %2457 = load double, ptr %2456, align 8, !noalias !22
+  %2458 = fcmp olt double %2457, %296
+  %2459 = select i1 %2458, double %2457, double %296
+  %2460 = add i64 %294, 1
+  %2461 = add nsw i64 %295, -1
+  br label %293
+
+2462:                                             ; preds = %326, %326
+  %2463 = icmp eq i32 %327, 0
+  br i1 %2463, label %333, label %329
+
+2464:                                             ; preds = %326
+  br label %2773
+
+2465:                                             ; preds = %333, %333
+  %2466 = load i8, ptr %23, align 1, !noalias !12
+  %2467 = icmp eq i8 %2466, 0
+  br i1 %2467, label %340, label %339
+
+2468:                                             ; preds = %333
+  br label %2773
+
+2469:                                             ; preds = %347, %342
+  br label %2773
+
+2470:                                             ; preds = %433, %433
+  %2471 = load i64, ptr %196, align 8, !noalias !22
+  %2472 = inttoptr i64 %2471 to ptr
+  %2473 = call i32 %2472(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !22
+  %2474 = sext i32 %2473 to i64
+  br label %453
+
+2475:                                             ; preds = %433
+  br label %2773
+
+2476:                                             ; preds = %437
+  %2477 = add nsw i64 %439, -1
+  %2478 = add i64 %438, 1
+  %2479 = icmp slt i64 %438, 0
+  %2480 = select i1 %2479, i64 %64, i64 0
+  %2481 = getelementptr double, ptr %65, i64 %438
+  %2482 = getelementptr double, ptr %2481, i64 %2480
+  %2483 = load double, ptr %2482, align 8, !noalias !22
+  %2484 = select i1 %2479, i64 %74, i64 0
+  %2485 = getelementptr double, ptr %75, i64 %438
+  %2486 = getelementptr double, ptr %2485, i64 %2484
+  store double %2483, ptr %2486, align 8, !noalias !22
+  br label %437
+
+2487:                                             ; preds = %441
+  %2488 = add nsw i64 %443, -1
+  %2489 = add i64 %442, 1
+  %2490 = icmp slt i64 %442, 0
+  %2491 = select i1 %2490, i64 %64, i64 0
+  %2492 = getelementptr double, ptr %65, i64 %442
+  %2493 = getelementptr double, ptr %2492, i64 %2491
+  %2494 = load double, ptr %2493, align 8, !noalias !22
+  %2495 = call double @llvm.fabs.f64(double %2494)
+  %2496 = fcmp olt double %2495, 1.000000e-05
+  %2497 = select i1 %2496, double 1.000000e-05, double %2495
+  %2498 = fmul double %2497, 1.500000e-08
+  %2499 = fadd double %2494, %2498
+  %2500 = fsub double %2499, %2494
+  %2501 = select i1 %2490, i64 %74, i64 0
+  %2502 = getelementptr double, ptr %75, i64 %442
+  %2503 = getelementptr double, ptr %2502, i64 %2501
+  store double %2499, ptr %2503, align 8, !noalias !22
+  %2504 = getelementptr i8, ptr %110, i64 24
+  %2505 = load i64, ptr %2504, align 8, !noalias !22
+  %2506 = add nsw i64 %2505, 1
+  store i64 %2506, ptr %2504, align 8, !noalias !22
+  store ptr null, ptr %17, align 8, !noalias !147
+  store ptr null, ptr %18, align 8, !noalias !147
+  store double %376, ptr %33, align 8, !noalias !147
+  %2507 = icmp sgt i64 %45, 0
+  br i1 %2507, label %2508, label %2511
+
+2508:                                             ; preds = %2487
+  store ptr null, ptr %17, align 8, !noalias !147
+  %2509 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %376) #3
+  switch i32 %2509, label %2510 [
+    i32 -2, label %2511
+    i32 0, label %2511
+  ], !prof !33
+
+2510:                                             ; preds = %2508
+  br label %2511
+
+2511:                                             ; preds = %2508, %2508, %2487, %2510
+  %2512 = phi i32 [ %2509, %2510 ], [ 0, %2487 ], [ 0, %2508 ], [ 0, %2508 ]
+  switch i32 %2512, label %2517 [
+    i32 -2, label %2513
+    i32 0, label %2513
+  ], !prof !33
+
+2513:                                             ; preds = %2511, %2511
+  %2514 = load i64, ptr %30, align 8, !noalias !154
+  %2515 = inttoptr i64 %2514 to ptr
+  %2516 = call i32 %2515(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !154
+  br label %2517
+
+2517:                                             ; preds = %2511, %2513
+  %2518 = phi i32 [ %2516, %2513 ], [ 0, %2511 ]
+  %2519 = phi i32 [ 0, %2513 ], [ %2512, %2511 ]
+  switch i32 %2519, label %2522 [
+    i32 -2, label %2520
+    i32 0, label %2520
+  ], !prof !33
+
+2520:                                             ; preds = %2517, %2517
+  %2521 = icmp eq i32 %2518, 0
+  br i1 %2521, label %447, label %445
+
+2522:                                             ; preds = %2517
+  br label %2773
+
+2523:                                             ; preds = %447
+  %2524 = add nsw i64 %449, -1
+  %2525 = add i64 %448, 1
+  %2526 = icmp slt i64 %448, 0
+  %2527 = select i1 %2526, i64 %69, i64 0
+  %2528 = getelementptr double, ptr %70, i64 %448
+  %2529 = getelementptr double, ptr %2528, i64 %2527
+  %2530 = load double, ptr %2529, align 8, !noalias !22
+  %2531 = select i1 %2526, i64 %84, i64 0
+  %2532 = getelementptr double, ptr %85, i64 %448
+  %2533 = getelementptr double, ptr %2532, i64 %2531
+  %2534 = load double, ptr %2533, align 8, !noalias !22
+  %2535 = fsub double %2530, %2534
+  %2536 = fdiv double %2535, %2500
+  %2537 = mul nsw i64 %448, %425
+  %2538 = add nsw i64 %2537, %442
+  %2539 = icmp slt i64 %2538, 0
+  %2540 = select i1 %2539, i64 %206, i64 0
+  %2541 = getelementptr double, ptr %207, i64 %2538
+  %2542 = getelementptr double, ptr %2541, i64 %2540
+  store double %2536, ptr %2542, align 8, !noalias !22
+  br label %447
+
+2543:                                             ; preds = %456
+  %2544 = add nsw i64 %458, -1
+  %2545 = add i64 %457, 1
+  %2546 = icmp slt i64 %457, 0
+  %2547 = select i1 %2546, i64 %206, i64 0
+  %2548 = getelementptr double, ptr %207, i64 %457
+  %2549 = getelementptr double, ptr %2548, i64 %2547
+  %2550 = load double, ptr %2549, align 8, !noalias !22
+  %2551 = fsub double %2550, %2550
+  %2552 = fcmp ord double %2551, 0.000000e+00
+  br i1 %2552, label %461, label %460
+
+2553:                                             ; preds = %480
+  %2554 = add nsw i64 %482, -1
+  %2555 = add i64 %481, 1
+  br label %484
+
+2556:                                             ; preds = %484
+  %2557 = add nsw i64 %486, -1
+  %2558 = add i64 %485, 1
+  %2559 = mul nsw i64 %481, %225
+  %2560 = add nsw i64 %2559, %485
+  %2561 = icmp slt i64 %2560, 0
+  %2562 = select i1 %2561, i64 %206, i64 0
+  %2563 = getelementptr double, ptr %207, i64 %2560
+  %2564 = getelementptr double, ptr %2563, i64 %2562
+  %2565 = load double, ptr %2564, align 8, !noalias !22
+  %2566 = fneg double %2565
+  %2567 = icmp slt i64 %481, 0
+  %2568 = select i1 %2567, i64 %211, i64 0
+  %2569 = add i64 %481, %2568
+  %2570 = icmp slt i64 %485, 0
+  %2571 = select i1 %2570, i64 %213, i64 0
+  %2572 = mul i64 %2569, %213
+  %2573 = getelementptr double, ptr %214, i64 %2572
+  %2574 = getelementptr double, ptr %2573, i64 %485
+  %2575 = getelementptr double, ptr %2574, i64 %2571
+  store double %2566, ptr %2575, align 8, !noalias !22
+  %2576 = load double, ptr %2564, align 8, !noalias !22
+  %2577 = fneg double %2576
+  %2578 = select i1 %2567, i64 %218, i64 0
+  %2579 = add i64 %481, %2578
+  %2580 = select i1 %2570, i64 %220, i64 0
+  %2581 = mul i64 %2579, %220
+  %2582 = getelementptr { double, double }, ptr %221, i64 %2581
+  %2583 = getelementptr { double, double }, ptr %2582, i64 %485
+  %2584 = getelementptr { double, double }, ptr %2583, i64 %2580
+  store double %2577, ptr %2584, align 8, !noalias !22
+  %2585 = getelementptr inbounds nuw i8, ptr %2584, i64 8
+  store double 0.000000e+00, ptr %2585, align 8, !noalias !22
+  br label %484
+
+2586:                                             ; preds = %793
+  %2587 = add nsw i64 %795, -1
+  %2588 = add i64 %794, 1
+  %2589 = fcmp ogt double %792, 0.000000e+00
+  br i1 %2589, label %797, label %806
+
+2590:                                             ; preds = %808
+  %2591 = add nsw i64 %810, -1
+  %2592 = add i64 %809, 1
+  br i1 %2589, label %812, label %852
+
+2593:                                             ; preds = %862
+  %2594 = add nsw i64 %864, -1
+  %2595 = add i64 %863, 1
+  br label %866
+
+2596:                                             ; preds = %866
+  %2597 = add nsw i64 %868, -1
+  %2598 = add i64 %867, 1
+  %2599 = icmp slt i64 %863, 0
+  %2600 = add i64 %863, 3
+  %2601 = select i1 %2599, i64 %2600, i64 %863
+  %2602 = mul i64 %2601, 24
+  %2603 = getelementptr i8, ptr @1, i64 %2602
+  %2604 = load double, ptr %2603, align 8, !noalias !22
+  %2605 = icmp slt i64 %867, 0
+  %2606 = select i1 %2605, i64 %237, i64 0
+  %2607 = getelementptr double, ptr %238, i64 %867
+  %2608 = getelementptr double, ptr %2607, i64 %2606
+  %2609 = load double, ptr %2608, align 8, !noalias !22
+  %2610 = fmul double %2604, %2609
+  %2611 = getelementptr i8, ptr @2, i64 %2602
+  %2612 = getelementptr i8, ptr %2611, i64 8
+  %2613 = load double, ptr %2612, align 8, !noalias !22
+  %2614 = getelementptr double, ptr %238, i64 %237
+  %2615 = getelementptr double, ptr %2614, i64 %867
+  %2616 = getelementptr double, ptr %2615, i64 %2606
+  %2617 = load double, ptr %2616, align 8, !noalias !22
+  %2618 = fmul double %2613, %2617
+  %2619 = fadd double %2610, %2618
+  %2620 = getelementptr i8, ptr @3, i64 %2602
+  %2621 = getelementptr i8, ptr %2620, i64 16
+  %2622 = load double, ptr %2621, align 8, !noalias !22
+  %2623 = shl i64 %237, 4
+  %2624 = getelementptr i8, ptr %238, i64 %2623
+  %2625 = getelementptr double, ptr %2624, i64 %867
+  %2626 = getelementptr double, ptr %2625, i64 %2606
+  %2627 = load double, ptr %2626, align 8, !noalias !22
+  %2628 = fmul double %2622, %2627
+  %2629 = fadd double %2619, %2628
+  %2630 = select i1 %2599, i64 %242, i64 0
+  %2631 = add i64 %863, %2630
+  %2632 = select i1 %2605, i64 %244, i64 0
+  %2633 = mul i64 %2631, %244
+  %2634 = getelementptr double, ptr %245, i64 %2633
+  %2635 = getelementptr double, ptr %2634, i64 %867
+  %2636 = getelementptr double, ptr %2635, i64 %2632
+  store double %2629, ptr %2636, align 8, !noalias !22
+  br label %866
+
+2637:                                             ; preds = %1896, %1896
+  %2638 = icmp slt i64 %1900, 0
+  br i1 %2638, label %1902, label %1903
+
+2639:                                             ; preds = %1896
+  br label %2773
+
+2640:                                             ; preds = %1904
+  %2641 = add nsw i64 %1906, -1
+  %2642 = add i64 %1905, 1
+  %2643 = icmp slt i64 %1905, 0
+  %2644 = select i1 %2643, i64 %64, i64 0
+  %2645 = getelementptr double, ptr %65, i64 %1905
+  %2646 = getelementptr double, ptr %2645, i64 %2644
+  %2647 = load double, ptr %2646, align 8, !noalias !22
+  %2648 = select i1 %2643, i64 %237, i64 0
+  %2649 = shl i64 %237, 4
+  %2650 = getelementptr i8, ptr %238, i64 %2649
+  %2651 = getelementptr double, ptr %2650, i64 %1905
+  %2652 = getelementptr double, ptr %2651, i64 %2648
+  %2653 = load double, ptr %2652, align 8, !noalias !22
+  %2654 = fadd double %2647, %2653
+  %2655 = select i1 %2643, i64 %69, i64 0
+  %2656 = getelementptr double, ptr %70, i64 %1905
+  %2657 = getelementptr double, ptr %2656, i64 %2655
+  store double %2654, ptr %2657, align 8, !noalias !22
+  br label %1904
+
+2658:                                             ; preds = %2027, %2027
+  %2659 = icmp slt i64 %2029, 0
+  br i1 %2659, label %2031, label %2032
+
+2660:                                             ; preds = %2027
+  br label %2773
+
+2661:                                             ; preds = %2079
+  %2662 = add nsw i64 %2081, -1
+  %2663 = add i64 %2080, 1
+  %2664 = icmp slt i64 %2080, 0
+  %2665 = select i1 %2664, i64 %237, i64 0
+  %2666 = getelementptr double, ptr %238, i64 %2080
+  %2667 = getelementptr double, ptr %2666, i64 %2665
+  %2668 = load double, ptr %2667, align 8, !noalias !22
+  %2669 = fmul double %2668, 0xC039A12CE7B30915
+  %2670 = getelementptr double, ptr %238, i64 %237
+  %2671 = getelementptr double, ptr %2670, i64 %2080
+  %2672 = getelementptr double, ptr %2671, i64 %2665
+  %2673 = load double, ptr %2672, align 8, !noalias !22
+  %2674 = fmul double %2673, 0x402497AF24BB677E
+  %2675 = fadd double %2669, %2674
+  %2676 = shl i64 %237, 4
+  %2677 = getelementptr i8, ptr %238, i64 %2676
+  %2678 = getelementptr double, ptr %2677, i64 %2080
+  %2679 = getelementptr double, ptr %2678, i64 %2665
+  %2680 = load double, ptr %2679, align 8, !noalias !22
+  %2681 = fmul double %2680, 0xC005555555555555
+  %2682 = fadd double %2675, %2681
+  %2683 = fmul double %2668, 0x402F295C43B61425
+  %2684 = fmul double %2673, 0xC021D406EE60BECF
+  %2685 = fadd double %2683, %2684
+  %2686 = fmul double %2680, 0x400AAAAAAAAAAAAB
+  %2687 = fadd double %2685, %2686
+  %2688 = select i1 %2664, i64 %69, i64 0
+  %2689 = getelementptr double, ptr %70, i64 %2080
+  %2690 = getelementptr double, ptr %2689, i64 %2688
+  %2691 = load double, ptr %2690, align 8, !noalias !22
+  %2692 = select i1 %2664, i64 %64, i64 0
+  %2693 = getelementptr double, ptr %65, i64 %2080
+  %2694 = getelementptr double, ptr %2693, i64 %2692
+  %2695 = load double, ptr %2694, align 8, !noalias !22
+  %2696 = fsub double %2691, %2695
+  %2697 = select i1 %2664, i64 %89, i64 0
+  %2698 = getelementptr double, ptr %90, i64 %2080
+  %2699 = getelementptr double, ptr %2698, i64 %2697
+  store double %2696, ptr %2699, align 8, !noalias !22
+  %2700 = fneg double %2682
+  %2701 = fsub double %2700, %2687
+  %2702 = add nsw i64 %64, %2080
+  %2703 = icmp slt i64 %2702, 0
+  %2704 = select i1 %2703, i64 %89, i64 0
+  %2705 = getelementptr double, ptr %90, i64 %2702
+  %2706 = getelementptr double, ptr %2705, i64 %2704
+  store double %2701, ptr %2706, align 8, !noalias !22
+  %2707 = fneg double %2687
+  %2708 = shl nsw i64 %64, 1
+  %2709 = add nsw i64 %2708, %2080
+  %2710 = icmp slt i64 %2709, 0
+  %2711 = select i1 %2710, i64 %89, i64 0
+  %2712 = getelementptr double, ptr %90, i64 %2709
+  %2713 = getelementptr double, ptr %2712, i64 %2711
+  store double %2707, ptr %2713, align 8, !noalias !22
+  %2714 = load double, ptr %2694, align 8, !noalias !22
+  %2715 = select i1 %2664, i64 %256, i64 0
+  %2716 = getelementptr double, ptr %257, i64 %2080
+  %2717 = getelementptr double, ptr %2716, i64 %2715
+  store double %2714, ptr %2717, align 8, !noalias !22
+  br label %2083
+
+2718:                                             ; preds = %2083
+  %2719 = add nsw i64 %2085, -1
+  %2720 = add i64 %2084, 1
+  %2721 = mul nsw i64 %2084, %64
+  %2722 = add nsw i64 %2721, %2080
+  %2723 = icmp slt i64 %2722, 0
+  %2724 = select i1 %2723, i64 %89, i64 0
+  %2725 = getelementptr double, ptr %90, i64 %2722
+  %2726 = getelementptr double, ptr %2725, i64 %2724
+  %2727 = load double, ptr %2726, align 8, !noalias !22
+  %2728 = icmp slt i64 %2084, -1
+  %2729 = select i1 %2728, i64 %254, i64 0
+  %2730 = add i64 %2720, %2729
+  %2731 = mul i64 %2730, %256
+  %2732 = getelementptr double, ptr %257, i64 %2731
+  %2733 = getelementptr double, ptr %2732, i64 %2080
+  %2734 = getelementptr double, ptr %2733, i64 %2715
+  store double %2727, ptr %2734, align 8, !noalias !22
+  br label %2083
+
+2735:                                             ; preds = %2117, %2087
+  %2736 = getelementptr i8, ptr %160, i64 8
+  %2737 = load i64, ptr %2736, align 8, !noalias !22
+  %2738 = icmp sgt i64 %2737, 0
+  br i1 %2738, label %2165, label %2156
+
+2739:                                             ; preds = %2203, %2747
+  %2740 = phi i64 [ 0, %2203 ], [ %2749, %2747 ]
+  %2741 = phi i64 [ %2215, %2203 ], [ %2748, %2747 ]
+  %2742 = icmp sgt i64 %2741, 0
+  br i1 %2742, label %2747, label %2743
+
+2743:                                             ; preds = %2739
+  %2744 = load i64, ptr %2088, align 8, !noalias !155
+  %2745 = getelementptr i8, ptr %30, i64 16
+  %2746 = load i64, ptr %2745, align 8, !noalias !155
+  call fastcc void @pydy_nested(i64 %2214, i64 %62, i64 %87, i64 %64, i64 %2744, i64 %77, i64 %2746) #3, !noalias !155
+  br i1 %2189, label %2216, label %2223
+
+2747:                                             ; preds = %2739
+  %2748 = add nsw i64 %2741, -1
+  %2749 = add i64 %2740, 1
+  %2750 = icmp slt i64 %2740, 0
+  %2751 = select i1 %2750, i64 %79, i64 0
+  %2752 = getelementptr double, ptr %80, i64 %2740
+  %2753 = getelementptr double, ptr %2752, i64 %2751
+  store double %2211, ptr %2753, align 8, !noalias !155
+  br label %2739
+
+2754:                                             ; preds = %2256
+  %2755 = load i64, ptr %157, align 8, !noalias !22
+  %2756 = icmp eq i64 %2755, 1
+  br i1 %2756, label %2278, label %2283
+
+2757:                                             ; preds = %2288
+  br label %2773
+
+2758:                                             ; preds = %2294
+  store double %2182, ptr %105, align 8, !noalias !22
+  store double 0.000000e+00, ptr %308, align 8, !noalias !22
+  store i64 0, ptr %110, align 8, !noalias !22
+  br label %2309
+
+2759:                                             ; preds = %2330
+  %2760 = add nsw i64 %2332, -1
+  %2761 = add i64 %2331, 1
+  %2762 = icmp slt i64 %2331, 0
+  %2763 = select i1 %2762, i64 %69, i64 0
+  %2764 = getelementptr double, ptr %70, i64 %2331
+  %2765 = getelementptr double, ptr %2764, i64 %2763
+  %2766 = load double, ptr %2765, align 8, !noalias !22
+  %2767 = select i1 %2762, i64 %64, i64 0
+  %2768 = getelementptr double, ptr %65, i64 %2331
+  %2769 = getelementptr double, ptr %2768, i64 %2767
+  store double %2766, ptr %2769, align 8, !noalias !22
+  br label %2330
+
+2770:                                             ; preds = %2348, %2348
+  %2771 = icmp eq i32 %2349, 0
+  br i1 %2771, label %2355, label %2351
+
+2772:                                             ; preds = %2348
+  br label %2773
+
+2773:                                             ; preds = %2772, %2757, %2660, %2639, %2522, %2475, %2469, %2468, %2464, %2451, %2450, %2351, %2326, %2031, %1902, %464, %399, %388, %379, %339, %329, %192
+  %2774 = phi i64 [ 0, %2757 ], [ -1, %192 ], [ 2, %2450 ], [ %2310, %2326 ], [ -4, %1902 ], [ 0, %2639 ], [ 0, %2772 ], [ 0, %2464 ], [ %332, %329 ], [ 0, %2468 ], [ 0, %339 ], [ 0, %2469 ], [ -1, %379 ], [ %2354, %2351 ], [ -5, %388 ], [ 1, %399 ], [ 0, %2475 ], [ 0, %2522 ], [ -4, %464 ], [ 0, %2660 ], [ 0, %2451 ], [ -4, %2031 ]
+  ret i64 %2774
 }
 
 
@@ -4349,139 +4470,146 @@ attributes #4 = { nounwind willreturn }
 !13 = distinct !{!13, !14}
 !14 = distinct !{!14}
 !15 = distinct !{!15, !14}
-!16 = !{!17, !13, !15}
+!16 = !{!17, !13}
 !17 = distinct !{!17, !18}
 !18 = distinct !{!18}
-!19 = !{!20, !17, !13, !15}
+!19 = !{!20, !17, !13}
 !20 = distinct !{!20, !21}
 !21 = distinct !{!21}
-!22 = !{!23, !17, !13, !15}
-!23 = distinct !{!23, !24}
-!24 = distinct !{!24}
-!25 = !{!26, !28, !29, !31}
-!26 = distinct !{!26, !27}
-!27 = distinct !{!27}
-!28 = distinct !{!28, !27}
-!29 = distinct !{!29, !30}
-!30 = distinct !{!30}
-!31 = distinct !{!31, !30}
-!32 = !{!"branch_weights", i32 1, i32 49, i32 49}
-!33 = !{!29, !31}
-!34 = !{!35, !37, !13, !15}
-!35 = distinct !{!35, !36}
-!36 = distinct !{!36}
-!37 = distinct !{!37, !36}
-!38 = !{!39, !41}
-!39 = distinct !{!39, !40}
-!40 = distinct !{!40}
-!41 = distinct !{!41, !40}
-!42 = !{!43}
+!22 = !{!13}
+!23 = !{!24, !17, !13}
+!24 = distinct !{!24, !25}
+!25 = distinct !{!25}
+!26 = !{!27, !29, !30, !32}
+!27 = distinct !{!27, !28}
+!28 = distinct !{!28}
+!29 = distinct !{!29, !28}
+!30 = distinct !{!30, !31}
+!31 = distinct !{!31}
+!32 = distinct !{!32, !31}
+!33 = !{!"branch_weights", i32 1, i32 49, i32 49}
+!34 = !{!30, !32}
+!35 = !{!36, !38, !13, !15}
+!36 = distinct !{!36, !37}
+!37 = distinct !{!37}
+!38 = distinct !{!38, !37}
+!39 = !{!40}
+!40 = distinct !{!40, !41}
+!41 = distinct !{!41}
+!42 = !{!43, !45}
 !43 = distinct !{!43, !44}
 !44 = distinct !{!44}
-!45 = !{!46, !48}
-!46 = distinct !{!46, !47}
-!47 = distinct !{!47}
-!48 = distinct !{!48, !47}
-!49 = !{!50, !52, !54, !46, !48}
+!45 = distinct !{!45, !44}
+!46 = !{!47}
+!47 = distinct !{!47, !48}
+!48 = distinct !{!48}
+!49 = !{!50, !52}
 !50 = distinct !{!50, !51}
 !51 = distinct !{!51}
-!52 = distinct !{!52, !53}
-!53 = distinct !{!53}
-!54 = distinct !{!54, !53}
-!55 = !{!56, !58, !60, !46, !48}
+!52 = distinct !{!52, !51}
+!53 = !{!54, !56, !58, !50, !52}
+!54 = distinct !{!54, !55}
+!55 = distinct !{!55}
 !56 = distinct !{!56, !57}
 !57 = distinct !{!57}
-!58 = distinct !{!58, !59}
-!59 = distinct !{!59}
-!60 = distinct !{!60, !59}
-!61 = !{!62, !64}
+!58 = distinct !{!58, !57}
+!59 = !{!60, !62, !64, !50, !52}
+!60 = distinct !{!60, !61}
+!61 = distinct !{!61}
 !62 = distinct !{!62, !63}
 !63 = distinct !{!63}
 !64 = distinct !{!64, !63}
-!65 = !{!66, !68, !69, !71, !62, !64}
+!65 = !{!66, !68}
 !66 = distinct !{!66, !67}
 !67 = distinct !{!67}
 !68 = distinct !{!68, !67}
-!69 = distinct !{!69, !70}
-!70 = distinct !{!70}
-!71 = distinct !{!71, !70}
-!72 = !{!69, !71, !62, !64}
-!73 = !{!74, !62, !64}
-!74 = distinct !{!74, !75}
-!75 = distinct !{!75}
-!76 = !{!77, !62, !64}
-!77 = distinct !{!77, !78}
-!78 = distinct !{!78}
-!79 = !{!"branch_weights", i32 49, i32 1}
-!80 = !{!81, !83, !62, !64}
+!69 = !{!70, !72, !73, !75, !66, !68}
+!70 = distinct !{!70, !71}
+!71 = distinct !{!71}
+!72 = distinct !{!72, !71}
+!73 = distinct !{!73, !74}
+!74 = distinct !{!74}
+!75 = distinct !{!75, !74}
+!76 = !{!73, !75, !66, !68}
+!77 = !{!78, !66, !68}
+!78 = distinct !{!78, !79}
+!79 = distinct !{!79}
+!80 = !{!81, !66, !68}
 !81 = distinct !{!81, !82}
 !82 = distinct !{!82}
-!83 = distinct !{!83, !82}
-!84 = !{!85, !87, !89, !81, !83, !62, !64}
+!83 = !{!"branch_weights", i32 49, i32 1}
+!84 = !{!85, !87, !66, !68}
 !85 = distinct !{!85, !86}
 !86 = distinct !{!86}
-!87 = distinct !{!87, !88}
-!88 = distinct !{!88}
-!89 = distinct !{!89, !88}
-!90 = !{!91, !93, !95, !81, !83, !62, !64}
+!87 = distinct !{!87, !86}
+!88 = !{!89, !91, !93, !85, !87, !66, !68}
+!89 = distinct !{!89, !90}
+!90 = distinct !{!90}
 !91 = distinct !{!91, !92}
 !92 = distinct !{!92}
-!93 = distinct !{!93, !94}
-!94 = distinct !{!94}
-!95 = distinct !{!95, !94}
-!96 = !{!97, !99, !62, !64}
+!93 = distinct !{!93, !92}
+!94 = !{!95, !97, !99, !85, !87, !66, !68}
+!95 = distinct !{!95, !96}
+!96 = distinct !{!96}
 !97 = distinct !{!97, !98}
 !98 = distinct !{!98}
 !99 = distinct !{!99, !98}
-!100 = !{!101, !103, !62, !64}
+!100 = !{!101, !103, !66, !68}
 !101 = distinct !{!101, !102}
 !102 = distinct !{!102}
 !103 = distinct !{!103, !102}
-!104 = !{!105, !62, !64}
+!104 = !{!105, !107, !66, !68}
 !105 = distinct !{!105, !106}
 !106 = distinct !{!106}
-!107 = !{!108, !110}
-!108 = distinct !{!108, !109}
-!109 = distinct !{!109}
-!110 = distinct !{!110, !109}
-!111 = !{!112, !114, !115, !117, !108, !110}
+!107 = distinct !{!107, !106}
+!108 = !{!109, !66, !68}
+!109 = distinct !{!109, !110}
+!110 = distinct !{!110}
+!111 = !{!112, !114}
 !112 = distinct !{!112, !113}
 !113 = distinct !{!113}
 !114 = distinct !{!114, !113}
-!115 = distinct !{!115, !116}
-!116 = distinct !{!116}
-!117 = distinct !{!117, !116}
-!118 = !{!115, !117, !108, !110}
-!119 = !{!120, !122, !13, !15}
-!120 = distinct !{!120, !121}
-!121 = distinct !{!121}
-!122 = distinct !{!122, !121}
+!115 = !{!116, !118, !119, !121, !112, !114}
+!116 = distinct !{!116, !117}
+!117 = distinct !{!117}
+!118 = distinct !{!118, !117}
+!119 = distinct !{!119, !120}
+!120 = distinct !{!120}
+!121 = distinct !{!121, !120}
+!122 = !{!119, !121, !112, !114}
 !123 = !{!124}
 !124 = distinct !{!124, !125}
 !125 = distinct !{!125}
-!126 = !{!127}
+!126 = !{!127, !129, !13}
 !127 = distinct !{!127, !128}
 !128 = distinct !{!128}
-!129 = !{!130, !132, !133, !135}
-!130 = distinct !{!130, !131}
-!131 = distinct !{!131}
-!132 = distinct !{!132, !131}
-!133 = distinct !{!133, !134}
-!134 = distinct !{!134}
-!135 = distinct !{!135, !134}
-!136 = !{!133, !135}
-!137 = !{!138}
-!138 = distinct !{!138, !139}
-!139 = distinct !{!139}
-!140 = !{!141, !143, !144, !146}
-!141 = distinct !{!141, !142}
-!142 = distinct !{!142}
-!143 = distinct !{!143, !142}
-!144 = distinct !{!144, !145}
-!145 = distinct !{!145}
-!146 = distinct !{!146, !145}
-!147 = !{!144, !146}
-!148 = !{!149, !151, !13, !15}
-!149 = distinct !{!149, !150}
-!150 = distinct !{!150}
-!151 = distinct !{!151, !150}
+!129 = distinct !{!129, !128}
+!130 = !{!131}
+!131 = distinct !{!131, !132}
+!132 = distinct !{!132}
+!133 = !{!134}
+!134 = distinct !{!134, !135}
+!135 = distinct !{!135}
+!136 = !{!137, !139, !140, !142}
+!137 = distinct !{!137, !138}
+!138 = distinct !{!138}
+!139 = distinct !{!139, !138}
+!140 = distinct !{!140, !141}
+!141 = distinct !{!141}
+!142 = distinct !{!142, !141}
+!143 = !{!140, !142}
+!144 = !{!145}
+!145 = distinct !{!145, !146}
+!146 = distinct !{!146}
+!147 = !{!148, !150, !151, !153}
+!148 = distinct !{!148, !149}
+!149 = distinct !{!149}
+!150 = distinct !{!150, !149}
+!151 = distinct !{!151, !152}
+!152 = distinct !{!152}
+!153 = distinct !{!153, !152}
+!154 = !{!151, !153}
+!155 = !{!156, !158, !13}
+!156 = distinct !{!156, !157}
+!157 = distinct !{!157}
+!158 = distinct !{!158, !157}

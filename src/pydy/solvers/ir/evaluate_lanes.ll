@@ -1,4 +1,4 @@
-; sources e57e10dc40fb248b9091d290f4430fd5aca6b39e43464940b8d0097a9380bbb6
+; sources a86ffd1f318c66f409d4032566c17efc5e7a958e22a2044844a3a2043386716d
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, i64 %7, ptr %8, i64 %9, i64 %10, ptr %11, i64 %12, ptr %13, i64 %14, i64 %15) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources 48a5f97f10b5c0eb578646c5d51fd1392cd2cef72d1f6a53dbc35994671dcad6
+; sources 3d957ccaa6225305d7e25a591b75ffd92f9fbbef951e3bf22a835e4be6740144
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare double @llvm.fabs.f64(double) #0

@@ -1,4 +1,4 @@
-; sources 824cce0bb8725f61e2e39cd3007d7013f8ccf33a054a3a12bdea45976093372e
+; sources 9f0daafbc4cd6d1332535161f7d0d5fbca9242b5d2e29df9e89effcad7ff5fae
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources 571d2199955f5696294246767fad653f4ebb34fabcd03fa66784cdafe17f3e00
+; sources 761a89190f7436ca4aa3c4bfe0f3c0a461342ea56eb0f274c85fd4f1e4097793
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 define internal fastcc void @pydy_combine(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr #0 {

@@ -1,4 +1,4 @@
-; sources 0bd54898d38a23795e8d4a798cc19fa5b9eaf68a02a9e15ddee18be333ae65af
+; sources 61c52e6150ae591bbfd0c60ba47dd81ad50858d95a1ef7c36c08e1706437d0fd
 ; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #0

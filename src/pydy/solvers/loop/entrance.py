@@ -17,6 +17,7 @@ from pydy.solvers.loop.intrinsics import array_of_row, intrinsic, numbers_at
 from pydy.solvers.loop.runge_kutta import copy_vector
 from pydy.solvers.run.layout import (
     ALONG,
+    EXTENSION,
     PROJECTION,
     RUN,
     STATES,
@@ -29,7 +30,9 @@ from pydy.solvers.run.layout import (
     Problem,
     Progress,
     Projection,
+    Steps,
     Tangents,
+    Wanted,
     Watch,
     Words,
     first_row,
@@ -44,7 +47,9 @@ __all__ = [
     "opened_problem",
     "opened_progress",
     "opened_projection",
+    "opened_steps",
     "opened_tangents",
+    "opened_wanted",
     "opened_watch",
     "opening",
 ]
@@ -87,6 +92,8 @@ opened_progress = opening(RUN, Progress)
 opened_constraints = opening(RUN, Constraints)
 opened_watch = opening(RUN, Watch)
 opened_newton = opening(RUN, Newton)
+opened_steps = opening(RUN, Steps)
+opened_wanted = opening(EXTENSION, Wanted)
 opened_projection = opening(PROJECTION, Projection)
 opened_tangents = opening(ALONG, Tangents)
 _opened_beginning = opening(RUN, Beginning)

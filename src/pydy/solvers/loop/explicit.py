@@ -15,7 +15,8 @@ from pydy.solvers.loop.control import (
     usable,
     whole_steps,
 )
-from pydy.solvers.loop.entrance import opened
+from pydy.solvers.loop.entrance import opened, opened_steps
+from pydy.solvers.loop.extension import full, keep_step
 from pydy.solvers.loop.finishing import finish_step, write_reached
 from pydy.solvers.loop.intrinsics import address_of, call_part
 from pydy.solvers.loop.rates import rates
@@ -41,6 +42,7 @@ from pydy.solvers.run.layout import (
     FAILURE,
     GROW,
     GROWTH,
+    KEPT,
     LARGEST,
     LAST_ERROR,
     LAST_SIZE,
@@ -54,6 +56,7 @@ from pydy.solvers.run.layout import (
     STARTED,
     STATES,
     STEPS,
+    STEPS_FULL,
     TIME,
 )
 from pydy.solvers.tuning import FIRST_ERROR, SLIVER
@@ -82,7 +85,7 @@ def advance(table, states, fresh):
     method, problem, memory, run, constraints, watch = opened(table, states, fresh)
     if run.counts[BUDGET] == 0:
         return PAUSED
-    length = memory.x.size
+    length, steps = memory.x.size, opened_steps(table)
     state, count, times, control = run.state, run.counts, run.times, method.control
     stages, held = method.shape[STAGES], constraints.words[ACTIVE] == 1
     adaptive = method.shape[ESTIMATES] > 0
@@ -107,6 +110,9 @@ def advance(table, states, fresh):
         if count[BUDGET] == 0:
             state[SIZE] = h
             return PAUSED
+        if full(steps):
+            state[SIZE] = h
+            return STEPS_FULL
         count[BUDGET] -= 1
         if count[STEPS] + count[REJECTED] >= count[LIMIT]:
             state[SIZE] = h
@@ -157,6 +163,7 @@ def advance(table, states, fresh):
             continue
         count[STEPS] += 1
         state[TIME], state[LAST_SIZE] = after, size
+        keep_step(steps, problem, memory, 0, t, size, after)
         if watch.words[EVENTS] == 0 and times[count[NEXT]] >= after:
             write_reached(problem, memory.new, run)
         else:
@@ -167,11 +174,13 @@ def advance(table, states, fresh):
             code = finish_step(table, method, problem, memory, run, constraints, watch, t, size)
             if code == CONSTRAINTS_NOT_MET and adaptive and watch.words[EVENTS] == 0:
                 count[STEPS] -= 1
+                steps.words[KEPT] -= 1
                 count[REJECTED] += 1
                 count[FAILURE], state[GROWTH] = CONSTRAINTS_NOT_MET, 1.0
                 h = shorter_size(method, size, error, False)
                 continue
             if code != 0:
+                steps.words[KEPT] += 1  # of the step that ends here, the end as well
                 return code
         if adaptive:
             h = next_size(method, size, error, state[LAST_ERROR], state[GROWTH])

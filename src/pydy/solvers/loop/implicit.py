@@ -21,7 +21,8 @@ from pydy.solvers.loop.control import (
     unit,
     usable,
 )
-from pydy.solvers.loop.entrance import opened, opened_newton
+from pydy.solvers.loop.entrance import opened, opened_newton, opened_steps
+from pydy.solvers.loop.extension import full, keep_step
 from pydy.solvers.loop.finishing import finish_step, write_reached
 from pydy.solvers.loop.intrinsics import address_of, call_part
 from pydy.solvers.loop.newton import factorise, set_jacobian, solve, solve_columns
@@ -41,6 +42,7 @@ from pydy.solvers.run.layout import (
     BUDGET,
     CALLBACK,
     COUNTED,
+    DEPTH,
     EVALUATIONS,
     EVENTS,
     FACTORED,
@@ -49,6 +51,7 @@ from pydy.solvers.run.layout import (
     FAILURE,
     FIRST,
     FRESH,
+    KEPT,
     LARGEST,
     LAST_ERROR,
     LAST_SIZE,
@@ -62,6 +65,7 @@ from pydy.solvers.run.layout import (
     STARTED,
     STATES,
     STEPS,
+    STEPS_FULL,
     TIME,
     WANTED,
 )
@@ -259,7 +263,7 @@ def advance_implicit(table, states, fresh):
     method, problem, memory, run, constraints, watch = opened(table, states, fresh)
     if run.counts[BUDGET] == 0:
         return PAUSED
-    newton = opened_newton(table)
+    newton, steps = opened_newton(table), opened_steps(table)
     n = problem.words[STATES]
     state, count, times = run.state, run.counts, run.times
     held = constraints.words[ACTIVE] == 1
@@ -291,6 +295,9 @@ def advance_implicit(table, states, fresh):
         if count[BUDGET] == 0:
             state[SIZE] = h
             return PAUSED
+        if full(steps):
+            state[SIZE] = h
+            return STEPS_FULL
         count[BUDGET] -= 1
         if count[STEPS] + count[REJECTED] >= count[LIMIT]:
             state[SIZE] = h
@@ -365,15 +372,18 @@ def advance_implicit(table, states, fresh):
         state[TIME], state[LAST_SIZE], state[LAST_ERROR] = after, size, max(error, LEAST_ERROR)
         _set_interpolant(memory, newton, n)
         sizes[PREDICTING] = size
+        keep_step(steps, problem, memory, method.shape[DEPTH], t, size, after)
         if watch.words[EVENTS] > 0 or times[count[NEXT]] <= after:
             code = finish_step(table, method, problem, memory, run, constraints, watch, t, size)
             if code == CONSTRAINTS_NOT_MET and watch.words[EVENTS] == 0:
                 count[STEPS] -= 1
+                steps.words[KEPT] -= 1
                 count[REJECTED] += 1
                 count[FAILURE], h = CONSTRAINTS_NOT_MET, AFTER_FAILURE * size
                 words[FIRST], words[WANTED], sizes[PREDICTING] = 1, 1 - words[FRESH], 0.0
                 continue
             if code != 0:
+                steps.words[KEPT] += 1
                 return code
         t = after
         for i in range(n):

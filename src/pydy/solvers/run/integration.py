@@ -38,6 +38,7 @@ from pydy.solvers.outcome import (
 )
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.constraints import CompiledConstraints, passage
+from pydy.solvers.run.extension import Extension
 from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.methods import IMPLICIT
 from pydy.solvers.run.pace import SLICE, first_budget, progress_bar
@@ -100,7 +101,9 @@ class Integration:
         parts = (options.constraints, options.events, options.recording)
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
-        self.reusable = not attended and self.call is not None and method != IMPLICIT
+        self.reusable = (
+            not (attended or options.dense_output) and self.call is not None and method != IMPLICIT
+        )
         self._budget = first_budget(method, self.call, bool(self.callbacks))
         arrays.beginning[1][at.BUDGET] = 0 if attended else self._budget
         # Rows are written in whole blocks.
@@ -130,12 +133,13 @@ class Integration:
         rows[0] = self._x0 = x0
         self.code = NOT_COMPUTED
         self.records = []
+        self.arrays.forget_steps()
         try:
             code = self._advance(rows, True)
             if code == FINISHED:  # most end in their first slice
                 self.code = FINISHED
                 return rows[: self._number]
-            if code == at.PAUSED:
+            if code in (at.PAUSED, at.STEPS_FULL):
                 with self.interrupts:
                     self._start()
                     self._run()
@@ -185,6 +189,8 @@ class Integration:
                 elif code == at.LOG_FULL:
                     self._empty_log()
                     state[at.SIZE] = self.options.step or 0.0
+                elif code == at.STEPS_FULL:
+                    self.arrays.put_steps_aside()
                 elif code != at.PAUSED:
                     self._fail(code)
                 taken = count[at.STEPS] + count[at.REJECTED] - taken
@@ -416,7 +422,13 @@ class Integration:
             "last_step": float(state[at.LAST_SIZE]),
             "reached": int(count[at.NEXT]),
             "events": list(self.records),
+            **({"dense_output": self._extension()} if self.options.dense_output else {}),
         }
+
+    def _extension(self) -> Extension | None:
+        rows = self.arrays.kept_steps()
+        ended = self.code in (FINISHED, TERMINATED, EVENTS_ACCUMULATE)
+        return Extension(self.arrays, rows) if ended and rows is not None else None
 
     def passage(self) -> str:
         """Return where the latest run came too near to a singular configuration, or nothing."""

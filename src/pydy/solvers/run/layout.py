@@ -14,6 +14,7 @@ import numpy as np
 __all__ = [
     "ALONG",
     "COLUMNS",
+    "EXTENSION",
     "PROJECTION",
     "RUN",
     "Beginning",
@@ -24,7 +25,9 @@ __all__ = [
     "Problem",
     "Progress",
     "Projection",
+    "Steps",
     "Tangents",
+    "Wanted",
     "Watch",
     "first_row",
 ]
@@ -60,6 +63,8 @@ RANK, NEARNESS, WHEN, WHERE = range(4)
 OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words
 WATCHER, EVENTS, SCAN = range(3)
+# Steps.words: the number of steps that are kept, and for how many rows there is room, 0 for none
+KEPT, ROOM = range(2)
 # Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
 # is wanted, the one there is that of the present state, the factors there are its own, and no step
 # has been accepted since the last rejected one; and the number of columns of sensitivities.
@@ -68,7 +73,7 @@ GRADIENT, WANTED, FRESH, FACTORISED, FIRST, COUNTED = range(6)
 FACTORED, PREDICTING = range(2)
 
 # What `advance` returns while it has not ended; a code of `outcome` when it has.
-PAUSED, EVENT, LOG_FULL, CALLBACK = -1, -2, -3, -4
+PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL = -1, -2, -3, -4, -5
 # Progress.counts[FAILURE] is the code of what the last rejected step met.
 
 
@@ -182,6 +187,26 @@ class Beginning(NamedTuple):
     counts: Words
 
 
+class Steps(NamedTuple):
+    """The accepted steps, a row each: time, size and state.
+
+    The implicit method adds its interpolant. The row after the last step's is that of its end, with
+    size 0.
+    """
+
+    words: Words
+    rows: NumberRows
+
+
+class Wanted(NamedTuple):
+    """Times at which the continuous extension is wanted."""
+
+    rows: NumberRows  # those of `Steps`
+    times: Numbers
+    places: Words  # the row of each time
+    out: Numbers  # states, one after the other, and a block more
+
+
 class Newton(NamedTuple):
     """What an implicit step works with."""
 
@@ -203,7 +228,8 @@ class Newton(NamedTuple):
 
 
 # The tables' parts, in their order; `Newton` is there for the implicit method only.
-RUN = (Method, Problem, Memory, Progress, Constraints, Watch, Beginning, Newton)
+RUN = (Method, Problem, Memory, Progress, Constraints, Watch, Beginning, Steps, Newton)
+EXTENSION = (Wanted,)
 PROJECTION = (Projection,)
 ALONG = (Tangents,)
 COLUMNS = 3  # a row of a table: address, length, and the number of columns

@@ -12,6 +12,7 @@ import hashlib
 from collections.abc import Callable
 from functools import cache, partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -52,13 +53,17 @@ def address_of(name: str) -> int:
 
 @cache
 def function_of(name: str, python: bool = False) -> Callable[..., int]:
-    """Return an entry that takes the address of a table, then a time and an address if it projects.
+    """Return an entry that takes the address of a table, and further arguments.
+
+    A projection also takes a time and an address; `extend` takes the address of another table.
 
     It releases the interpreter's lock, unless it may call Python functions: then it raises what
     they raise.
     """
     kind = ctypes.PYFUNCTYPE if python else ctypes.CFUNCTYPE
-    numbers = (ctypes.c_double, ctypes.c_int64) if name.startswith("project") else ()
+    numbers: tuple[Any, ...] = (ctypes.c_double, ctypes.c_int64)
+    if not name.startswith("project"):
+        numbers = (ctypes.c_int64,) if name == "extend" else ()
     return kind(ctypes.c_int64, ctypes.c_int64, *numbers)(address_of(name))
 
 

@@ -23,6 +23,7 @@ from pydy.solvers.run.layout import (
     Problem,
     Progress,
     Projection,
+    Steps,
     Tangents,
     Watch,
 )
@@ -39,16 +40,19 @@ from pydy.solvers.run.problem import (
 )
 from pydy.solvers.run.table import rows_of, table_of
 from pydy.solvers.sensitivities import CompiledSensitivities
-from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE
+from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE, STEPS_MEMORY
 
 __all__ = ["Workspace"]
 
 _LOG = 256  # events between two visits in Python
+_STEPS = 2**13  # numbers of kept steps, likewise
 
 # Compiled code neither reads nor writes these any further.
 _NO_CONSTRAINTS = Constraints(np.zeros(10, dtype=np.int64), np.zeros(1), np.zeros(1))
 _NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), 1, 0)
+_NO_STEPS = Steps(np.zeros(2, dtype=np.int64), np.zeros((1, 1)))
 _NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
+_NO_STEPS_ROWS = rows_of(_NO_STEPS)
 
 
 @cache
@@ -74,6 +78,7 @@ class Workspace:
         The part of ``constraints.values`` that the projection notes something in.
     watch : Watch
     progress : Progress
+    steps : Steps
     beginning : Beginning
         From what `progress` is at the beginning of each run.
     place : int
@@ -109,6 +114,12 @@ class Workspace:
         count[at.LIMIT], count[at.FAILURE] = options.max_steps, STEP_UNDERFLOW
         self.beginning = Beginning(state, count)
         self.progress = Progress(state.copy(), count.copy(), np.array(times, order="C"))
+        self.steps = _NO_STEPS
+        if options.dense_output:
+            width = 2 + n * (1 + (3 if method == IMPLICIT else 0))
+            room = 4 + _STEPS // width
+            self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
+        self._aside: list[np.ndarray] = []
         further = self._reserve_newton() if method == IMPLICIT else []
         self._table = table_of(
             _method_rows(method, len(self.memory.x)),
@@ -118,6 +129,7 @@ class Workspace:
             _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
             _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
             rows_of(self.beginning),
+            rows_of(self.steps) if options.dense_output else _NO_STEPS_ROWS,
             further,
         )
         self.place = address(self._table)
@@ -142,6 +154,28 @@ class Workspace:
         self.beginning.state[at.TIME] = times[0]
         self.call = call
         return True
+
+    def forget_steps(self) -> None:
+        """Begin with no kept steps."""
+        self._aside, self.steps.words[at.KEPT] = [], 0
+
+    def put_steps_aside(self) -> None:
+        """Make room for further steps, or keep none where they need too much memory."""
+        words, rows = self.steps
+        self._aside.append(rows[: words[at.KEPT]].copy())
+        words[at.KEPT] = 0
+        if len(self._aside) * rows.nbytes > STEPS_MEMORY:
+            self._aside, words[at.ROOM] = [], 0
+
+    def kept_steps(self) -> np.ndarray | None:
+        """Return the rows of all steps, and the state at the end, after an event there."""
+        words, rows = self.steps
+        if words[at.ROOM] == 0:
+            return None
+        last = np.zeros((1, rows.shape[1]))
+        last[0, 0], last[0, 2 : 2 + self.n] = self.progress.state[at.TIME], self.memory.x[: self.n]
+        latest = rows[: words[at.KEPT] + 1 if words[at.KEPT] else 0]
+        return np.concatenate([*self._aside, latest, last])
 
     def _callback(self, function: Callable[..., Any], outputs: int, what: str) -> Callback:
         callback = Callback(function, self.n, outputs, what, self.interrupts)

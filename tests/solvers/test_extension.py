@@ -1,0 +1,161 @@
+"""The solution between the times is the solver's own, with the bits of a run that asks for it."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import zoo
+from cases import system_of
+from pydy.inputs import SampledInput
+from pydy.solvers import Event, dop853, rk4
+from pydy.solvers.run import workspace
+from pydy.system import System
+
+ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
+FEW, MANY = np.linspace(0.0, 2.0, num=5), np.linspace(0.0, 2.0, num=401)
+
+
+def oscillator(solver, times, force=None):
+    """A particle on a spring: x = cos t, unless a force acts."""
+    q, v, f, k = (
+        me.dynamicsymbols("q"),
+        me.dynamicsymbols("v"),
+        me.dynamicsymbols("f"),
+        sm.Symbol("k"),
+    )
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, v * frame.x)
+    method = me.KanesMethod(frame, [q], [v], [q.diff() - v])
+    load = (point, (f - k * q) * frame.x)
+    method.kanes_equations([me.Particle("P", point, sm.Integer(1))], [load])
+    system = System(method, constants={k: 1.0}, initial_conditions={q: 1.0}, times=times)
+    system.specifieds, system.ode_solver = {f: 0.0 if force is None else force}, solver
+    return system
+
+
+def tight(solver):
+    return {"step": 0.01} if solver in ("rk4", rk4) else {"rtol": 1e-12, "atol": 1e-12}
+
+
+def agree(make, **options):
+    """Ask for few times and then for many, and for many at once."""
+    few = make(FEW).simulate(**options)
+    many = make(MANY).simulate(**options)
+    between = few.at(MANY)
+    np.testing.assert_array_equal(between.states, many.states)
+    np.testing.assert_array_equal(between.outputs, many.outputs)
+    return few, many
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_the_solution_between_the_times_is_as_good_as_at_the_times(solver):
+    few, _ = agree(lambda times: oscillator(solver, times), **tight(solver))
+    exact = np.stack([np.cos(MANY), -np.sin(MANY)], axis=1)
+    assert abs(few.states - exact[::100]).max() < 1e-10
+    # The interpolants' orders are one or two below the methods'; radau's is 3 for 5.
+    worst = {"dop853": 1e-10, "tsit5": 1e-10, "vern9": 1e-10, "radau": 1e-7}[solver]
+    assert abs(few.at(MANY).states - exact).max() < worst
+    np.testing.assert_array_equal(few.at(FEW).states, few.states)
+
+
+def test_cubics_between_fixed_steps_are_of_order_four():
+    errors = []
+    for step in (0.1, 0.05):
+        between = oscillator("rk4", FEW).simulate(step=step).at(MANY)
+        errors.append(abs(between["q"] - np.cos(MANY)).max())
+    assert 12.0 < errors[0] / errors[1] < 20.0
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+@pytest.mark.parametrize(
+    "force",
+    [lambda x, t: np.sin(3 * t), SampledInput([0.0, 0.7, 2.0], [0.0, 1.0, -1.0])],
+    ids=["function", "samples"],
+)
+def test_inputs_act_between_the_times_as_well(solver, force):
+    agree(lambda times: oscillator(solver, times, force), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_an_event_has_a_left_and_a_right_value(solver):
+    q, v = me.dynamicsymbols("q v")
+    bounce = Event(q - sm.Rational(1, 2), reset={v: -v / 2})
+    few, many = agree(lambda times: oscillator(solver, times), events=[bounce], **tight(solver))
+    (event,) = [e for e in few.events if e.time < 1.5]
+    assert abs(event.time - np.pi / 3) < 1e-9
+    np.testing.assert_array_equal(few.at([event.time]).states[0], event.after)
+    left = few.at([np.nextafter(event.time, 0.0)]).states[0]
+    np.testing.assert_allclose(left, event.before, rtol=0.0, atol=1e-14)
+    assert many.events[0].time == event.time
+
+
+def test_a_terminal_event_ends_the_extension():
+    q, v = me.dynamicsymbols("q v")
+    stop = Event(q, terminal=True, reset={v: 0})
+    trajectory = oscillator("dop853", FEW).simulate(events=[stop], **tight("dop853"))
+    between = trajectory.at(np.linspace(0.0, trajectory.times[-1], num=50))
+    assert abs(between["q"] - np.cos(between.times)).max() < 1e-10
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_a_projected_motion_satisfies_its_constraints_between_the_times(solver):
+    def make(times):
+        return system_of(zoo.fourbar(), times=0.25 * times, ode_solver=solver)
+
+    few = make(FEW).simulate(constraints="project", rtol=1e-8, atol=1e-8)
+    many = make(MANY).simulate(constraints="project", rtol=1e-8, atol=1e-8)
+    np.testing.assert_array_equal(few.at(0.25 * MANY).states, many.states)
+    assert abs(few.at(0.25 * MANY).constraints).max() < 1e-13
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+def test_sensitivities_are_extended_with_the_states(solver):
+    few, many = agree(
+        lambda times: oscillator(solver, times), sensitivities=["k", "q"], rtol=1e-9, atol=1e-9
+    )
+    np.testing.assert_array_equal(few.at(MANY).sensitivity.values, many.sensitivity.values)
+    np.testing.assert_allclose(few.at(MANY).sensitivity["q", "q"], np.cos(MANY), atol=1e-6)
+
+
+def test_later_changes_of_the_system_do_not_reach_the_extension():
+    system = oscillator("dop853", FEW)
+    trajectory = system.simulate(**tight("dop853"))
+    before = trajectory.at(MANY).states
+    system.constants["k"] = 4.0
+    system.simulate(**tight("dop853"))
+    np.testing.assert_array_equal(trajectory.at(MANY).states, before)
+
+
+@pytest.mark.parametrize("solver", ["rk4", "tsit5", "radau"])
+def test_long_runs_are_kept_in_pieces(solver, monkeypatch):
+    monkeypatch.setattr(workspace, "_STEPS", 1)
+    options = {"step": 0.004} if solver == "rk4" else {"rtol": 1e-8, "atol": 1e-8}
+    piecewise = oscillator(solver, FEW).simulate(**options)
+    monkeypatch.undo()
+    whole = oscillator(solver, FEW).simulate(**options)
+    np.testing.assert_array_equal(piecewise.states, whole.states)
+    np.testing.assert_array_equal(piecewise.at(MANY).states, whole.at(MANY).states)
+
+
+def test_without_an_extension_cubics_lie_between_the_times(monkeypatch):
+    cubic = oscillator("vern9", FEW).simulate(dense_output=False, **tight("vern9"))
+    assert 1e-6 < abs(cubic.at(MANY)["q"] - np.cos(MANY)).max() < 1e-3
+    kept = oscillator("vern9", FEW).simulate(**tight("vern9"))
+    for other in (pickle.loads(pickle.dumps(kept)), copy.deepcopy(cubic)):
+        np.testing.assert_array_equal(other.at(MANY).states, cubic.at(MANY).states)
+    np.testing.assert_array_equal(copy.deepcopy(kept).at(MANY).states, kept.at(MANY).states)
+    monkeypatch.setattr(workspace, "STEPS_MEMORY", 100)
+    monkeypatch.setattr(workspace, "_STEPS", 1)
+    large = oscillator("vern9", FEW).simulate(**tight("vern9"))
+    np.testing.assert_array_equal(large.at(MANY).states, cubic.at(MANY).states)
+
+
+def test_a_solver_called_by_itself_gives_its_dense_output():
+    times = [0.0, 2.0]
+    options = {"full_output": True, "dense_output": True, "rtol": 1e-12, "atol": 1e-12}
+    _, info = dop853(lambda x, t: [x[1], -x[0]], [1.0, 0.0], times, **options)
+    np.testing.assert_allclose(info["dense_output"](MANY)[:, 0], np.cos(MANY), atol=1e-10)
