@@ -74,7 +74,7 @@ def test_no_model_costs_more_operations_than_it_did(kane, limit):
 @pytest.mark.parametrize(
     ("source", "limit"),
     [
-        (lambda: rods(3), 532),
+        (lambda: rods(3), 596),
         (lambda: rods(5), 1229),
         (lambda: rods(10), 2788),
         (lambda: revolute(range(-1, 6)), 1395),
