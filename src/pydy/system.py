@@ -115,7 +115,7 @@ class System:
         Which equations of motion are used: ``'graph'`` forms them from the bodies and loads, or
         from the Lagrangian; ``'method'`` uses those derived by ``kanes_equations()`` or
         ``form_lagranges_equations()``. By default they are formed; if a KanesMethod has derived its
-        own, these are used unless the formed ones have the same values and fewer operations.
+        own, these are used unless the formed ones have the same values.
 
     Raises
     ------

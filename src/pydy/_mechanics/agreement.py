@@ -1,23 +1,18 @@
 """Whether equations that a method derived may be replaced by those formed from its bodies.
 
 They may where both give the same numbers at random states that keep the constraints and hold the
-same symbols, and the formed ones cost fewer operations. What decides is logged.
+same symbols. What decides is logged.
 """
 
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph
 from pydy._graph.rewrite import transplanted
-from pydy._graph.symbols import input_nodes
-from pydy._mechanics.choice import chosen, counted, estimated
+from pydy._mechanics.choice import chosen
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.generic import GenericStates
@@ -28,9 +23,6 @@ __all__ = ["formed_alike"]
 
 _LOG = logging.getLogger("pydy")
 _STATES = 2
-# Estimates that differ by more need no counting: the simplification of the method's would take
-# longer than all the rest.
-_CLEAR = 0.5
 
 
 @collector_paused()
@@ -55,8 +47,6 @@ def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
                 why = f"they hold {more[0]}, which the method's do not"
             elif not _agree(equations, formed):
                 why = "they give other numbers: a velocity or a load differs"
-            elif not _costs_less(equations, formed):
-                why = "they take no fewer operations"
     if not why:
         return formed
     _LOG.info("The equations of the method are used, not those formed from its bodies: %s.", why)
@@ -116,43 +106,3 @@ def _magnitudes(matrix: np.ndarray) -> np.ndarray:
         scaled, scale = scaled / most, scale * most
     found: np.ndarray = np.maximum(sizes, CANCELLED * scale)
     return found
-
-
-def _costs_less(equations: Equations, formed: Formed) -> bool:
-    own = _as_formed(equations, formed)
-    kind = "ldl" if equations.positive_definite else "lu"
-    if estimated(formed, kind) < _CLEAR * estimated(own, kind):
-        return True
-    return counted(formed, kind) < counted(own, kind)
-
-
-def _as_formed(equations: Equations, formed: Formed) -> Formed:
-    """Return the method's equations as nodes."""
-    graph, n = Graph(), len(equations.speeds)
-    constants = [s for s in _others(equations) if s.is_Symbol]
-    specifieds = [s for s in _others(equations) if not s.is_Symbol]
-    states = (*equations.coordinates, *equations.speeds)
-    atoms = input_nodes(graph, p=constants, r=specifieds, x=states, t=[equations.time])
-    atoms |= dict.fromkeys(equations.zeros, graph.zero)
-    read = SymPyReader(graph, atoms, "the equations of motion")
-    rates = read.all(equations.coordinate_derivatives)
-    for symbol, node in zip(equations.coordinate_rates, rates, strict=True):
-        read.define(symbol, node)
-    cells = read.all(equations.mass_matrix)
-    matrix = [cells[k * n : (k + 1) * n] for k in range(n)]
-    forcing = read.all(equations.forcing)
-    start = [graph.zero] * n
-    return Formed(
-        *(graph, constants, specifieds, rates, matrix, forcing, None),
-        start=start,
-        rest=forcing,
-        kinetic=formed.kinetic,
-    )
-
-
-def _others(equations: Equations) -> Sequence[Any]:
-    known = {
-        *equations.coordinates, *equations.speeds, *equations.coordinate_rates,
-        *equations.speed_rates, *equations.zeros, equations.time,
-    }  # fmt: skip
-    return [s for s in equations.symbols if s not in known]

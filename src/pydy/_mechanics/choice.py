@@ -45,12 +45,12 @@ def chosen(body: Multibody) -> Formed:
         costs.append(min(own))
         best.append(same[own.index(costs[-1])])
     if len(best) == 2 and not many and max(costs) < NEAR_ESTIMATES * min(costs):
-        best = [replace(formed, simplified=_simplified(formed, "ldl")) for formed in best]
+        best = [replace(formed, simplified=_simplified(formed)) for formed in best]
         costs = [counted(formed) for formed in best]
     return best[costs.index(min(costs))]
 
 
-def estimated(formed: Formed, kind: str = "ldl", *, merged: bool = True) -> int:
+def estimated(formed: Formed, *, merged: bool = True) -> int:
     """Estimate the operations of q' and u': those of a graph, in which equal nodes may be one."""
     graph, n = formed.graph, len(formed.rest)
     if formed.accelerations is not None:
@@ -58,12 +58,6 @@ def estimated(formed: Formed, kind: str = "ldl", *, merged: bool = True) -> int:
         guards = [k for k in graph.reachable(roots) if graph.ops[k] == "guard"]
         if guards:
             roots = list(graph.args[guards[0]][4])
-    elif kind == "lu":
-        cells = [node for row in formed.matrix for node in row]
-        filled = sum(node != graph.zero for node in cells)
-        # What LU takes of a matrix with so many entries, less what its structure saves: half.
-        solving = filled * (filled // n + 9) // 3
-        roots = [*cells, *formed.rest]
     else:
         matrix, column = formed.matrix, formed.rest
         if (chain := difference_basis(graph, matrix, column)) is not None:
@@ -77,28 +71,19 @@ def estimated(formed: Formed, kind: str = "ldl", *, merged: bool = True) -> int:
     return operations(graph, merge_equal(graph, roots) if merged else roots) + solving
 
 
-def counted(formed: Formed, kind: str = "ldl") -> int:
-    """Count the operations of q' and u' as they are compiled.
-
-    Parameters
-    ----------
-    formed : Formed
-    kind : {'ldl', 'lu'}
-        How the mass matrix is solved, where the accelerations are left to that.
-    """
-    graph, nodes = _simplified(formed, kind)
+def counted(formed: Formed) -> int:
+    """Count the operations of q' and u' as they are compiled."""
+    graph, nodes = formed.simplified or _simplified(formed)
     sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
     program = lower(graph.copy(), sizes, [("rates", (len(nodes),), nodes)])
     return sum(program.operation_count["run"].values())
 
 
-def _simplified(formed: Formed, kind: str) -> tuple[Graph, list[int]]:
-    """Return q' and u' after simplification, in a graph of their own."""
-    if formed.simplified is not None and kind == "ldl":
-        return formed.simplified
+def _simplified(formed: Formed) -> tuple[Graph, list[int]]:
+    """Simplify q' and u' in a graph of their own."""
     graph = formed.graph.copy()
     solved = formed.accelerations
     if solved is None:
-        beyond = solve_accelerations(graph, formed.matrix, formed.rest, kind, Passes())
+        beyond = solve_accelerations(graph, formed.matrix, formed.rest, "ldl", Passes())
         solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
     return graph, simplify(graph, [*formed.rates, *solved])

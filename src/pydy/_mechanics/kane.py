@@ -60,7 +60,7 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
     source : {'graph', 'method'}, optional
         Whether the equations of motion are formed from bodies and loads, or those of
         ``kanes_equations()``. By default, where that has been called, the former if they give the
-        same numbers with fewer operations.
+        same numbers.
 
     Raises
     ------
