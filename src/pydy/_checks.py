@@ -322,6 +322,12 @@ class Places:
             return alike[0] if alike else None
         return place
 
+    def unknown(self, values: Mapping[Any, Any], argument: str) -> list[Any]:
+        """Return the keys of a dictionary that stand for none of the symbols."""
+        if values.keys() <= self._place.keys():
+            return []
+        return [key for key in values if self.get(key, argument) is None]
+
     def meaning(self, key: Any, argument: str) -> Any:
         """Return the symbol that a key stands for, or those in a tuple; other keys as they are."""
         if isinstance(key, (tuple, list)):

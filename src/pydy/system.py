@@ -157,7 +157,7 @@ class System:
         base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
         self._define = Definer(self._equations, base)
         self._options: dict[str, Any] = {}
-        self._generated: Generated | None = None
+        self._generated: list[Generated] = []  # the latest first
         self._constants: dict[Any, Any] = {}
         self._specifieds: dict[Any, Any] = {}
         self._initial_conditions: dict[Any, Any] = {}
@@ -208,19 +208,33 @@ class System:
 
     @property
     def _definition(self) -> Definition:
-        # The user may have edited the dictionaries of outputs and specifieds in place.
-        return self._define(self._outputs, self._forces, self._specifieds)
+        # The user may have edited the dictionaries of outputs, specifieds and constants in place.
+        return self._defined(self._constants)
 
-    def _compiled(self) -> Generated:
-        """Return what is generated for the definition as it is now."""
-        definition, made = self._definition, self._generated
-        if made is None or (made.definition is not definition and made.definition != definition):
-            made = self._generated = generate(definition, self._eom_method, self._options)
+    def _defined(self, constants: Mapping[Any, Any]) -> Definition:
+        """Return the definition with these constants, which the equations need not hold."""
+        definition = self._define(self._outputs, self._forces, self._specifieds)
+        return self._define.holding(definition, constants, lambda: self._energies.symbols)
+
+    def _compiled(self, definition: Definition | None = None) -> Generated:
+        """Return what is generated for a definition, by default the present one."""
+        definition = self._definition if definition is None else definition
+        for made in self._generated:
+            if made.definition is definition or made.definition == definition:
+                return made
+        made = generate(definition, self._eom_method, self._options)
+        self._generated = [made, *self._generated[:1]]
         return made
 
-    def _now(self) -> Snapshot:
-        """Return everything as it is now: each public call takes one and works on that."""
-        made = self._compiled()
+    def _now(self, events: Any = None, constants: Any = None) -> Snapshot:
+        """Return everything as it is now: each public call takes one and works on that.
+
+        What the call is given may bring constants that the equations do not hold.
+        """
+        found = [] if events is None else self._define.constants_of(self._definition, events)
+        more = constants if isinstance(constants, Mapping) else {}
+        definition = self._defined({**self._constants, **more} if more else self._constants)
+        made = self._compiled(self._define.widened(definition, found))
         user = {
             "constants": dict(self._constants),
             "specifieds": dict(self._specifieds),
@@ -278,7 +292,11 @@ class System:
 
     @property
     def constants_symbols(self) -> SymbolSet:
-        """Set of the constants: symbols of the equations and outputs that are not functions."""
+        """Set of the constants: symbols of the equations and outputs that are not functions.
+
+        Symbols that cancel from the equations but stand in energies or positions, and those of the
+        events of earlier calls, are constants too as soon as `constants` gives them a value.
+        """
         return SymbolSet(self._definition.constants)
 
     @property
@@ -344,6 +362,7 @@ class System:
     def potential_energy(self, energy: Any) -> None:
         definition = self._definition
         others = [self._equations.time, *definition.constants, *definition.specifieds]
+        others += EnergyModel(self._equations).symbols
         given = check_potential(energy, self._equations.coordinates, others)
         self._energies = EnergyModel(self._equations, given)
 
@@ -494,7 +513,7 @@ class System:
     @constants.setter
     def constants(self, constants: Mapping[Any, Any] | None) -> None:
         values = check_mapping("constants", constants)
-        definition = self._definition
+        definition = self._defined(values)
         if not definition.places["constants"].fits(values):
             read_constants(definition, values)
         self.__dict__["_constants"] = values  # by itself, as a short call
@@ -624,7 +643,7 @@ class System:
 
         ``help(system.evaluate_ode_function)`` shows the order of the entries of its arguments.
         """
-        if self._generated is None:
+        if not self._generated:
             return None
         return self._compiled().function(any_layout=self._ode_solver is not None)
 
@@ -662,7 +681,7 @@ class System:
         kwargs = checked_options(kwargs)
         made = generate(self._definition, self._eom_method, kwargs)
         function = made.function(any_layout=self._ode_solver is not None)
-        self._options, self._generated = kwargs, made
+        self._options, self._generated = kwargs, [made]
         return function
 
     # -- evaluation -------------------------------------------------------------------------------
@@ -758,7 +777,7 @@ class System:
         >>> system.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
         array([5., 2.])
         """
-        return evaluate_energy(self._now(), x, t, r, p)
+        return evaluate_energy(self._now(constants=p), x, t, r, p)
 
     def evaluate_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -1375,7 +1394,7 @@ class System:
         """
         from pydy._system.adjoints import adjoint_gradient  # with the loops behind the solvers
 
-        now = self._now()
+        now = self._now(solver_kwargs.get("events"))
         dependent = latest_dependents(now.definition, self._dependent)
         return adjoint_gradient(
             now, self.ode_solver, wrt, final, integral, solver_kwargs, dependent
@@ -1503,7 +1522,8 @@ class System:
                 With any solver: constraint forces are added to the equations so that a residual c
                 decays according to c'' + 2 g c' + g² c = 0.
             ``events``
-                With a native solver: a list of `pydy.solvers.Event`.
+                With a native solver: a list of `pydy.solvers.Event`. Symbols that occur only in
+                them are constants; set their values with ``system.constants['e'] = 0.8``.
 
         Returns
         -------
@@ -1526,7 +1546,8 @@ class System:
             The initial conditions violate the constraints by more than rounding to six digits
             explains, and `constraints` is not set.
         """
-        return integrate(self._now(), self.ode_solver, solver_kwargs)
+        now = self._now(solver_kwargs.get("events"))
+        return integrate(now, self.ode_solver, solver_kwargs)
 
     def simulate(
         self,
@@ -1580,7 +1601,8 @@ class System:
         array([1.      , 0.895595, 0.6597  ])
         """
         wanted = (sensitivities, control_sensitivities, self._dependent)
-        return simulate(self._now(), self.ode_solver, solver_kwargs, wanted)
+        now = self._now(solver_kwargs.get("events"))
+        return simulate(now, self.ode_solver, solver_kwargs, wanted)
 
     def integrate_ensemble(
         self,
@@ -1697,7 +1719,7 @@ class System:
         if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
         ensemble = make_ensemble(
-            self._now(),
+            self._now(solver_kwargs.get("events"), constants),
             (initial_conditions, constants, specifieds),
             times,
             native_solver(self._ode_solver) if ode_solver is None else ode_solver,
@@ -1779,7 +1801,7 @@ class System:
         """Return the Programs, names and numbers of what is exported."""
         from pydy._system.exporting import export_model
 
-        now = self._now()
+        now = self._now(options.get("events"))
         numbers = now.x, now.p, now.times
         return export_model(now.definition, now.model, now.plan, numbers, **options)
 

@@ -151,11 +151,6 @@ def test_an_expression_may_hold_time_constants_rates_and_specifieds():
     close(moments(info, "specified"), [0.5], 1e-12)
 
 
-def test_a_symbol_that_has_no_number_is_named():
-    with pytest.raises(ValueError, match="limit"):
-        run(ball(), [Event(Z - sm.Symbol("limit"))])
-
-
 @pytest.mark.parametrize("solver", ADAPTIVE)
 def test_two_events_in_one_step_are_both_found(solver):
     events = [Event(Z - 0.5, name="half"), Event(Z - 0.4999999, name="a little less")]

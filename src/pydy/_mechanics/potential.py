@@ -53,7 +53,8 @@ _NO_PLACE = (
 )
 _NO_INTEGRAL = (
     "The work of a load that depends on the configuration must be one that SymPy can integrate, "
-    "along coordinates whose derivatives are speeds, and the same on every path."
+    "along coordinates whose derivatives are speeds or constant combinations of them, and the same "
+    "on every path."
 )
 
 
@@ -277,10 +278,9 @@ class _Search:
     def _integrate(self, powers: Sequence[Any]) -> Any:
         """Return minus the integral of the work, along straight lines from q = 0, or None."""
         q = list(self.equations.coordinates)
-        rates = zip(self.equations.coordinate_derivatives, q, strict=True)
-        speed = {rate: c for rate, c in rates if rate in self.equations.speeds}
+        power, speed = self._by_rates(powers)
         try:
-            poly = sm.Poly(sm.Add(*powers), *q, *speed)
+            poly = sm.Poly(power, *q, *speed)
         except sm.PolynomialError:
             return None
         work: dict[Any, Any] = {}
@@ -299,14 +299,39 @@ class _Search:
             *(-part * c / (degree + 1) for c, parts in work.items() for part, degree in parts)
         )
 
+    def _by_rates(self, powers: Sequence[Any]) -> tuple[Any, dict[Any, Any]]:
+        """Return the power in symbols for the rates of coordinates, and the coordinate of each.
+
+        Those are the speeds themselves, or Dummies where rates are constant combinations of them.
+        """
+        power, speeds = sm.Add(*powers), self.equations.speeds
+        q_dot = self.equations.coordinate_derivatives
+        rates = dict(zip(self.equations.coordinates, q_dot, strict=True))
+        plain = {rate: c for c, rate in rates.items() if rate in speeds}
+        mixed = find_symbols(rate for rate in rates.values() if rate not in speeds)
+        own = [u for u in speeds if u in mixed]
+        rows = {c: rate for c, rate in rates.items() if rate in own or rate not in speeds}
+        if not own or len(own) != len(rows):
+            return power, plain
+        slopes = sm.Matrix([[rate.diff(u) for u in own] for rate in rows.values()])
+        rest = sm.Matrix(list(rows.values())) - slopes * sm.Matrix(own)
+        linear = all(self._is_constant(c) for c in slopes) and not any(map(sm.expand, rest))
+        if not linear or slopes.det() == 0:
+            return power, plain
+        found = {sm.Dummy(str(c)): c for c in rows}
+        in_rates = zip(own, slopes.LUsolve(sm.Matrix(list(found))), strict=True)
+        power = replace_symbols(power, dict(in_rates))
+        return power, {**{u: c for u, c in plain.items() if u not in own}, **found}
+
     def _antiderivative(self, powers: Sequence[Any]) -> Any:
         """Return minus the integral of the work, one coordinate after the other, or None."""
         q = self.equations.coordinates
         real = {c: sm.Dummy(c.func.__name__, real=True) for c in q}
-        rates = zip(self.equations.coordinate_derivatives, q, strict=True)
-        speed = {rate: c for rate, c in rates if rate in self.equations.speeds}
+        power, speed = self._by_rates(powers)
+        if not speed:
+            return None
         try:
-            terms = sm.Poly(sm.Add(*powers), *speed).terms()
+            terms = sm.Poly(power, *speed).terms()
         except sm.PolynomialError:
             return None
         energy: Any = sm.S.Zero

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of
 from pydy._system.inputs import check_forces, named_outputs, output_groups, sort_out
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
+from pydy.solvers.events import Event
 
 __all__ = ["Definer", "unfollowed"]
 
@@ -96,6 +97,8 @@ class Definer:
         rows = (*equations.holonomic, *equations.nonholonomic)
         self.residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}
         self._key: tuple[dict[Any, Any], list[Any], Given] | None = None
+        self._of_events: dict[Any, None] = {}  # all that were met
+        self._wider: tuple[Definition, set[Any], Definition] | None = None
         self._warned_of: set[Any] = set()
 
     def __call__(
@@ -120,8 +123,45 @@ class Definer:
         own = self.users(outputs, forces)
         self.latest = define(self._equations, own, self.residuals, forces, self._base, given)
         self._key = (dict(outputs), [*outputs, *forces], given)
-        self._warn()
+        self._warn(self.latest)
         return self.latest
+
+    def holding(
+        self,
+        definition: Definition,
+        constants: Mapping[Any, Any],
+        more: Callable[[], Iterable[Any]],
+    ) -> Definition:
+        """Return a Definition with those of a user's constants that events or energies hold."""
+        silent = definition.places["constants"].unknown(constants, "constants")
+        if not silent:
+            return definition
+        known = Places([*dict.fromkeys((*self._of_events, *more()))], "constants")
+        meant = [known.meaning(key, "constants") for key in silent]
+        return self.widened(definition, {*meant} & {*known.symbols})
+
+    def constants_of(self, definition: Definition, events: Any) -> list[Any]:
+        """Return the symbols of events and their resets that nothing else is called."""
+        events = events if isinstance(events, (list, tuple)) else [events]
+        events = [event for event in events if isinstance(event, Event)]
+        parts = [part for event in events for part in (event.expression, *event.reset.values())]
+        symbols = (*definition.states, *definition.specifieds, *definition.outputs_symbols)
+        taken = {definition.equations.time, *map(name_of, symbols)}
+        held = find_symbols(part for part in parts if isinstance(part, sm.Basic))
+        found = [s for s in held if isinstance(s, sm.Symbol) and not taken & {s, s.name}]
+        self._of_events.update(dict.fromkeys(found))
+        return found
+
+    def widened(self, definition: Definition, more: Iterable[Any]) -> Definition:
+        """Return a Definition with more constants; the latest is kept."""
+        constants = {*definition.constants, *more}
+        if len(constants) == len(definition.constants):
+            return definition
+        if self._wider is None or self._wider[:2] != (definition, constants):
+            wider = replace(definition, constants=tuple(sort_symbols(constants)))
+            self._wider = (definition, constants, wider)
+            self._warn(wider)
+        return self._wider[2]
 
     def users(self, outputs: Mapping[Any, Any] | None, forces: Sequence[Any]) -> dict[Any, Any]:
         """Return the user's own outputs among all."""
@@ -136,8 +176,8 @@ class Definer:
             result[tuple(forces)] = list(self._equations.auxiliary_equations)
         return result
 
-    def _warn(self) -> None:
-        for symbols in self.latest.of_one_name:
+    def _warn(self, definition: Definition) -> None:
+        for symbols in definition.of_one_name:
             if symbols not in self._warned_of:
                 self._warned_of.add(symbols)
                 warn_user(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -14,7 +15,8 @@ from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.potential import find_potential
-from pydy._mechanics.symbols import find_symbols
+from pydy._mechanics.reader import distances, oriented, places
+from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy.codegen.arguments import checked_expression, describe
 
 __all__ = ["Energy", "EnergyModel", "check_potential"]
@@ -72,12 +74,35 @@ class EnergyModel:
             )
         return found.expression
 
+    @cached_property
+    def symbols(self) -> tuple[Any, ...]:
+        """The constants in energies and positions; some may cancel from the equations of motion."""
+        parts: list[Any] = []
+        for name in ("kinetic", "potential"):
+            with suppress(ValueError):
+                parts.append(getattr(self, name))
+        mechanism, time = self.equations.mechanism, self.equations.time
+        if mechanism is not None:
+            points = [body.masscenter for body in mechanism.bodies]
+            for point in points:
+                points += [other for other in places(point) if other not in points]
+            steps = [vector for point in points for vector in places(point).values()]
+            parts += [part for vector in steps for own, _ in vector.args for part in own]
+            frames = distances(mechanism.frame, oriented)
+            parts += [entry for frame in frames for m in oriented(frame).values() for entry in m]
+        found = find_symbols(sm.sympify(part) for part in parts)
+        return tuple(s for s in found if isinstance(s, sm.Symbol) and s != time)
+
     def kernel(self, model: CompiledModel) -> Kernel:
         """Return the Kernel of kinetic, potential and total energy."""
         kinetic, potential = self.kinetic, self.potential
         mechanism = self.equations.mechanism
         if mechanism is not None and mechanism.known_energy is not None:
             kinetic = mechanism.known_energy
+        silent = {*self.symbols} - {*model.layout.constants}
+        if silent:  # constants that nobody has given a value
+            ones = dict.fromkeys(silent, sm.Float(1.0))
+            kinetic, potential = (replace_symbols(e, ones) for e in (kinetic, potential))
         return model.compiled_expressions(
             "the energy", (3,), (kinetic, potential, sm.Add(kinetic, potential))
         )

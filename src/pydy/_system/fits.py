@@ -69,7 +69,11 @@ class _Fit:
         self.runner.ode_solver = native_solver(system.ode_solver)
         self.options = {"rtol": FIT, "atol": FIT, **options}
         self.exact = "atol" in options
-        definition = system._now().definition
+        given: dict[Any, Any] = dict.fromkeys(one_or_more("parameters", parameters))
+        for trial in trials:
+            given |= check_mapping("constants", getattr(trial, "constants", None))
+        self.now = system._now(self.options.get("events"), given)
+        definition = self.now.definition
         states = definition.places["states"]
         outputs = Places(definition.outputs_symbols, "outputs of the system")
         self.expressions: dict[Any, Any] = {}
@@ -134,13 +138,13 @@ class _Fit:
         self.is_gap = np.empty(0, dtype=bool)
 
     def _initial(self, d: Data) -> dict[Any, float]:
-        now, argument = self.system._now(), f"initial_conditions of {d.label}"
+        now, argument = self.now, f"initial_conditions of {d.label}"
         states = now.definition.places["states"]
         x = now.x_with(check_mapping(argument, d.trial.initial_conditions), argument)
         return dict(zip(states.symbols, x.tolist(), strict=True))
 
     def _start(self, kind: str, symbol: Any) -> float:
-        now = self.system._now()
+        now = self.now
         if kind == "states":
             return float(now.x[now.definition.states.index(symbol)])
         if kind == "constants":
