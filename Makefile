@@ -107,7 +107,7 @@ three:
 	cp build/three/node_modules/three/LICENSE src/pydy/viz/assets/three.LICENSE
 
 clean:
-	rm -rf $(VENV) $(VENV)-lowest* $(VENV)-newest $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial docs/static/animations docs/static/landing.html docs/static/operations.* docs/static/speeds.svg .mypy_cache .pytest_cache .ruff_cache .hypothesis
+	rm -rf $(VENV) $(VENV)-lowest* $(VENV)-newest $(REFERENCE) $(PEERS) build docs/gallery docs/static/tutorial docs/static/animations docs/static/pages docs/static/landing.html docs/static/operations.* docs/static/speeds.svg .mypy_cache .pytest_cache .ruff_cache .hypothesis
 
 # A stamp for each extra, older than pyproject.toml when the dependencies may have changed.
 $(VENV)/.installed-%: pyproject.toml | $(PY)

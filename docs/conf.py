@@ -18,6 +18,7 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 
 import generated  # noqa: E402 - beside this file
+import illustrate  # noqa: E402
 
 project = "pydy"
 author = "the pydy authors"
@@ -93,4 +94,6 @@ def setup(app: Any) -> None:
     app.connect("builder-inited", run_tutorial)
     app.connect("builder-inited", generated.make, priority=100)  # before the gallery runs
     app.connect("builder-inited", generated.show_thumbnails, priority=900)  # and after it
+    app.connect("env-before-read-docs", illustrate.start)
+    app.connect("source-read", illustrate.illustrate)
     app.connect("doctree-resolved", shorten_citations)

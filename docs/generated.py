@@ -133,6 +133,13 @@ def watch_scenes() -> None:
     Scene.animate, Scene.to_html = animated, written
 
 
+def take_scene() -> tuple[Any, Any] | None:
+    """Return the Scene that was animated since the last call and its sliders, or None."""
+    scene, live = _ANIMATED.get("scene"), _ANIMATED.get("live")
+    _ANIMATED.clear()
+    return None if scene is None else (scene, live)
+
+
 def draw_thumbnail(scene: Any, path: Path) -> None:
     """Draw the scene at a moment of its motion, for the index of the gallery."""
     from matplotlib.figure import Figure
@@ -155,9 +162,10 @@ def show_thumbnails(app: Any) -> None:
 
 def scrape_animation(block: Any, block_vars: dict[str, Any], gallery_conf: Any) -> str:
     """Return reStructuredText that shows what a cell of an example animated last, if anything."""
-    scene, live = _ANIMATED.pop("scene", None), _ANIMATED.pop("live", None)
-    if scene is None:
+    taken = take_scene()
+    if taken is None:
         return ""
+    scene, live = taken
     name = Path(block_vars["src_file"]).stem
     title = escape(name.replace("_", " "))
     pages = _PAGES.setdefault(name, [])

@@ -31,6 +31,37 @@ def generated(monkeypatch, tmp_path):
     sys.modules.pop("generated", None)
 
 
+def test_pages_show_what_their_code_draws_and_animates(generated, monkeypatch):
+    monkeypatch.delitem(sys.modules, "illustrate", raising=False)
+    import illustrate
+
+    page = "# Title\n\n```python\n>>> 1\n1\n```\n\nText\n\n```python\n>>> 2\n```\n"
+    assert [(k, text[:5]) for k, text in illustrate.blocks(page)] == [(5, ">>> 1"), (11, ">>> 2")]
+    shown = illustrate.with_pictures(page, "howto/a", [(5, "a.svg"), (5, "b.html")])
+    first, rest = shown.split("Text")
+    assert "```{image} /static/pages/a.svg" in first
+    assert 'src="../_static/pages/b.html"' in first
+    assert rest == page.split("Text")[1]
+    for name in illustrate.PAGES:
+        text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
+        assert "animate(" in text or "plot" in text
+    monkeypatch.setattr(illustrate, "HERE", generated.STATIC)
+    (generated.STATIC / "a.md").write_text(
+        "```python\n>>> import matplotlib.pyplot as plt\n>>> _ = plt.plot([1, 2])\n```\n"
+        "```python\n>>> import numpy as np\n>>> from sympy.physics.mechanics import Point\n"
+        ">>> from sympy.physics.mechanics import ReferenceFrame\n>>> from pydy.viz import Scene\n"
+        ">>> scene = Scene(ReferenceFrame('N'), Point('O'), 5)\n"
+        "Traceback (most recent call last):\n"
+        "TypeError: no\n>>> from pydy.viz import Sphere, Visual\n>>> O = Point('O')\n"
+        ">>> scene = Scene(ReferenceFrame('N'), O, Visual(Sphere(1), O))\n"
+        ">>> _ = scene.animate([0.0, 1.0], np.zeros((2, 0)), symbols=[])\n```\n",
+        encoding="utf-8",
+    )
+    assert illustrate.draw("a", generated.STATIC) == [(3, "a-0.svg"), (16, "a-1.html")]
+    assert (generated.STATIC / "a-0.svg").exists()
+    assert "three" in (generated.STATIC / "a-1.html").read_text(encoding="utf-8")
+
+
 def test_the_table_and_the_figure_show_the_benchmarks_counts(generated, tmp_path):
     results = json.loads((ROOT / "docs/data/operations.json").read_text(encoding="utf-8"))
     assert {r["model"] for r in results["results"]} >= set(generated.NAMES) - {"pendulum-1"}

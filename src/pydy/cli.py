@@ -97,10 +97,14 @@ def _parser() -> argparse.ArgumentParser:
         "gravity, 9.81; nothing pushes.",
     )
     models = run.add_subparsers(title="models", metavar="MODEL", required=True)
-    pendulum = models.add_parser("pendulum", help="links on a sliding cart, let go 0.5 rad off top")
+    pendulum = models.add_parser(
+        "pendulum", help="links on a sliding cart, released 0.5 rad from upright"
+    )
     pendulum.add_argument("--links", dest="size", type=_count, default=2, metavar="N")
     pendulum.set_defaults(model=_pendulum)
-    springs = models.add_parser("springs", help="masses hung on springs, let go unstretched")
+    springs = models.add_parser(
+        "springs", help="masses on springs, released with all springs unstretched"
+    )
     springs.add_argument("--masses", dest="size", type=_count, default=2, metavar="N")
     springs.set_defaults(model=_springs)
     for model in (pendulum, springs):

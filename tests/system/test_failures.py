@@ -257,5 +257,5 @@ def test_a_length_of_zero_that_leaves_a_pendulum_without_inertia_is_named():
     system = n_link_pendulum_on_cart(1, cart_force=False, joint_torques=False)
     system.constants = {"l0": 0.0}
     system.times = np.linspace(0.0, 1.0, 3)
-    with pytest.raises(SingularMatrixError, match=r"where the constant `l0` is other than zero"):
+    with pytest.raises(SingularMatrixError, match=r"The cause is the constant `l0`, which is zero"):
         system.integrate()

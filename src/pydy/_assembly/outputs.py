@@ -66,8 +66,8 @@ def evaluate_groups(
         if not ready:
             names = ", ".join(str(n) for k in waiting for n in groups[k].names)
             raise ValueError(
-                f"`outputs` {names} refer to each other in a circle. Give them as one group, a "
-                "tuple of names mapped to as many equations."
+                f"Circular definition in `outputs`: {names} refer to each other. Give them as one "
+                "group, a tuple of names mapped to as many equations."
             )
         for k in ready:
             nodes = substitute(graph, formulas[k], known)

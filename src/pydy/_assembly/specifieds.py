@@ -239,6 +239,6 @@ def _refuse_circle(start: Any, needs: Mapping[Any, set[Any]], waiting: set[Any])
         path.append(min(needs[path[-1]] & waiting, key=sm.default_sort_key))
     circle = path[path.index(path[-1]) :]
     raise ValueError(
-        f"`specifieds` are defined in a circle: {' needs '.join(map(str, circle))}. Solve for "
-        "them, or give one of them as something else."
+        f"Circular definition in `specifieds`: {' needs '.join(map(str, circle))}. Replace one of "
+        "them with a number or a function."
     )

@@ -113,7 +113,7 @@ def cause_of(
                 other[k] = 1.0
                 if not _weightless(matrix(other)).size:
                     name = definition.constants[k]
-                    return f"{cause} It is not where the constant `{name}` is other than zero."
+                    return f"{cause} The cause is the constant `{name}`, which is zero."
         return cause
     return None
 

@@ -264,8 +264,8 @@ def _load(name: str, directory: Path) -> ModuleType:
         loader.exec_module(module)
     except ImportError as error:
         raise GeneratorError(
-            f"The module built in '{directory}' could not be loaded: {error}. Where that directory "
-            f"forbids to execute files, `tmp_dir` gives another. {_REMEDY}"
+            f"The module built in '{directory}' could not be loaded: {error}. If that directory "
+            f"is mounted noexec, pass a different `tmp_dir`. {_REMEDY}"
         ) from error
     sys.modules.pop(name, None)  # Cython puts it there; its file may be gone soon
     return module
