@@ -148,7 +148,7 @@ def draw_thumbnail(scene: Any, path: Path) -> None:
     axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
     first, last = scene.times[[0, -1]]
     scene.to_matplotlib(first + MOMENT * (last - first), axes).set_title("")
-    figure.savefig(path)
+    figure.savefig(path, transparent=True)  # on light and on dark paper
 
 
 def show_thumbnails(app: Any) -> None:

@@ -26,3 +26,10 @@ def test_the_landing_pages_animation_plays(landing, open_page, screenshot):
     until(page, "pydy.playing && pydy.time > 0.3")
     page.evaluate("pydy.seek(1.0)")
     assert np.ptp(screenshot(page, "landing")) > 60
+
+
+def test_the_title_takes_two_lines_of_a_phone(landing, open_page):
+    page = open_page(landing, width=358, height=460)
+    heading, legend = (page.locator(s).bounding_box() for s in ("#heading", "#legend"))
+    assert heading["height"] < 36
+    assert heading["x"] + heading["width"] <= legend["x"]
