@@ -263,6 +263,15 @@ class Keyed(UserDict[Any, Any]):
     def __delitem__(self, key: Any) -> None:
         del self.data[self._own(key)]
 
+    def __ior__(self, other: Any) -> Keyed:
+        self.update(other)
+        return self
+
+    def __or__(self, other: Any) -> Keyed:
+        result = Keyed(dict(self.data))
+        result.update(other)
+        return result
+
 
 def _spellings(key: Any) -> set[str]:
     """Return the names that stand for a key: ``q`` and ``q(t)`` for either of them; no Dummy's."""
@@ -324,7 +333,7 @@ class Places:
 
     def unknown(self, values: Mapping[Any, Any], argument: str) -> list[Any]:
         """Return the keys of a dictionary that stand for none of the symbols."""
-        if values.keys() <= self._place.keys():
+        if [*values] in (self._known[0], self._some[0]) or values.keys() <= self._place.keys():
             return []
         return [key for key in values if self.get(key, argument) is None]
 

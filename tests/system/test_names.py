@@ -98,6 +98,11 @@ def test_a_symbol_and_its_name_are_one_key(system):
     system.specifieds = {f0: 1.0}
     system.specifieds["f0"] = 2.0
     close(system.evaluate_ode(), [0.0, (2.0 - 0.3) / 4.0])
+    both = system.constants | {m0: 5.0, "k0": 2.0}
+    assert both == {"m0": 5.0, "k0": 2.0}
+    assert system.constants == {"m0": 4.0}
+    system.constants |= {m0: 6.0}
+    assert system.constants == {"m0": 6.0}
     del system.specifieds["f0(t)"], system.constants[m0]
     close(system.evaluate_ode(), [0.0, -0.3])
     system.outputs = {"twice": 2 * x0}
