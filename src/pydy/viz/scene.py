@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -236,10 +235,11 @@ class Scene:
         if states is None and model is not None and not hasattr(trajectory, "state_symbols"):
             # `animate(states)` at the times of the system.
             trajectory, states = (model.times() if model.times else None), trajectory
-        again = partial(
-            self.animate, trajectory, states, symbols=symbols, constants=constants,
-            specifieds=specifieds, series=series, compare=compare, fps=fps, speed=speed,
-        )  # fmt: skip
+        again = {
+            "trajectory": trajectory, "states": states, "symbols": symbols, "constants": constants,
+            "specifieds": specifieds, "series": series, "compare": compare, "fps": fps,
+            "speed": speed,
+        }  # fmt: skip
         wanted = symbols_of(self.visuals, self.series)
         if states is None:
             motion = motion_of_trajectory(trajectory, model, constants, wanted)
@@ -334,7 +334,7 @@ class Scene:
 
     def _moving(self) -> Animation:
         if self._animation and self._again[1] != [v.version for v in self.visuals]:
-            self._again[0]()  # a shape or visual was changed
+            self.animate(**self._again[0])  # a shape or visual was changed
         if self._animation is None and self._states is not None:
             symbols, constants, times = self.states_symbols, self.constants, self._times
             if times is None:
