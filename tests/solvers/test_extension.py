@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -159,3 +160,20 @@ def test_a_solver_called_by_itself_gives_its_dense_output():
     options = {"full_output": True, "dense_output": True, "rtol": 1e-12, "atol": 1e-12}
     _, info = dop853(lambda x, t: [x[1], -x[0]], [1.0, 0.0], times, **options)
     np.testing.assert_allclose(info["dense_output"](MANY)[:, 0], np.cos(MANY), atol=1e-10)
+
+
+def test_threads_share_an_extension():
+    trajectory = oscillator("vern9", FEW).simulate(**tight("vern9"))
+    expected = trajectory.at(MANY).states
+    with ThreadPoolExecutor(4) as pool:
+        for found in pool.map(lambda _: trajectory.at(MANY).states, range(100)):
+            np.testing.assert_array_equal(found, expected)
+
+
+def test_asking_between_the_steps_leaves_the_end_of_the_run_as_it_was():
+    prepared = dop853.prepare(
+        lambda x, t: [x[1], -x[0]], [1.0, 0.0], [0.0, 2.0], dense_output=True, **tight("dop853")
+    )
+    states = prepared([1.0, 0.0])
+    prepared.info["dense_output"](MANY[:100])
+    np.testing.assert_array_equal(prepared.info["dense_output"](MANY[-1:]), states[-1:])

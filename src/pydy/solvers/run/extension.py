@@ -50,13 +50,17 @@ class Extension:
         """Return the states at ascending times of the run, shape (m, n)."""
         work, n, m = self._workspace, self._workspace.n, len(times)
         places = np.searchsorted(self._starts, times, side="right") - 1
-        out = np.empty(m * n + BLOCK)
+        out = np.full(m * n + BLOCK, np.nan)
         wanted = Wanted(
             self._rows, np.array(times, dtype=float), self._steps[np.maximum(places, 0)], out
         )
-        table, counts = table_of(rows_of(wanted)), work.progress.counts.copy()
-        function_of("extend", bool(work.callbacks))(work.place, address(table))
-        work.progress.counts[:] = counts
+        table = table_of(rows_of(wanted))
+        with work.in_use:  # of several threads, and it leaves the end of the run as it was
+            x, counts = work.memory.x.copy(), work.progress.counts.copy()
+            try:
+                function_of("extend", bool(work.callbacks))(work.place, address(table))
+            finally:
+                work.memory.x[:], work.progress.counts[:] = x, counts
         states = out[: m * n].reshape(m, n)
         return states if self._select is None else self._select(states)
 

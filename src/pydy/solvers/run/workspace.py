@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy import _forks
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import STEP_UNDERFLOW
@@ -79,6 +80,8 @@ class Workspace:
     watch : Watch
     progress : Progress
     steps : Steps
+    in_use : Lock
+        Held while states between the steps are computed.
     beginning : Beginning
         From what `progress` is at the beginning of each run.
     place : int
@@ -120,6 +123,7 @@ class Workspace:
             room = 4 + _STEPS // width
             self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
         self._aside: list[np.ndarray] = []
+        self.in_use = _forks.Lock()
         further = self._reserve_newton() if method == IMPLICIT else []
         self._table = table_of(
             _method_rows(method, len(self.memory.x)),
