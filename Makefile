@@ -17,13 +17,14 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser test-fuzz test-lowest test-newest test-pyright test-arm64 docs bench bench-analysis bench-pages bench-peers bench-solvers solvers-ir three clean
+.PHONY: help demo test test-browser test-fuzz test-mechanisms test-lowest test-newest test-pyright test-arm64 docs bench bench-analysis bench-pages bench-peers bench-solvers solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
 	@echo "make test-browser  open the animation pages in Chromium and check them"
 	@echo "make test-fuzz  every public argument with every bad value; make test tries a part of them"
+	@echo "make test-mechanisms SEEDS=0:600  random mechanisms against an oracle; failures shrink to a script"
 	@echo "make test-lowest  a selection of tests on the oldest Python and packages supported"
 	@echo "make test-newest  the same on the newest Python that is here"
 	@echo "make test-pyright  the types as pyright reads them (needs npm and a network)"
@@ -53,6 +54,11 @@ test-browser: $(VENV)/.installed-test $(VENV)/.installed-browser
 
 test-fuzz: $(VENV)/.installed-test
 	PYDY_FUZZ_PARTS=1 $(PY) -m pytest $(PYTEST_JOBS) tests/fuzz
+
+# A range of seeds, or one seed with every answer by every front end.
+SEEDS ?= 0:600
+test-mechanisms: $(VENV)/.installed-test
+	$(PY) tests/mechanisms/run.py $(SEEDS) $(JOBS)
 
 # Each in an environment of its own, .venv-lowest and .venv-newest.
 test-lowest test-newest: test-%:

@@ -10,8 +10,8 @@ from sympy.physics.biomechanics import (
 )
 from sympy.physics.biomechanics.musculotendon import MusculotendonFormulation
 
+from by_hand import derived
 from cases import close
-from mechanisms import derived
 from oracle import Oracle
 from pydy.system import System
 from zoo import Model, T, _numbers

@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 
 from trees import HUMANOID, definition, rods, tree
 
-import mechanisms
+import by_hand
 from pydy._assembly import assembly
 from pydy._graph.lower import lower
 from pydy._graph.simplify import simplify
@@ -100,7 +100,7 @@ def test_a_chain_is_eliminated_from_its_end():
 
 
 def test_few_speeds_are_solved_for_together():
-    formed = chosen(multibody_of_kane(mechanisms.tilted_plates().kane))
+    formed = chosen(multibody_of_kane(by_hand.tilted_plates().kane))
     assert formed.accelerations is None
 
 

@@ -4,8 +4,8 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from by_hand import derived, state
 from cases import close
-from mechanisms import derived, state
 from oracle import Oracle
 from pydy._mechanics.reader import Tree
 from pydy.system import System

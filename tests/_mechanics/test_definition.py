@@ -8,8 +8,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
+from by_hand import MECHANISMS
 from cases import close
-from mechanisms import MECHANISMS
 from pydy.errors import SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.system import System

@@ -8,7 +8,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from _mechanics.test_reduction import NUMBERS, M, equations, on_a_turntable, state_of
-from mechanisms import coupler
+from by_hand import coupler
 from pydy import System
 from pydy.models import n_link_pendulum_on_cart
 from system.test_formed import at_rest_with_the_constraints, nearly_dependent

@@ -7,10 +7,10 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import mechanisms
+import by_hand
 import zoo
+from by_hand import MECHANISMS, derived, state
 from cases import close, wide
-from mechanisms import MECHANISMS, derived, state
 from newton import motion, needed
 from oracle import Oracle
 from pydy._mechanics.reader import check_bodies
@@ -105,7 +105,7 @@ def test_the_contact_of_a_disc_pushes_as_sympys_auxiliary_speeds_say(source):
 
 
 def branch():
-    model = mechanisms.branches.__wrapped__()  # kanes_equations() takes its actuators apart
+    model = by_hand.branches.__wrapped__()  # kanes_equations() takes its actuators apart
     bodies = model.kane.bodies[2:]
     above = model.kane.bodies[0]
     hinge = above.masscenter.locatenew(
@@ -117,7 +117,7 @@ def branch():
 
 
 def plate():
-    model = mechanisms.tilted_plates()
+    model = by_hand.tilted_plates()
     second = model.kane.bodies[1]
     c, d = sm.symbols("c d")
     hinge = second.masscenter.locatenew("H2", -d * second.frame.y - c * second.frame.z)
@@ -159,7 +159,7 @@ def points_from(point):
 
 
 def test_the_pins_of_a_four_bar_follow_one_another():
-    model = derived(mechanisms.coupler())
+    model = derived(by_hand.coupler())
     system = system_of(model, equations="graph")
     first, second, third = model.kane.bodies
     frame = model.kane._inertial

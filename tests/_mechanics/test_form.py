@@ -5,9 +5,9 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import mechanisms
+import by_hand
 import zoo
-from mechanisms import MECHANISMS, derived, state
+from by_hand import MECHANISMS, derived, state
 from oracle import oracle
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
@@ -122,7 +122,7 @@ def test_the_accelerations_are_those_of_sympys_equations(name, way):
 
 
 def test_a_velocity_that_is_not_the_rate_of_its_place_is_the_users():
-    model = mechanisms.wheel()
+    model = by_hand.wheel()
     formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=False)
     assert [p.name for p in formed.honoured] == ["C"]
 
@@ -156,13 +156,13 @@ def test_points_reached_from_one_whose_velocity_is_given_move_with_it(in_bodies)
 
 
 def test_a_velocity_that_is_the_rate_of_its_place_is_replaced_by_it():
-    model = mechanisms.tilted_plates()
+    model = by_hand.tilted_plates()
     formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=False)
     assert formed.honoured == ()
 
 
 def test_a_wheels_spin_angle_does_not_occur_in_its_equations():
-    model = mechanisms.wheel()
+    model = by_hand.wheel()
     formed = form(multibody_of_kane(model.kane), in_bodies=True, articulated=True)
     angle = formed.graph.input("x", 2)
     assert angle not in formed.graph.reachable(formed.accelerations)

@@ -4,7 +4,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import mechanisms
+import by_hand
 from pydy._mechanics.form import form
 from pydy._mechanics.kane import multibody_of_kane
 from pydy._mechanics.reader import Tree, check_bodies, read_loads
@@ -118,7 +118,7 @@ def test_a_method_without_kinematic_equations_is_refused():
 
 
 def test_a_velocity_whose_components_are_speeds_is_not_replaced_by_the_rate_of_its_place():
-    model = mechanisms.satellite()
+    model = by_hand.satellite()
     centre, tip = (body.masscenter for body in model.kane.bodies)
     ways = Tree(model.kane._inertial).paths([centre, tip], {})
     assert ways[centre] == (None, ())

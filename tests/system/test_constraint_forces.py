@@ -9,8 +9,8 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
+from by_hand import MECHANISMS
 from cases import close, system_of
-from mechanisms import MECHANISMS
 from pydy import viz
 from pydy.solvers import Event
 from pydy.system import System

@@ -9,10 +9,10 @@ import sympy as sm
 import sympy.physics.mechanics as me
 from sympy.physics.mechanics import models as sympy_models
 
-import mechanisms
+import by_hand
 import zoo
+from by_hand import MECHANISMS, derived, state
 from cases import close, system_of, wide
-from mechanisms import MECHANISMS, derived, state
 from oracle import Oracle, oracle
 from pydy.system import System
 from zoo import T
@@ -251,7 +251,7 @@ def test_accelerations_may_not_occur_squared_in_loads():
 
 
 def test_a_scene_is_drawn_from_the_same_bodies(tmp_path):
-    model = mechanisms.gimbals.__wrapped__()
+    model = by_hand.gimbals.__wrapped__()
     system = System(model.kane, times=np.linspace(0.0, 0.2, 5))
     scene = system.scene()
     scene.animate(system.times, np.full((5, 6), 0.2))

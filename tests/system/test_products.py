@@ -5,7 +5,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-import mechanisms
+import by_hand
 import zoo
 from pydy import System
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
@@ -66,7 +66,7 @@ def test_products_are_those_with_the_jacobian(name):
         system = System(case.kane)
         system.constants = dict(case.constants)
     else:
-        system = System(getattr(mechanisms, name)().kane)
+        system = System(getattr(by_hand, name)().kane)
     rng = np.random.default_rng(3)
     n = len(system.states)
     x = rng.normal(0.3, 0.5, n)
