@@ -19,19 +19,9 @@ SRC = Path(__file__).parents[1] / "src"
 # below `pydy`; it imports from its own layer and from those below it, and rooms form no circle.
 LAYERS = {
     "foundation": {
-        "_curves",
-        *(
-            "_array_layout",
-            "_cache_folder",
-            "_checks",
-            "_dataset",
-            "_errors",
-            "_files",
-            "_forks",
-            "_html",
-        ),
-        *("_names", "_optional", "_sensitivity", "_version", "errors", "inputs", "plot"),
-        *("trajectory", "_trajectory"),
+        *("_array_layout", "_cache_folder", "_checks", "_curves", "_dataset", "_errors", "_files"),
+        *("_forks", "_html", "_names", "_optional", "_processes", "_sensitivity", "_version"),
+        *("errors", "inputs", "plot", "trajectory", "_trajectory"),
     },
     "graph and mechanics": {"_graph", "_mechanics", "mechanics"},
     "machine": {"_backends", "_kernel", "solvers"},

@@ -6,12 +6,14 @@ themselves or by name.
 
 from __future__ import annotations
 
+import contextlib
+import os
 from collections import UserDict
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from math import isfinite
 from operator import itemgetter
-from os import PathLike, fspath
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -214,14 +216,22 @@ def text(value: Any, what: str) -> str:
 
 def path_of(value: Any, what: str) -> Path:
     """Return a path, or say what it was instead."""
-    if not isinstance(value, (str, PathLike)) or "\0" in fspath(value):
+    if not isinstance(value, (str, PathLike)) or "\0" in os.fsdecode(value):
         raise TypeError(f"{what} must be a path, got {shown(value)}.")
-    return Path(value)
+    try:
+        os.fsencode(value)
+    except UnicodeEncodeError:
+        raise ValueError(
+            f"{what} has a character that no file's name can have, got {value!a}."
+        ) from None
+    return Path(os.fsdecode(value))
 
 
 def file_of(value: Any, what: str) -> Path:
     """Return the path of a file to be written; its folder must exist."""
     path = path_of(value, what)
+    with contextlib.suppress(FileNotFoundError, NotADirectoryError):
+        path.lstat()  # a name that is too long is told before any work is done
     if not path.parent.is_dir():
         raise FileNotFoundError(
             f"{what} is {str(path)!r}, but there is no folder {str(path.parent)!r}: make it first, "

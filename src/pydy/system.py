@@ -8,6 +8,8 @@ ordered arrays to compiled code.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, MutableMapping
+from functools import partial
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
@@ -1805,6 +1807,10 @@ class System:
         numbers = now.x, now.p, now.times
         return export_model(now.definition, now.model, now.plan, numbers, **options)
 
+    def _motion(self, times: Any, states: Any) -> Trajectory:
+        """Return a trajectory of checked arrays."""
+        return self._now().motion(times, states)
+
     def _live_system(self, **options: Any) -> Any:
         """Return what a page that simulates needs."""
         from pydy._system.exporting import live_system
@@ -1863,13 +1869,13 @@ class System:
         return make_scene(
             definition,
             dict(zip(definition.constants, constants.tolist(), strict=True)),
-            lambda: self.model.assembly,
+            partial(attrgetter("model.assembly"), self),
             visuals,
             reference_frame,
             origin,
             options,
-            lambda: self._times,
-            lambda times, states: self._now().motion(times, states),
+            partial(attrgetter("_times"), self),
+            self._motion,
             self._live_system,
         )
 

@@ -116,6 +116,8 @@ class Trajectory:
         if not all(isinstance(event, EventRecord) for event in self.events):
             raise TypeError(f"`events` must hold objects of EventRecord, got {shown(events)}.")
         self.statistics = statistics
+        if model is not None and not hasattr(model, "derivatives"):
+            raise TypeError(f"`model` must be what a System passes, got {shown(model)}.")
         self._model = model
         self._dense = dense
         self._sensitivity_model = sensitivity_model

@@ -1,11 +1,18 @@
 """FMUs by the rules of FMPy: valid, and moving as the System does."""
 
+import io
+import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
+import threading
+import time
 import zipfile
+from contextlib import contextmanager
 from pathlib import Path
+from types import SimpleNamespace
 
 import fmpy
 import numpy as np
@@ -225,14 +232,15 @@ def test_every_system_has_its_library_and_options(
 ):
     asked = []
 
-    def run(command, cwd, **_):
+    @contextmanager
+    def run(command, cwd):
         asked.append(command)
         (Path(cwd) / f"model{suffix}").write_bytes(b"code")
-        return subprocess.CompletedProcess(command, 0, "", "")
+        yield SimpleNamespace(stdout=io.StringIO(), returncode=0)
 
     monkeypatch.setattr(sys, "platform", platform)
     monkeypatch.setenv("CC", name)
-    monkeypatch.setattr(subprocess, "run", run)
+    monkeypatch.setattr("pydy.export.fmu.started", run)
     path = pendulum().export(tmp_path / "p.fmu", fmi=fmi).path
     [command] = asked
     assert fits(command)
@@ -266,3 +274,32 @@ def test_the_file_may_be_called_like_one_of_the_sources(tmp_path, name):
     path = spring_of("k").export(tmp_path / f"{name}.fmu").path
     result = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=1.0, output=["x"])
     assert result["x"][-1] == pytest.approx(np.cos(1.0), abs=1e-7)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="the signal is for a process of POSIX")
+def test_a_ctrl_c_ends_the_compiler_and_what_it_started_at_once(tmp_path, monkeypatch):
+    running, script = tmp_path / "running", tmp_path / "cc"
+    script.write_text(f"#!/bin/sh\nsleep 60 &\necho $! > {running}.new\n"
+                      f"mv {running}.new {running}\nwait\n")  # fmt: skip
+    script.chmod(0o755)
+    monkeypatch.setenv("CC", str(script))
+    system, sent = spring_of("k"), []
+
+    def interrupt():
+        while not running.exists():
+            time.sleep(0.01)
+        sent.append(time.monotonic())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    thread = threading.Thread(target=interrupt)
+    thread.start()
+    with pytest.raises(KeyboardInterrupt):
+        system.export(tmp_path / "spring.fmu")
+    assert time.monotonic() - sent[0] < 5.0
+    thread.join()
+    number = int(running.read_text())
+    status = Path(f"/proc/{number}/stat")  # a zombie until whoever adopts it looks after it
+    while status.exists() and " Z " not in status.read_text():
+        assert time.monotonic() - sent[0] < 5.0
+        time.sleep(0.01)
+    assert not (tmp_path / "spring.fmu").exists()

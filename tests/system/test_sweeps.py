@@ -259,7 +259,8 @@ def test_ctrl_c_hands_over_the_first_values(monkeypatch):
 def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):
     system, over = hoop_and_rates()
     whole = system.eigenvalues(over)
-    monkeypatch.setattr(pydy._system.sweeps, "_AT_ONCE", 7)
+    monkeypatch.setattr(pydy._system.sweeps, "AT_ONCE", 7)
+    monkeypatch.setattr(pydy.analysis.sweeps, "AT_ONCE", 5)
     parts = system.eigenvalues(over, progress=True)
     assert "41/41" in capsys.readouterr().err
     np.testing.assert_allclose(parts.eigenvalues, whole.eigenvalues, atol=1e-9)
@@ -276,6 +277,27 @@ def test_values_in_several_parts_lead_to_the_same_branches(monkeypatch, capsys):
     with pytest.raises(AnalysisInterrupted) as caught:
         system.eigenvalues(over)
     np.testing.assert_array_equal(caught.value.results.A, parts.A[:21])
+
+
+def test_ctrl_c_among_the_matrices_at_given_states_hands_over_those_that_are_there(monkeypatch):
+    system = multi_mass_spring_damper()
+    stiffness = np.linspace(1.0, 9.0, num=40)
+    matrices, calls = pydy._system.sweeps.Family.matrices, []
+
+    def interrupted(self, z):
+        calls.append(z)
+        if len(calls) > 2:
+            raise KeyboardInterrupt
+        return matrices(self, z)
+
+    monkeypatch.setattr(pydy._system.sweeps, "AT_ONCE", 7)
+    monkeypatch.setattr(pydy._system.sweeps.Family, "matrices", interrupted)
+    with pytest.raises(AnalysisInterrupted, match="after 14 of 40 values") as caught:
+        system.eigenvalues({"k0": stiffness}, at=np.zeros(2))
+    sweep = caught.value.results
+    # m = c = 1: s^2 + s + k = 0.
+    expected = -0.5 + 1j * np.sqrt(stiffness[:14] - 0.25)
+    assert sweep.eigenvalues.max(axis=1) == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("rate", [1.0, 1e-4, 1e10])

@@ -71,3 +71,6 @@ FALLBACK_STACK = 2**16
 # script starts no process for it. The process ends after so long without work.
 QUIET_SECONDS = 0.25
 IDLE_SECONDS = 10.0
+
+# Operations of a sweep between two looks at whether there is a Ctrl-C: some hundredths of a second.
+SWEPT = 10_000_000

@@ -32,12 +32,10 @@ def collector_paused() -> Iterator[None]:
     _pausing = threading.get_ident()
     try:
         yield
+        _let_age()  # but a Ctrl-C does not wait for it
     finally:
-        try:
-            _let_age()
-        finally:
-            _pausing = None
-            gc.enable()
+        _pausing = None
+        gc.enable()
 
 
 def _let_age() -> None:

@@ -77,6 +77,12 @@ class JacobianColumns(TakesApart):
     shape: tuple[int, int]
 
     @property
+    def num_operations(self) -> int:
+        """Number of operations for all columns."""
+        parts = (part.count * part.program.num_operations for part in self.parts)
+        return self.shared.num_operations + sum(parts)
+
+    @property
     def num_states(self) -> int:
         """Number of states x."""
         return self.shared.num_states

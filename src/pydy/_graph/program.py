@@ -176,6 +176,11 @@ class Program:
     outputs: tuple[int, ...]
     blocks: tuple[Block, ...]
 
+    @property
+    def num_operations(self) -> int:
+        """Number of operations of both stages, constants and inputs included."""
+        return len(self.ops)
+
     @classmethod
     def from_tape(
         cls,

@@ -20,11 +20,9 @@ from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_equilibrium, solve_many
 from pydy.analysis.scaling import equilibrated
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of
-from pydy.analysis.tuning import FREE, TO_ROUNDING, ZERO_ROOT
+from pydy.analysis.tuning import AT_ONCE, FREE, TO_ROUNDING, ZERO_ROOT
 
 __all__ = ["Family", "eigenvalues", "follow_equilibria", "parameter_of"]
-
-_AT_ONCE = 256  # values of a sweep between two looks at whether to go on
 
 
 def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
@@ -244,27 +242,35 @@ def eigenvalues(
                 f"`over`, got {len(at)}."
             )
         family = Family(now, parameter, unknowns, given, moving)
-        z = family.unknowns_at(values, np.broadcast_to(at, (len(values), at.shape[-1])))
+        given_z = family.unknowns_at(values, np.broadcast_to(at, (len(values), at.shape[-1])))
         models = family.at
     else:
         family = Family(now, parameter, unknowns, given, moving)
-        z = np.empty((0, len(family.names)))
+        given_z = None
         models = family.models
-    stopped = False
+    z, stopped = np.empty((0, len(family.names))), False
+    parts: list[tuple[np.ndarray, np.ndarray]] = []
     with progress_of(flag(progress, "`progress`"), " values", len(values)) as told:
         try:
-            for first in range(len(z), len(values), _AT_ONCE):
-                part = values[first : first + _AT_ONCE]
-                further = family.equilibria(part, z[-1] if len(z) else None)
-                z = np.vstack([z, further])
+            for first in range(0, len(values), AT_ONCE):
+                part = values[first : first + AT_ONCE]
+                if given_z is None:
+                    further = family.equilibria(part, z[-1] if len(z) else None)
+                else:
+                    further = given_z[first : first + AT_ONCE]
+                whole_z = np.vstack([z, further])
+                # The first decides for all which states are independent.
+                A, x, free = family.matrices(np.vstack([whole_z[:1], further]))
+                parts.append((A[1:], x[1:]))
+                z = whole_z
                 told(len(further))
                 if len(further) < len(part):
                     raise KeyboardInterrupt
         except KeyboardInterrupt:
-            if not len(z):
+            if not parts:
                 raise
             stopped = True
-    A, x, free = family.matrices(z)
+    A, x = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
     names = unique_names(definition.states)
     spectra, active = spectra_of(A)
     sweep = EigenvalueSweep(

@@ -77,6 +77,9 @@ class AdjointGradient:
             return float(self.values[self.names.index(parameter)])
         raise KeyError(f"`{parameter}` is not one of the parameters: {', '.join(self.names)}.")
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "trajectory": self.trajectory, "_motion": None}
+
     def __str__(self) -> str:
         shown = [f"{n} {v:.6g}" for n, v in zip(self.names[:12], self.values, strict=False)]
         more = f", and {len(self.values) - 12} more" if len(self.values) > 12 else ""

@@ -11,7 +11,7 @@ import scipy
 
 from pydy._optional import require
 from pydy.analysis.pictures import plot_eigenvalues, plot_root_locus
-from pydy.analysis.tuning import CROSSED, ENTRY, TO_ROUNDING
+from pydy.analysis.tuning import AT_ONCE, CROSSED, ENTRY, TO_ROUNDING
 
 __all__ = ["Crossing", "EigenvalueSweep", "spectra_of"]
 
@@ -184,7 +184,8 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     found = np.zeros((m, k), dtype=complex)
     if active.size:
         block = A[:, active[:, None], active]
-        found[:, : len(active)] = _followed(np.linalg.eigvals(block).astype(complex))
+        parts = [np.linalg.eigvals(block[k : k + AT_ONCE]) for k in range(0, m, AT_ONCE)]
+        found[:, : len(active)] = _followed(np.concatenate(parts).astype(complex))
     return found, active
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 __all__ = [
     "AT_BOUND",
+    "AT_ONCE",
     "BISECTED",
     "CROSSED",
     "DAMPED",
@@ -115,3 +116,8 @@ STILL = 1e-9
 
 FITTED = 1e-12
 """Relative changes of cost, parameters and gradient that end a fit: what integrations leave."""
+
+# -- sweeps ----------------------------------------------------------------------------------------
+
+AT_ONCE = 256
+"""Values of a sweep between two looks at whether to go on."""

@@ -11,7 +11,6 @@ import os
 import platform
 import shlex
 import shutil
-import subprocess
 import sys
 import sysconfig
 import tempfile
@@ -24,6 +23,7 @@ from xml.sax.saxutils import quoteattr
 
 from pydy._errors import GeneratorError
 from pydy._files import replacing
+from pydy._processes import started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
 from pydy.export.model import Model, Variable
@@ -180,13 +180,13 @@ def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:
             command += ["-std=c99", "-O2", "-fvisibility=hidden", "-shared", "-o", result, "all.c"]
             command += ["-fPIC", "-lm"] if unix else []
         try:
-            done = subprocess.run(
-                command, cwd=folder, capture_output=True, text=True, errors="replace", check=False
-            )
+            with started(command, cwd=folder) as process:
+                assert process.stdout is not None
+                said = process.stdout.read()
         except OSError as error:
             raise GeneratorError(f"The C compiler {command[0]!r} cannot be run: {error}.") from None
-        if done.returncode:
-            tail = (done.stdout + done.stderr)[-2000:]
+        if process.returncode:
+            tail = said[-2000:]
             raise GeneratorError(f"The C compiler {command[0]!r} failed on the FMU:\n{tail}")
         return Path(folder, result).read_bytes()
 

@@ -213,9 +213,6 @@ class Solver:
         >>> [round(float(swing([angle, 0.0])[-1, 0]), 6) for angle in (1.0, 2.0)]
         [0.877583, 1.755165]
         """
-        with whole:
-            from pydy.solvers.run.integration import Integration
-
         if not callable(f):
             raise TypeError(f"`f` must be a function f(x, t), got {f!r}.")
         read = read_options(self.name, self.adaptive, options)
@@ -230,7 +227,17 @@ class Solver:
         _check_times(times)
         if not isinstance(args, tuple):
             args = (args,)
-        return Prepared(Integration(self.name, f, len(x0), times, args, read), x0)
+        return _prepared(self.name, f, x0, times, args, read)
+
+
+def _prepared(name: str, f: Any, x0: np.ndarray, *rest: Any) -> Prepared:
+    """Return an integration that is pickled as what it was made of."""
+    with whole:
+        from pydy.solvers.run.integration import Integration
+
+    prepared = Prepared(Integration(name, f, len(x0), *rest), x0)
+    prepared.made_of = (name, f, x0, *rest)
+    return prepared
 
 
 def _check_times(times: np.ndarray) -> None:
@@ -287,6 +294,7 @@ class Prepared:
     def __init__(self, integration: Integration, x0: np.ndarray) -> None:
         self.x0 = x0
         self.key: tuple[Any, ...] = ()
+        self.made_of: tuple[Any, ...] = ()
         self._integration = integration
         self._shape = x0.shape
         self._run = integration.run
@@ -316,6 +324,9 @@ class Prepared:
         if passage := self._integration.passage():
             warn_user(passage)
         return states
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _prepared, self.made_of
 
     @property
     def times(self) -> np.ndarray:

@@ -36,6 +36,27 @@ def test_any_number_of_samples_in_either_order(lanes, order, count):
     assert not failed.any()
 
 
+@pytest.mark.parametrize("order", ["C", "F"])
+@pytest.mark.parametrize("lanes", [1, 8])
+def test_ctrl_c_comes_through_between_parts_which_give_the_same(lanes, order, monkeypatch):
+    model, (t, x, p) = MODEL, rows(100)
+    x, r = np.asarray(x, order=order), np.zeros((1, 0))
+    whole, _ = LLVMBackend(lanes=lanes).compile(model).evaluate(t, x, r, p)
+    monkeypatch.setattr("pydy._backends.llvm.native.SWEPT", 1)
+    kernel = LLVMBackend(lanes=lanes).compile(model)
+    looks = []
+    monkeypatch.setattr(
+        "pydy._backends.llvm.native.np.empty",
+        lambda *a, empty=np.empty, **k: looks.append(1) or empty(*a, **k),
+    )
+    parts, failed = kernel.evaluate(t, x, r, p)
+    monkeypatch.undo()
+    assert len(looks) >= 100 // lanes
+    np.testing.assert_array_equal(parts, whole)
+    assert parts.flags.f_contiguous == whole.flags.f_contiguous
+    assert not failed.any()
+
+
 @pytest.mark.parametrize("lanes", [1, 2, 4, 8])
 def test_rows_that_are_not_contiguous_are_taken_as_they_are(lanes):
     t, x, p = rows(21)

@@ -13,7 +13,6 @@ import itertools
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import warnings
@@ -30,6 +29,7 @@ from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._names import printable
+from pydy._processes import started
 
 __all__ = ["CythonBackend"]
 
@@ -223,14 +223,10 @@ def _build(name: str, directory: Path, verbose: bool) -> None:
     command = [sys.executable, "-P", "-c", _SCRIPT, name, *map(os.path.abspath, sys.path)]
     lines = []
     try:
-        with subprocess.Popen(
+        with started(
             command,
             cwd=directory,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,  # compilers differ in where they write their errors
             encoding="utf-8",
-            errors="replace",
             # Names of folders need not have letters that the console knows.
             env={**os.environ, "PYTHONIOENCODING": "utf-8:backslashreplace"},
         ) as process:

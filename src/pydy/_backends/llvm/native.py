@@ -43,6 +43,7 @@ from pydy._backends.llvm.sweep import (
     sweep_module,
     sweep_name,
 )
+from pydy._backends.tuning import SWEPT
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
@@ -230,6 +231,7 @@ def _make_sweep(
     native = runtime.code.addresses[sweep_name(1)] if lanes == 1 else _wide_sweep(lanes)
     room = scratch_size(lanes, *sizes)
     run, columns = runtime.sweep, lanes > 1
+    most = max(1, SWEPT // (lanes * (program.num_operations + 1))) * lanes
     words = np.array([0, 0, strided, native, *sizes], np.int64)
     assert len(words) == len(KERNEL_WORDS)
     entry.bind(words)
@@ -243,6 +245,18 @@ def _make_sweep(
     ) -> tuple[np.ndarray, np.ndarray]:
         entry.begin()
         m = len(t)
+        if m > most:  # Python heeds a Ctrl-C between the parts
+            by_columns = columns and n > 1 and x.flags.f_contiguous and out is None
+            values = out
+            if values is None:
+                values = np.empty((m, outputs), order="F" if by_columns else "C")
+            failed = np.empty(m, dtype=np.bool_)
+            for first in range(0, m, most):
+                part = slice(first, first + most)
+                x_part = np.asfortranarray(x[part]) if by_columns else x[part]
+                r_part = r if len(r) == 1 else r[part]
+                values[part], failed[part] = sweep(t[part], x_part, r_part, p)
+            return values, failed
         order: Literal["C", "F"] = "C"
         if columns and m > 1 and n > 1 and x.flags.f_contiguous:
             order, r = "F", np.asfortranarray(r)
