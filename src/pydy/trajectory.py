@@ -475,8 +475,7 @@ class Trajectory:
     def load(cls, path: str | PathLike[str]) -> Trajectory:
         """Read a trajectory from a file that `save` wrote.
 
-        Quantities can be accessed by symbols or names, although only names are stored. No model is
-        needed.
+        Quantities can be accessed by symbols or names, although only names are stored.
 
         Parameters
         ----------
