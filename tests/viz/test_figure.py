@@ -223,7 +223,9 @@ def test_an_ffmpeg_without_libx264_gets_no_preset(scene, tmp_path, monkeypatch):
 
     program, said = tmp_path / "ffmpeg", tmp_path / "said"
     program.write_text(
-        f'#!/bin/sh\necho "$@" >> {said}\nfor film; do :; done\ncat > "$film"\n', encoding="utf-8"
+        f'#!/bin/sh\necho "$@" >> {said}\nfor film; do :; done\n'
+        'case "$film" in *.mp4) cat > "$film";; esac\n',
+        encoding="utf-8",
     )
     program.chmod(0o755)
     monkeypatch.setattr(FFMpegWriter, "isAvailable", lambda: True)

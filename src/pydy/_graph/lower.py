@@ -15,7 +15,7 @@ from pydy._graph.operations import TRUTHS
 from pydy._graph.passes.share import is_pair, share_pairs
 from pydy._graph.program import Program, Tape
 from pydy._graph.solve.choose import factorised
-from pydy._graph.solve.matrix import Factor, Matrix
+from pydy._graph.solve.matrix import Factor, Matrix, Part
 from pydy._graph.switches import Passes
 
 __all__ = ["lower"]
@@ -129,7 +129,21 @@ class _Lowering:
 
     def _factorised(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
         cells = [self.new[e] for e in entries]
-        return factorised(Matrix(self.tape, kind, n, cells, self.own), self.passes)
+        matrix = Matrix(
+            self.tape, kind, n, cells, self.graph, entries, self.own, self._sum_of_parts
+        )
+        return factorised(matrix, self.passes)
+
+    def _sum_of_parts(self, parts: dict[Part, float]) -> int:
+        """Return a sum of products of nodes."""
+        tape = self.tape
+        result = tape.const(0.0)
+        for part, coefficient in parts.items():
+            values = [self._power(n, e) for n, e in part]
+            factors = self._chain([tape.const(coefficient), *values])
+            assert factors is not None
+            result = tape.add(result, factors)
+        return result
 
     # -- sums -------------------------------------------------------------------------------------
 

@@ -9,14 +9,18 @@ __all__ = [
     "ANOTHER_PART",
     "ANOTHER_ROUND",
     "BACKWARD_ERROR",
+    "CANCELLATION",
     "COLUMNS_TOGETHER",
     "DEEPER",
     "FROM_OPERATIONS",
     "LESS_WORK",
+    "LONGEST_ENTRY",
     "LONGEST_MULTIPLIED_OUT",
     "LONGEST_PAIRED",
+    "MOST_CHANNELS",
     "PIVOT_SHARE",
     "POPULAR",
+    "SEPARATE_FROM",
     "SINGULAR",
     "SMALL_PIVOT",
     "SOLVED_MODULO_A_PRIME",
@@ -57,6 +61,15 @@ DEEPER = 2
 # beyond, compiling takes longer than the loop loses. Of constants four times as many: they run
 # once.
 UNROLL_LIMIT = 3500
+# Multiply-adds of an elimination from which separable rows are looked for: below, it needs none.
+SEPARATE_FROM = 200
+# Terms of an entry, multiplied out, in the search for separable rows; a chain's entries have two.
+LONGEST_ENTRY = 8
+# Channels of a matrix with separable rows; a chain in the plane has two.
+MOST_CHANNELS = 6
+# How much larger than a diagonal entry the terms may be whose difference it is, where rows
+# separate: four bits at most are lost. In chains of bodies they never are larger.
+CANCELLATION = 16.0
 # A pivot below this share of its row leaves the decision, singular or not, to partial pivoting.
 SMALL_PIVOT = 1e-9
 # Backward error of a solution that is taken, in units of n·eps. Four in a hundred states of a

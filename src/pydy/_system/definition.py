@@ -146,9 +146,9 @@ class Definer:
         events = [event for event in events if isinstance(event, Event)]
         parts = [part for event in events for part in (event.expression, *event.reset.values())]
         symbols = (*definition.states, *definition.specifieds, *definition.outputs_symbols)
-        taken = {definition.equations.time, *map(name_of, symbols)}
+        taken = {*map(name_of, (definition.equations.time, *symbols))}
         held = find_symbols(part for part in parts if isinstance(part, sm.Basic))
-        found = [s for s in held if isinstance(s, sm.Symbol) and not taken & {s, s.name}]
+        found = [s for s in held if isinstance(s, sm.Symbol) and s.name not in taken]
         self._of_events.update(dict.fromkeys(found))
         return found
 

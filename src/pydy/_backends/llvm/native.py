@@ -236,27 +236,10 @@ def _make_sweep(
     assert len(words) == len(KERNEL_WORDS)
     entry.bind(words)
 
-    def sweep(
-        t: np.ndarray,
-        x: np.ndarray,
-        r: np.ndarray,
-        p: np.ndarray,
-        out: np.ndarray | None = None,
+    def part(
+        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        entry.begin()
         m = len(t)
-        if m > most:  # Python heeds a Ctrl-C between the parts
-            by_columns = columns and n > 1 and x.flags.f_contiguous and out is None
-            values = out
-            if values is None:
-                values = np.empty((m, outputs), order="F" if by_columns else "C")
-            failed = np.empty(m, dtype=np.bool_)
-            for first in range(0, m, most):
-                part = slice(first, first + most)
-                x_part = np.asfortranarray(x[part]) if by_columns else x[part]
-                r_part = r if len(r) == 1 else r[part]
-                values[part], failed[part] = sweep(t[part], x_part, r_part, p)
-            return values, failed
         order: Literal["C", "F"] = "C"
         if columns and m > 1 and n > 1 and x.flags.f_contiguous:
             order, r = "F", np.asfortranarray(r)
@@ -270,6 +253,23 @@ def _make_sweep(
             entry.complete()
             failed[:] = False
             run(words, t, x, r, p, values, failed, np.empty(room))
+        return values, failed
+
+    def sweep(
+        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        entry.begin()
+        m = len(t)
+        if m <= most:
+            return part(t, x, r, p, out)
+        # Python heeds a Ctrl-C between the parts.
+        by_columns = columns and n > 1 and x.flags.f_contiguous and out is None
+        values = np.empty((m, outputs), order="F" if by_columns else "C") if out is None else out
+        failed = np.empty(m, dtype=np.bool_)
+        for first in range(0, m, most):
+            rows = slice(first, first + most)
+            x_part = np.asfortranarray(x[rows]) if by_columns else x[rows]
+            values[rows], failed[rows] = part(t[rows], x_part, r if len(r) == 1 else r[rows], p)
         return values, failed
 
     return sweep

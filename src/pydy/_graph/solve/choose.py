@@ -10,7 +10,7 @@ from collections.abc import Callable, Container, Sequence
 from typing import Any
 
 from pydy._graph.node import Graph
-from pydy._graph.solve import ldl, lu
+from pydy._graph.solve import ldl, lu, semiseparable
 from pydy._graph.solve.differences import difference_basis
 from pydy._graph.solve.loop import LoopFactor
 from pydy._graph.solve.matrix import Factor, Matrix, Proposal
@@ -27,6 +27,7 @@ UNKNOWNS: list[tuple[str, _Change]] = [
 """Names (switches in `Passes`) and changes of unknowns: the first that is offered is taken."""
 
 FACTORISATIONS: list[tuple[str, Callable[[Matrix], Proposal | None]]] = [
+    ("semiseparable", semiseparable.propose),
     ("ldl", ldl.propose),
     ("lu", lu.propose),
 ]

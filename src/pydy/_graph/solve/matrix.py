@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
 import numpy as np
 
+from pydy._graph.node import Graph
 from pydy._graph.program import Tape
 
-__all__ = ["Factor", "Matrix", "Proposal", "symmetric"]
+__all__ = ["Factor", "Matrix", "Part", "Proposal", "symmetric"]
+
+Part = tuple[tuple[int, int], ...]
+"""A product of powers of nodes of a graph."""
 
 
 class Factor(Protocol):
@@ -38,15 +42,23 @@ class Matrix:
     n : int
     cells : list of int
         The entries on the tape, row by row.
+    graph : Graph
+    entries : sequence of nodes
+        The same in the graph.
     sizes : (int, int, int)
         Of the Program.
+    value : callable
+        Writes a sum of products of nodes of the graph on the tape, given ``{part: coefficient}``.
     """
 
     tape: Tape
     kind: str
     n: int
     cells: list[int]
+    graph: Graph
+    entries: Sequence[int]
     sizes: tuple[int, int, int]
+    value: Callable[[dict[Part, float]], int]
 
     @cached_property
     def filled(self) -> np.ndarray:
