@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -159,17 +160,21 @@ def _event(**changes: Any) -> Any:
     return [(e.time, e.name) for e in result.events], result.states
 
 
-def _known(value: Any) -> Any:
-    """Return an expression of time alone, or a number."""
+def _known(value: Any, constants: bool = False) -> Any:
+    """Return an expression of time alone, or a number; or of constants that are met there first."""
     value = expression(value)
+    time = sm.Symbol("t")
     if isinstance(value, sm.Basic) and (
-        value.is_Relational or value.free_symbols - {sm.Symbol("t")} or value.is_finite is False
+        value.is_Relational
+        or any(s != time and (s.name == "t" or not constants) for s in value.free_symbols)
+        or value.is_finite is False
     ):
         raise RefusedError
     return value
 
 
 _expressions = Kind(_known, ("common", "numbers", "symbols"), compare=False)
+_resets = Kind(partial(_known, constants=True), _expressions.groups, compare=False)
 
 
 @target("Event.expression", _expressions, "expression", "event")
@@ -192,7 +197,7 @@ def _(v):
     return _event(reset=v)
 
 
-@target("Event.reset[value]", _expressions, "reset", "expression")
+@target("Event.reset[value]", _resets, "reset", "expression")
 def _(v):
     return _event(reset={world().o.v: v})
 
