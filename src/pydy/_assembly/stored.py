@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import sys
 from collections.abc import Callable
-from functools import cache as once
 from pathlib import Path
 from typing import TypeVar
 
@@ -25,14 +24,17 @@ __all__ = ["stored_jacobian", "stored_program"]
 _WORTH_STORING = 300
 
 
-@once
-def _circumstances() -> bytes:
-    """Everything but the equations that decides what the Program is."""
+def _made_by() -> bytes:
+    """Return a digest of everything but the equations that decides what the Program is."""
     sha = hashlib.sha256(sys.version.encode())
     for package in (pydy._assembly, pydy._graph):
         for source in sorted(Path(str(package.__file__)).parent.rglob("*.py")):
             sha.update(source.read_bytes())
     return sha.digest()
+
+
+# Now: the package may be replaced while this process runs, see `pydy._backends.llvm.compiling`.
+_CIRCUMSTANCES = _made_by()
 
 
 def _as_shipped() -> bool:
@@ -84,7 +86,7 @@ def _stored(
 ) -> _T:
     if len(assembly.graph) < _WORTH_STORING or not _as_shipped():
         return make()
-    parts = (_circumstances(), assembly.fingerprint(), what.encode())
+    parts = (_CIRCUMSTANCES, assembly.fingerprint(), what.encode())
     key = hashlib.sha256(b"".join(parts)).hexdigest()
     data = _cache_folder.read(key)
     if data is not None:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import gc
 import os
+import shutil
 import subprocess
 import sys
 import threading
 import time
 import weakref
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -293,3 +295,57 @@ def test_bits_are_the_same_whoever_compiled(nothing_cached, at_once):
     quick = kernel.evaluate(*arguments)[0]
     until(lambda: len(entry._owners) == 2)
     np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], quick)
+
+
+REPLACED = """
+import sys
+from pathlib import Path
+
+import numpy as np
+import pydy
+import zoo
+from cases import system_of
+from pydy import _cache_folder
+from pydy._backends.llvm import background, compiling, tiers
+from pydy.solvers.run import shipped
+
+background.submit = lambda task: None  # which entries are written does not depend on time
+package = Path(pydy.__file__).parent
+if sys.argv[1] == "old":  # another version is installed from here on
+    for path in (*package.rglob("emit.py"), *package.rglob("lower.py")):
+        path.write_text(path.read_text() + "# the next version\\n")
+    for path in package.rglob("*.ll"):
+        path.rename(path.with_suffix(".away"))
+system = system_of(zoo.fourbar(), times=[0.0, 0.1], ode_solver="vern9")
+states = system.integrate(constraints="project")
+system.evaluate_jacobian(states[0])
+if sys.argv[1] == "old":
+    source = compiling.Source("nothing", str, ())
+    try:
+        compiling.Helper().compile(source)
+    except compiling.HelperError:
+        pass
+    else:
+        raise AssertionError("a process of the next version compiled")
+    for path in package.rglob("*.away"):
+        path.rename(path.with_suffix(".ll"))
+sys.stdout.write("\\n".join(p.name for p in _cache_folder.folder().rglob("*.code")))
+"""
+
+
+def test_a_process_whose_package_is_replaced_leaves_nothing_for_the_next_version(tmp_path):
+    installed = Path(compiling.__file__).parents[2]
+    shutil.copytree(installed, tmp_path / "pydy", ignore=shutil.ignore_patterns("__pycache__"))
+    tests = [str(Path(__file__).parents[2]), *(p for p in sys.path if p)]
+    paths = [str(tmp_path), *(p for p in tests if p != str(installed.parent))]
+    cache = tmp_path / "cache"
+    env = {"PYTHONPATH": os.pathsep.join(paths), "PYDY_CACHE_DIR": str(cache)}
+    found = []
+    for who in ("old", "new"):
+        run = subprocess.run(
+            [sys.executable, "-c", REPLACED, who],
+            env=os.environ | env, capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert run.returncode == 0, run.stderr
+        found.append({name for name in run.stdout.split() if name})
+    assert len(found[1]) == 2 * len(found[0]) > 0  # the new one has found none of them

@@ -31,17 +31,27 @@ __all__ = [
 ]
 
 
+def _written_by() -> bytes:
+    """Return a digest of the code that writes the IR."""
+    sha = hashlib.sha256()
+    backends = Path(__file__).parents[1]
+    for source in (backends.with_name("_array_layout.py"), *sorted(backends.rglob("*.py"))):
+        sha.update(source.read_bytes())
+    return sha.digest()
+
+
+# Now, not when it is first wanted: the package may be replaced while this process runs, and what it
+# still writes must not be taken for what the new one would write.
+_SOURCES = _written_by()
+
+
 @once
 def _circumstances() -> bytes:
     """Everything but the Program that decides what the machine code is."""
     host = target()
-    sha = hashlib.sha256()
+    sha = hashlib.sha256(_SOURCES)
     parts = (host.processor, host.features, llvmlite_version, *map(str, binding.llvm_version_info))
     sha.update("\n".join((host.triple, *parts)).encode())
-    # The code that writes the IR: a new version of it must not meet the old one's output.
-    backends = Path(__file__).parents[1]
-    for source in (backends.with_name("_array_layout.py"), *sorted(backends.rglob("*.py"))):
-        sha.update(source.read_bytes())
     return sha.digest()
 
 
@@ -127,9 +137,9 @@ class HelperError(RuntimeError):
 
 _BEGIN = """\
 import sys
-sys.path[:] = sys.argv[1:]
+sys.path[:] = sys.argv[2:]
 from pydy._backends.llvm.compiling import serve
-serve()
+serve(sys.argv[1])
 """
 
 
@@ -207,7 +217,7 @@ def _started() -> subprocess.Popen[bytes]:
     if "python" not in Path(sys.executable or "").name.lower():
         raise OSError("this program is not Python itself")
     return subprocess.Popen(
-        [sys.executable, "-P", "-c", _BEGIN, *map(os.path.abspath, sys.path)],
+        [sys.executable, "-P", "-c", _BEGIN, _SOURCES.hex(), *map(os.path.abspath, sys.path)],
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
@@ -217,8 +227,10 @@ def _started() -> subprocess.Popen[bytes]:
     )
 
 
-def serve() -> None:
-    """Compile what comes in, until nothing more can come."""
+def serve(sources: str) -> None:
+    """Compile what comes in, until nothing more can come; nothing for another version's process."""
+    if sources != _SOURCES.hex():
+        return
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a Ctrl-C is meant for the program
     if hasattr(os, "nice"):
         os.nice(10)

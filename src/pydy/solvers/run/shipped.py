@@ -24,13 +24,17 @@ from pydy._backends.llvm.gate import Gate
 
 __all__ = ["address_of", "callback_address", "function_of", "stepper"]
 
-_FOLDER = Path(__file__).parents[1] / "ir"
+# Read with the modules that lay out what the loops work on: the package may be replaced meanwhile.
+_TEXTS = {
+    path.stem: path.read_text(encoding="utf-8")
+    for path in (Path(__file__).parents[1] / "ir").glob("*.ll")
+}
 _LOCK = _forks.Lock()
 
 
 @cache
 def _code(name: str) -> jit.Code:
-    text = (_FOLDER / f"{name}.ll").read_text(encoding="utf-8")
+    text = _TEXTS[name]
     what = f"solver {hashlib.sha256(text.encode()).hexdigest()}"
     with _LOCK:  # whoever comes second finds what the first one compiled
         return jit.load(jit.Source(what, partial(_finished, text), (name,), loops=True))
