@@ -28,6 +28,7 @@ from pydy._system.definition import Definer
 from pydy._system.dependents import (
     check_dependents,
     default_dependents,
+    given_values,
     latest_dependents,
     solve_dependents,
 )
@@ -1469,8 +1470,10 @@ class System:
         ----------
         dep_vars : iterable of functions of time, optional
             One coordinate for each holonomic constraint and one speed for each velocity constraint;
-            by default the dependent ones of the method. If you did not choose those either, the
-            initial conditions that you gave are kept, as far as the constraints determine others.
+            by default the dependent ones of the method, but speeds that you gave a value other than
+            zero are kept, as far as the constraints determine others; coordinates too, unless you
+            chose the dependent ones: then their values are what the search begins with, as is a
+            whole state.
         use_jac : bool, optional
             Whether the root finder gets the exact Jacobian.
         **root_kwargs
@@ -1484,17 +1487,19 @@ class System:
         Warns
         -----
         PyDyUserWarning
-            The root finder did not converge; its result is set nevertheless.
+            The root finder did not converge; its result is set nevertheless. Or a value that you
+            gave had to change.
         """
         now, own = self._now(), self._definition.places["states"]
         # A new dictionary: the old one may be the caller's own. Its keys may be names.
         conditions, latest = dict(self._initial_conditions), self._dependent or {}
         keys = {own.symbols[own.find(key, "initial_conditions")]: key for key in conditions}
+        given: dict[Any, float] = {}
         if dep_vars is None:
-            given = [s for s, key in keys.items() if latest.get(s) != conditions[key]]
+            given = given_values(now, keys, latest)
             dep_vars = default_dependents(now, given)
         places = check_dependents(self._definition, dep_vars)
-        x = solve_dependents(now, places, flag(use_jac, "`use_jac`"), root_kwargs)
+        x = solve_dependents(now, places, given, flag(use_jac, "`use_jac`"), root_kwargs)
         solved = {own.symbols[k]: float(x[k]) for part in places for k in part}
         self._initial_conditions = conditions | {keys.get(s, s): v for s, v in solved.items()}
         self._dependent = solved

@@ -1,5 +1,7 @@
 """set_dependent_initial_conditions: states that satisfy the constraints."""
 
+import re
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -246,3 +248,28 @@ def test_what_was_given_is_kept_where_nobody_chose_the_dependent_states(known):
     system.initial_conditions = dict.fromkeys(["q1", "q2", "u1", "u2"], 0.1)
     system.set_dependent_initial_conditions()  # all given: those that the System chose
     close(residuals(system), np.zeros(2), 1e-12)
+
+
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_a_speed_that_the_user_gave_is_kept(unit):
+    """The bicycle's forward speed depends on the rear wheel's; a user gives the former."""
+    model = whipple_bicycle.derive()
+    constants = whipple_bicycle.benchmark_parameters(model)
+    for s in constants:
+        if s.name in ("w", "c", "g") or s.name[:2] in ("r_", "x_", "z_"):
+            constants[s] *= unit
+    system = System(model.definition, constants, initial_conditions={"u_x": 5.0 * unit})
+    system.set_dependent_initial_conditions()
+    found = {name_of(s): v for s, v in system.initial_conditions.items()}
+    assert found["u_x"] == 5.0 * unit
+    close(found["omega_R"], -5.0 / 0.3, 1e-12)  # rolling, with the radii of the benchmark
+    close(found["omega_F"], -5.0 / 0.35, 1e-12)
+    system.initial_conditions = {"u_x": 5.0 * unit, "omega_R": -10.0}
+    message = f"`u_x(t)` is {3.0 * unit:.6g} in place of {5.0 * unit:.6g}. "
+    with pytest.warns(PyDyUserWarning, match=re.escape(message)) as told:
+        system.set_dependent_initial_conditions()
+    assert len(told) == 1
+    # Whoever says what is to change is not told of it.
+    system.initial_conditions = {"u_x": 5.0 * unit, "omega_R": -10.0}
+    dependent = [model["theta"], *model.definition.dependent_speeds]
+    system.set_dependent_initial_conditions(dep_vars=dependent)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -12,14 +12,20 @@ import scipy
 
 from pydy._assembly.definition import Definition
 from pydy._checks import Places, listed
-from pydy._errors import PyDyUserWarning, SingularMatrixError
+from pydy._errors import PyDyUserWarning, SingularMatrixError, few, warn_user
 from pydy._mechanics.dependents import Chosen
 from pydy._system.snapshot import Snapshot
-from pydy._system.tuning import CANCELLED, UNSOLVED
+from pydy._system.tuning import CANCELLED, DIGITS, UNSOLVED
 from pydy.codegen.arguments import describe
 from pydy.solvers.run.constraints import satisfied
 
-__all__ = ["check_dependents", "default_dependents", "latest_dependents", "solve_dependents"]
+__all__ = [
+    "check_dependents",
+    "default_dependents",
+    "given_values",
+    "latest_dependents",
+    "solve_dependents",
+]
 
 
 def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> tuple[Any, ...]:
@@ -62,30 +68,80 @@ def check_dependents(
     return q, u
 
 
+def given_values(
+    now: Snapshot, keys: Iterable[Any], latest: Mapping[Any, float]
+) -> dict[Any, float]:
+    """Find the initial conditions that are to stay, among those with `keys`.
+
+    Not what was solved for `latest`, nor a zero, which all have that were not given; a whole state
+    is what a search begins with.
+    """
+    states = now.definition.states
+    values = {s: float(now.x[states.index(s)]) for s in keys}
+    given = {s: v for s, v in values.items() if latest.get(s) != v}
+    return {s: v for s, v in given.items() if v != 0.0 and len(given) < len(states)}
+
+
 def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
     """Return the coordinates and speeds to solve for where the user names none.
 
-    The dependent states; but where those were not chosen by the user either, and one of them is
-    `given` an initial condition, others that are not and that the constraints determine there.
+    The dependent states; but where one of them is `given` an initial condition, others that are not
+    and that the constraints determine there, as far as there are such. Coordinates that the user
+    made dependent are what a search begins with.
     """
-    definition, given = now.definition, set(given)
+    definition = now.definition
     equations = definition.equations
-    ours = () if equations.multibody is None else equations.multibody.chosen
     found: list[Any] = []
     for block, symbols, own in (
         ("holonomic", equations.coordinates, equations.dependent_coordinates),
         ("velocity", equations.speeds, equations.dependent_speeds),
     ):
-        if not given.isdisjoint(own) and set(own) <= set(ours):
+        kept = set(given) - (set() if block == "velocity" else _guessed(definition))
+        if not kept.isdisjoint(own):
             gradient = _at(now, now.driven.compiled_jacobian(block, "x"), now.x)
             places = [definition.states.index(s) for s in symbols]
             matrix = gradient.reshape(len(own), -1)[:, places]
-            free = [k for k, symbol in enumerate(symbols) if symbol not in given]
-            columns = Chosen([matrix], free).columns
+            free = [k for k, symbol in enumerate(symbols) if symbol not in kept]
+            columns = _determined(matrix, free)
+            for k in sorted({symbols.index(s) for s in own} - set(columns)):  # cannot be kept
+                more = _determined(matrix, [*columns, k])
+                columns = more if len(more) > len(columns) else columns
             if len(columns) == len(own):
                 own = tuple(symbols[k] for k in columns)
         found += own
     return found
+
+
+def _determined(matrix: np.ndarray, columns: Sequence[int]) -> list[int]:
+    """Return columns that can be solved for, whatever the units of rows and columns."""
+    part = matrix[:, columns]
+    for axis in (1, 0):
+        sizes = np.abs(part).max(axis=axis, keepdims=True, initial=0.0)
+        part = part / np.where(sizes > 0.0, sizes, 1.0)
+    return [columns[k] for k in Chosen([part]).columns]
+
+
+def _guessed(definition: Definition) -> set[Any]:
+    """Return the dependent coordinates that the user chose."""
+    equations = definition.equations
+    body = equations.multibody
+    return set(equations.dependent_coordinates) - set(() if body is None else body.chosen)
+
+
+def _warn_of_changes(definition: Definition, given: Mapping[Any, float], x: np.ndarray) -> None:
+    """Tell which of the values that the user gave the constraints do not allow."""
+    guessed, changes = _guessed(definition), []
+    for symbol, before in given.items():
+        after = float(x[definition.states.index(symbol)])
+        size = max(abs(before), abs(after))
+        if symbol not in guessed and not abs(after - before) <= DIGITS * size:
+            changes.append(f"`{symbol}` is {after:.6g} in place of {before:.6g}")
+    if changes:
+        warn_user(
+            f"The constraints do not allow all initial conditions that were given: {few(changes)}. "
+            "Leave these out, or others that they follow from, or say with `dep_vars` what is to "
+            "change."
+        )
 
 
 def _at(now: Snapshot, kernel: Any, state: np.ndarray) -> np.ndarray:
@@ -97,7 +153,11 @@ def _at(now: Snapshot, kernel: Any, state: np.ndarray) -> np.ndarray:
 
 
 def solve_dependents(
-    now: Snapshot, places: tuple[list[int], list[int]], use_jac: bool, root_kwargs: dict[str, Any]
+    now: Snapshot,
+    places: tuple[list[int], list[int]],
+    given: Mapping[Any, float],
+    use_jac: bool,
+    root_kwargs: dict[str, Any],
 ) -> np.ndarray:
     """Return the initial state with its dependent coordinates and speeds solved for.
 
@@ -107,6 +167,8 @@ def solve_dependents(
         Holds the independent values and the guesses.
     places : (list of int, list of int)
         Of the dependent coordinates and speeds in x.
+    given : mapping of symbols to numbers
+        Values that are to stay, and are told of where they cannot.
     use_jac : bool
         Whether the root finder gets the exact Jacobian.
     root_kwargs : dict
@@ -116,6 +178,7 @@ def solve_dependents(
     x = now.x.copy()
     now.plan.check_times(np.array([t]), "times")
     coordinates, speeds = places
+    met = True
     value = partial(_at, now)
 
     if coordinates:
@@ -139,7 +202,8 @@ def solve_dependents(
         x[coordinates] = solution.x
         left, rounding = np.split(value(bounded, x), 2)
         # hybr can stop short of its step criterion with nothing left to improve.
-        if not satisfied(left, rounding) and not (solution.success and np.isfinite(left).all()):
+        met = satisfied(left, rounding) or (solution.success and bool(np.isfinite(left).all()))
+        if not met:
             names = [definition.states[k] for k in coordinates]
             warnings.warn(
                 f"The holonomic constraints did not converge for {describe(names)}: the largest "
@@ -183,4 +247,6 @@ def solve_dependents(
                 PyDyUserWarning,
                 stacklevel=3,
             )
+    if met:
+        _warn_of_changes(definition, given, x)
     return x
