@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from pydy._graph.derivative import of_half_power
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, is_symmetric
 
@@ -107,6 +108,10 @@ class _Sweep:
         elif op == "prod":
             for k, (n, e) in enumerate(args):
                 if n in self.active:
+                    by_radicand = of_half_power(g, args, k)
+                    if by_radicand is not None:
+                        self.add(g.args[n][0], g.mul(bar, by_radicand))
+                        continue
                     others = [(m, f) for j, (m, f) in enumerate(args) if j != k]
                     self.add(n, g.product([(bar, 1), *others, (n, e - 1)], float(e)))
         elif op == "select":
@@ -118,7 +123,12 @@ class _Sweep:
             partials = OPERATIONS[op].partials
             if partials is not None:  # else it is piecewise constant
                 for n, d in zip(args, partials(g, node, *args), strict=True):
-                    if n in self.active:
+                    if n not in self.active:
+                        continue
+                    if g.ops[d] == "select":  # an infinite adjoint goes to what is chosen alone
+                        which, *ends = g.args[d]
+                        self.add(n, g.call("select", which, *(g.mul(bar, end) for end in ends)))
+                    else:
                         self.add(n, g.mul(bar, d))
 
     def _as_found(self, n: int, entries: Sequence[int]) -> bool:
@@ -130,20 +140,24 @@ class _Sweep:
         bars = self.vectors.get(node)
         if not bars:
             return
-        args = g.args[node]
-        if g.ops[node] == "guard":
+        args, guarded = g.args[node], g.ops[node] == "guard"
+        if guarded:
             # By the system that it solves: how the solution was found does not matter.
             n, entries, column = args[:3]
             kind = "ldl" if is_symmetric(n, entries) else "lu"
             if kind == "lu":  # the way that was found need not have all unknowns
-                node = g.make("solve", (g.make("factor", (kind, n, entries)), column))
+                node = self._solved(n, entries, column)
         else:
             (kind, n, entries), column = g.args[args[0]], args[1]
+        right = [bars.get(k, g.zero) for k in range(n)]
         turned = entries
         if kind != "ldl":
             turned = tuple(entries[j * n + i] for i in range(n) for j in range(n))
-        factor = g.make("factor", (kind, n, turned))
-        multipliers = g.solve_factored(factor, [bars.get(k, g.zero) for k in range(n)])
+        if kind == "ldl" or not guarded:
+            multipliers = g.solve_factored(g.make("factor", (kind, n, turned)), right)
+        else:
+            solution = self._solved(n, turned, right)
+            multipliers = [g.make("item", (solution, k)) for k in range(n)]
         for entry, multiplier in zip(column, multipliers, strict=True):
             self.add(entry, multiplier)
         for i, multiplier in enumerate(multipliers):
@@ -153,3 +167,9 @@ class _Sweep:
                 if entries[low] in self.active:
                     solution = g.make("item", (node, j))
                     self.add(entries[low], g.mul(multiplier, solution), -1.0)
+
+    def _solved(self, n: int, entries: Sequence[int], column: Sequence[int]) -> int:
+        """Return the solution of a guard's system, by what it falls back to."""
+        g = self.graph
+        never = g.boolean(False)
+        return g.make("guard", (n, tuple(entries), tuple(column), never, (g.zero,) * n))

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Literal
 
 from pydy._graph.node import Graph
@@ -28,6 +29,7 @@ __all__ = [
     "directional",
     "has_other_ways",
     "jacobian",
+    "of_half_power",
 ]
 
 Row = dict[int, int]
@@ -191,7 +193,11 @@ def _row(
         for k, (n, e) in enumerate(args):
             if rows[n]:
                 others = [(m, f) for j, (m, f) in enumerate(args) if j != k]
-                parts.append((rows[n], g.product([*others, (n, e - 1)], float(e)), 1.0))
+                by_radicand = of_half_power(g, args, k)
+                if by_radicand is not None:
+                    parts.append((rows[g.args[n][0]], by_radicand, 1.0))
+                else:
+                    parts.append((rows[n], g.product([*others, (n, e - 1)], float(e)), 1.0))
         return _combine(g, parts)
     if op == "select":
         condition, yes, no = args
@@ -211,10 +217,7 @@ def _row(
             factor = g.make("factor", ("ldl", n, entries))
             vectors[node] = _solve_rows(g, node, factor, column, rows)
         elif guards == "by systems":
-            # `fast` need not have all unknowns: what is solved has.
-            factor = g.make("factor", ("lu", n, entries))
-            solved = g.make("solve", (factor, column))
-            vectors[node] = _solve_rows(g, solved, factor, column, rows)
+            vectors[node] = _system_rows(g, ("lu", n, entries), column, rows)
         else:
             found = [rows[k] for k in fast]
             vectors[node] = found if guards == "as found" else _where_sound(g, sound, found)
@@ -226,7 +229,28 @@ def _row(
     if operation is None or operation.partials is None or not any(rows[n] for n in args):
         return {}  # constants, other inputs, steps, conditions, factors
     partials = operation.partials(g, node, *args)
+    if op == "sqrt" and g.ops[args[0]] in ("max", "min", "select"):
+        # Where the radicand stays zero an infinite slope has no part in it.
+        slopes = _combine(g, [(rows[args[0]], partials[0], 1.0)])
+        still = {k: g.call("eq", d, g.zero) for k, d in rows[args[0]].items()}
+        return {k: g.call("select", still[k], g.zero, d) for k, d in slopes.items()}
     return _combine(g, [(rows[n], d, 1.0) for n, d in zip(args, partials, strict=True)])
+
+
+def of_half_power(g: Graph, args: Sequence[tuple[int, int]], k: int) -> int | None:
+    """Return a product's derivative by the radicand y of its factor √y, if it has a factor y.
+
+    Of y √y that is √y/2. By the root first it would be y/(2 √y), NaN where y is zero.
+    """
+    n, e = args[k]
+    if e != 1 or g.ops[n] != "sqrt":
+        return None
+    radicand, powers = g.args[n][0], dict(args)
+    _, core = g.scaled(radicand)
+    factors = g.args[core] if g.ops[core] == "prod" else ((core, 1),)
+    if any(powers.get(m, 0) < f for m, f in factors):
+        return None
+    return g.product([*args, (radicand, -1)], 0.5)
 
 
 def _where_sound(g: Graph, sound: int, rows: Sequence[Row]) -> list[Row]:
@@ -262,8 +286,33 @@ def _combine(g: Graph, parts: Sequence[tuple[Row, int | None, float]]) -> Row:
 def _solve_rows(
     g: Graph, node: int, factor: int, column: Sequence[int], rows: dict[int, Row]
 ) -> list[Row]:
-    kind, n, entries = g.args[factor]
-    x = [g.make("item", (node, k)) for k in range(n)]
+    x = [g.make("item", (node, k)) for k in range(len(column))]
+    return _implicit_rows(g, g.args[factor], x, column, rows, partial(g.solve_factored, factor))
+
+
+def _system_rows(
+    g: Graph, system: tuple[str, int, Sequence[int]], column: Sequence[int], rows: dict[int, Row]
+) -> list[Row]:
+    """Differentiate the solution of a guard's system; its `fast` need not have all unknowns."""
+    _, n, entries = system
+
+    def solve(right: Sequence[int]) -> list[int]:
+        never = g.boolean(False)
+        node = g.make("guard", (n, entries, tuple(right), never, (g.zero,) * n))
+        return [g.make("item", (node, k)) for k in range(n)]
+
+    return _implicit_rows(g, system, solve(column), column, rows, solve)
+
+
+def _implicit_rows(
+    g: Graph,
+    system: tuple[str, int, Sequence[int]],
+    x: Sequence[int],
+    column: Sequence[int],
+    rows: dict[int, Row],
+    solve: Callable[[list[int]], list[int]],
+) -> list[Row]:
+    kind, n, entries = system
     keys: set[int] = set()
     for e in (*entries, *column):
         keys.update(rows[e])
@@ -281,7 +330,7 @@ def _solve_rows(
                 if d is not None:
                     terms.append((g.mul(d, x[j]), -1.0))
             right.append(g.sum(terms))
-        for i, d in enumerate(g.solve_factored(factor, right)):
+        for i, d in enumerate(solve(right)):
             if d != g.zero:
                 result[i][key] = d
     return result

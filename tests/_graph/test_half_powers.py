@@ -1,0 +1,83 @@
+"""Derivatives of half-integer powers where they vanish, forward and in reverse."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy.mechanics import Definition
+from pydy.system import System
+
+T = me.dynamicsymbols._t
+X, V = me.dynamicsymbols("x v")
+M, K, G = sm.symbols("m k g")
+DEPTH = sm.Max(-X, 0)
+HALF = sm.Rational(1, 2)
+
+
+def mass(force, place=0.0, **more):
+    """A mass above a floor that pushes it."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", X * frame.y)
+    point.set_vel(frame, V * frame.y)
+    definition = Definition(
+        frame, [X], [V], bodies=[me.Particle("p", point, M)],
+        loads=[(point, (force - M * G) * frame.y)], kinematic_equations=[X.diff(T) - V],
+    )  # fmt: skip
+    constants = {M: 1.0, K: 1e3, G: 9.81}
+    return System(definition, constants, initial_conditions={X: place}, **more)
+
+
+@pytest.mark.parametrize("generator", ["llvm", "lambdify", "cython"])
+@pytest.mark.parametrize(
+    "force",
+    [
+        K * DEPTH ** (3 * HALF),
+        K * DEPTH ** (5 * HALF) * (1 + V),
+        (K * DEPTH) ** (3 * HALF),
+        K * DEPTH * sm.sqrt(DEPTH) * V,
+        -K * sm.Abs(X) ** (3 * HALF) * sm.sign(X),
+        K * sm.Piecewise((-X, X < 0), (0, True)) ** (3 * HALF),
+    ],
+    ids=str,
+)
+def test_a_contact_at_touch_has_the_derivative_zero(force, generator):
+    system = mass(force)
+    system.generate_ode_function(generator=generator)
+    assert system.evaluate_jacobian().tolist() == [[0.0, 1.0], [0.0, 0.0]]
+    assert system.evaluate_jacobian_vector([1.0, 0.0]).tolist() == [0.0, 0.0]
+    assert system.evaluate_vector_jacobian([0.0, 1.0]).tolist() == [0.0, 0.0]
+    assert system.evaluate_jacobian(wrt=[K])[1] == 0.0
+
+
+@pytest.mark.parametrize("force", [K * DEPTH ** (3 * HALF), K * sm.sqrt(DEPTH)], ids=str)
+def test_out_of_contact_derivatives_are_zero_and_within_they_are_right(force):
+    out = mass(force, 0.1)
+    assert out.evaluate_jacobian()[1].tolist() == [0.0, 0.0]
+    assert out.evaluate_vector_jacobian([0.0, 1.0]).tolist() == [0.0, 0.0]
+    depth = sm.Symbol("depth", positive=True)
+    exact = float(-force.subs(DEPTH, depth).diff(depth).subs({K: 1000, depth: 0.1}))
+    np.testing.assert_allclose(mass(force, -0.1).evaluate_jacobian()[1, 0], exact, rtol=1e-14)
+
+
+def test_a_hertz_contact_starts_at_touch_with_radau_sensitivities_and_adjoint():
+    times = np.linspace(0.0, 0.1, 5)
+    system = mass(K * DEPTH ** (3 * HALF), times=times, ode_solver="radau")
+    tight = {"rtol": 1e-10, "atol": 1e-10}
+    implicit = system.integrate(**tight)
+    system.ode_solver = "dop853"
+    run = system.simulate(sensitivities=["k"], **tight)
+    np.testing.assert_allclose(implicit, run.states, rtol=0, atol=1e-7)
+    energy = system.evaluate_energy(run.states, run.times).kinetic
+    work = -9.81 * run["x"] - 1e3 * 2.0 / 5.0 * np.maximum(-run["x"], 0.0) ** 2.5
+    np.testing.assert_allclose(energy, work, atol=1e-8)
+    found = np.asarray(run.sensitivity.values)[-1, 0, 0]
+    ends = []
+    for k in (1e3 - 0.1, 1e3 + 0.1):
+        system.constants = {**system.constants, K: k}
+        ends.append(system.integrate(**tight)[-1, 0])
+    np.testing.assert_allclose(found, (ends[1] - ends[0]) / 0.2, rtol=1e-5)
+    system.constants = {**system.constants, K: 1e3}
+    gradient = system.adjoint_gradient(["k"], final=X, **tight)
+    np.testing.assert_allclose(gradient.values, found, rtol=1e-6)
