@@ -7,6 +7,7 @@ import sys
 import numpy as np
 import pytest
 
+from _mechanics.test_nearly_singular import truss
 from exported_models import ball, hostile, pendulum
 
 ALONE = """
@@ -111,3 +112,16 @@ def test_jax_source_is_python(tmp_path):
     text = (tmp_path / "m.py").read_text()
     assert "import jax" in text
     assert "numpy as np" not in text.replace("jax.numpy as jnp", "")
+
+
+@pytest.mark.parametrize("sag", [0.5, 1e-2, 1e-6, 0.0])
+def test_constraints_close_to_a_singular_position_hold(tmp_path, sag):
+    system, _ = truss(sag, "definition")
+    x = [system.initial_conditions.get(s, 0.0) for s in system.states]
+    names = {}
+    system.export(tmp_path / "model.py")
+    exec((tmp_path / "model.py").read_text(), names)
+    expected = system.evaluate_ode(np.array(x))
+    np.testing.assert_allclose(names["rates"](0.0, x), expected, rtol=0, atol=1e-14)
+    several = names["rates"](0.0, np.array([x, x]))
+    np.testing.assert_allclose(several, [expected, expected], rtol=0, atol=1e-14)

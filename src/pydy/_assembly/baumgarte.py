@@ -13,13 +13,13 @@ import numpy as np
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.tuning import NO_SHARE, SAME_RATE, SAME_SHARE
-from pydy._graph.derivative import dense_jacobian
+from pydy._graph.derivative import dense, dense_jacobian, directional
 from pydy._graph.lower import lower
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import generic_inputs, values_of
-from pydy._mechanics.multipliers import accelerations_of_held
+from pydy._mechanics.multipliers import Constraints, accelerations_of_held
 
 __all__ = ["stabilised"]
 
@@ -52,7 +52,16 @@ def stabilised(assembly: Assembly, equations: Equations, gain: float) -> Assembl
     if matrix and all(matrix[k][k] != graph.zero for k in range(n)):
         table = dense_jacobian(graph, velocity, speeds)
         rows = [table[i * n : (i + 1) * n] for i in range(len(velocity))]
-        pulled = accelerations_of_held(graph, matrix, [graph.zero] * n, rows, pull, count)
+        motion = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
+        motion[graph.input("t", 0)] = {0: graph.one}
+
+        def dt(nodes: list[int]) -> list[int]:
+            return dense(graph, directional(graph, nodes, motion), 1)
+
+        along = dense_jacobian(graph, dt(holonomic), speeds)
+        places = [(node, along[i * n : (i + 1) * n]) for i, node in enumerate(holonomic)]
+        held = Constraints(rows, pull, count, [dt(row) for row in rows], velocity, places)
+        pulled = accelerations_of_held(graph, matrix, [graph.zero] * n, held)
         after = [graph.add(a, b) for a, b in zip(before, pulled, strict=True)]
     else:
         rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]

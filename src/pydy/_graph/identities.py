@@ -105,8 +105,12 @@ class _Solutions:
             kind, n, entries = self.graph.args[args[0]]
             column = args[1]
         elif op == "guard":
-            n, entries, column = args[:3]
-            kind = "ldl" if is_symmetric(n, entries) else "lu"
+            n, entries, column, sound, fast = args
+            if not is_symmetric(n, entries):
+                # Where it always falls back there may be a least solution, which has no value here.
+                never = self.graph.ops[sound] == "bool"
+                return None if never else [self.values[k] for k in fast]
+            kind = "ldl"
         else:
             return None
         if n > SOLVED_MODULO_A_PRIME:

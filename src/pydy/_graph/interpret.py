@@ -6,16 +6,16 @@ what small one-off evaluations use, where compiling would not pay.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
 
-from pydy._graph.operations import OPERATIONS
+from pydy._graph.operations import OPERATIONS, is_constrained
 from pydy._graph.program import Program
 from pydy._graph.tuning import SINGULAR
 
-__all__ = ["run", "solved", "stacked"]
+__all__ = ["constrained", "constrained_sample", "run", "solved", "stacked"]
 
 Values = list[Any]
 
@@ -49,8 +49,10 @@ def run(
     }
     values: Values = [None] * len(program.ops)
     failed = np.zeros(m, dtype=bool)
-    with np.errstate(all="ignore"):
-        for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
+
+    def evaluate(nodes: Iterable[int], samples: np.ndarray) -> None:
+        for k in nodes:
+            op, args = program.ops[k], program.args[k]
             if op in ("const", "bool"):
                 values[k] = args[0]
             elif op == "input":
@@ -60,11 +62,29 @@ def run(
             elif op == "solve":
                 values[k] = solved(values[args[0]], _columns(values, args[1], m), failed)
             elif op == "guard":
-                values[k] = _guard(values, args, m, failed)
+                values[k] = guard(k, args, samples)
             elif op == "item":
                 values[k] = values[args[0]][:, args[1]]
             else:
                 values[k] = OPERATIONS[op].numpy(*(values[a] for a in args))
+
+    def guard(k: int, args: tuple[Any, ...], samples: np.ndarray) -> np.ndarray:
+        """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
+        n, entries, column, sound, fast = args
+        x = _columns(values, fast, m)
+        weak = samples & ~np.broadcast_to(values[sound], m)
+        if weak.any():
+            evaluate(program.fallback[k], weak)
+            matrix = _columns(values, entries, m).reshape(m, n, n)[weak]
+            bad = np.zeros(len(matrix), dtype=bool)
+            solve = constrained if is_constrained(program, entries) else solved
+            x[weak] = solve(matrix, _columns(values, column, m)[weak], bad)
+            failed[weak] |= bad
+        return x
+
+    put_off = {k for nodes in program.fallback.values() for k in nodes}
+    with np.errstate(all="ignore"):
+        evaluate((k for k in range(len(values)) if k not in put_off), np.ones(m, dtype=bool))
         return _columns(values, program.outputs, m), failed
 
 
@@ -78,19 +98,6 @@ def stacked(columns: Sequence[Any], m: int) -> np.ndarray:
     for k, column in enumerate(columns):
         out[:, k] = column
     return out
-
-
-def _guard(values: Values, args: tuple[Any, ...], m: int, failed: np.ndarray) -> np.ndarray:
-    """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
-    n, entries, column, sound, fast = args
-    x = _columns(values, fast, m)
-    weak = ~np.broadcast_to(values[sound], m)
-    if weak.any():
-        matrix = _columns(values, entries, m).reshape(m, n, n)[weak]
-        bad = np.zeros(len(matrix), dtype=bool)
-        x[weak] = solved(matrix, _columns(values, column, m)[weak], bad)
-        failed[weak] |= bad
-    return x
 
 
 def solved(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> np.ndarray:
@@ -137,3 +144,65 @@ def singular(matrix: np.ndarray) -> np.ndarray:
         factors = a[:, k + 1 :, k : k + 1] / a[:, k : k + 1, k : k + 1]
         a[:, k + 1 :] -= factors * a[:, k : k + 1]
     return bad
+
+
+def constrained(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> np.ndarray:
+    """Solve M x − Aᵀ λ = f, A x = b sample by sample, whatever the rank of A; see `solved`.
+
+    Gauss and Jordan's elimination. The first pivots are the largest entries of A, columns in units
+    of equal energy, and each eliminates a multiplier too. Rows of A are in units of their rounding
+    errors: what is below n of them is zero, its multiplier too. The others are on the diagonal of
+    what is then left of M. No M⁻¹ comes in, so that no condition is squared.
+
+    Rows with −1 or −2 on the diagonal are those of A; so many are independent as have −1.
+    """
+    x = np.empty_like(column)
+    for k, (a, b) in enumerate(zip(matrix, column, strict=True)):
+        x[k] = constrained_sample(a.copy(), b.copy())
+        failed[k] |= np.isnan(x[k]).any() and np.isfinite(a).all() and np.isfinite(b).all()
+    return x
+
+
+def constrained_sample(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Solve one of the systems of `constrained`, in place; NaN where M is singular."""
+    n = first = len(b)
+    left = 0
+    if not (np.isfinite(a).all() and np.isfinite(b).all()):
+        return np.full(n, np.nan)
+    while first and a[first - 1, first - 1] in (-1.0, -2.0):
+        first -= 1
+        left += a[first, first] == -1.0
+        a[first, first] = 0.0
+    largest = np.abs(a[first:, :first]).max(axis=0, initial=0.0)
+    massless = 1.0 / (SINGULAR * np.where(largest > 0.0, largest, 1.0))
+    mass = a.diagonal()[:first].copy()
+    scales = np.where(mass > 0.0, 1.0 / np.sqrt(np.where(mass > 0.0, mass, 1.0)), massless)
+    free, left_over = np.ones(first, dtype=bool), np.ones(n - first, dtype=bool)
+    pivots: dict[int, int] = {}
+
+    def eliminate(row: int, column: int) -> None:
+        factors = a[:, column] / a[row, column]
+        factors[row] = 0.0
+        a[:] -= factors[:, None] * a[row]
+        b[:] -= factors * b[row]
+        pivots[column] = row
+
+    while free.any():
+        sizes = np.abs(a[first:, :first]) * (scales * free) * left_over[:, None]
+        i, j = divmod(int(sizes.argmax()), first) if sizes.size else (0, 0)
+        if left and sizes.size and sizes[i, j] > n:
+            eliminate(first + i, j)
+            eliminate(j, first + i)
+            left_over[i], left = False, left - 1
+        else:
+            left = 0
+            own = np.abs(a.diagonal()[:first]) * scales**2 * free
+            j = int(own.argmax())
+            if not own[j] > n * SINGULAR:
+                return np.full(n, np.nan)
+            eliminate(j, j)
+        free[j] = False
+    x = np.zeros(n)
+    for k, row in pivots.items():
+        x[k] = b[row] / a[row, k]
+    return x

@@ -21,6 +21,7 @@ __all__ = [
     "SHIPPED",
     "TRUTHS",
     "Operation",
+    "is_constrained",
     "named_in_sympy",
     "operands",
     "register",
@@ -328,6 +329,15 @@ def is_symmetric(n: int, entries: Sequence[int]) -> bool:
     """Return whether a matrix of n rows holds the same nodes on both sides of its diagonal."""
     rows = range(n)
     return all(entries[i * n : i * n + i + 1] == entries[i : i * n + i + 1 : n] for i in rows)
+
+
+def is_constrained(nodes: Any, entries: Sequence[int]) -> bool:
+    """Return whether a guard solves for what constraints hold, by the mark of its last row.
+
+    Rows with −1 or −2 on the diagonal are constraints, in units of their rounding errors; as many
+    as have −1 are independent at generic states (`pydy._graph.interpret.constrained`).
+    """
+    return bool(entries) and nodes.ops[entries[-1]] == "const" and nodes.args[entries[-1]][0] < 0.0
 
 
 def operands(op: str, args: Args) -> Nodes:

@@ -40,7 +40,7 @@ __all__ = ["Block", "Program", "Tape"]
 
 FREE = frozenset({"const", "bool", "input", "item", "factor", "solve", "guard"})
 # What back ends read or compute in groups.
-_NEVER_PUT_OFF = FREE | set(ANGLES)
+_NEVER_PUT_OFF = (FREE - {"guard", "item"}) | set(ANGLES)
 
 
 class Tape(Nodes):
@@ -255,25 +255,39 @@ class Program:
 
     @cached_property
     def fallback(self) -> dict[int, list[int]]:
-        """For each guard the nodes that only its fallback needs; back ends may put them off."""
+        """For each guard the nodes that only its fallback needs; back ends may put them off.
+
+        A guard among them has nodes of its own. What two fallbacks need is put off to that of the
+        guard that both are part of.
+        """
         hot = -1
         user: dict[int, int] = dict.fromkeys(self.outputs, hot)
         found: dict[int, list[int]] = {k: [] for k, op in enumerate(self.ops) if op == "guard"}
+
+        def common(a: int, b: int) -> int:
+            while a != b:  # guards within others come before them
+                if b == hot or (a != hot and a < b):
+                    a = user[a]
+                else:
+                    b = user[b]
+            return a
+
         for node in reversed(range(len(self.ops))):
             if self.setup[node] or node not in user:
                 continue
             op, args = self.ops[node], self.args[node]
             if user[node] != hot and op in _NEVER_PUT_OFF:
                 user[node] = hot
-            if user[node] != hot:
-                found[user[node]].append(node)
+            own = user[node]
+            if own != hot:
+                found[own].append(node)
             if op == "guard":
-                needs = [(k, hot) for k in (args[3], *args[4])]
+                needs = [(k, own) for k in (args[3], *args[4])]
                 needs += [(k, node) for k in dict.fromkeys((*args[1], *args[2]))]
             else:
-                needs = [(k, user[node]) for k in operands(op, args)]
+                needs = [(k, own) for k in operands(op, args)]
             for other, who in needs:
-                user[other] = who if user.get(other, who) == who else hot
+                user[other] = common(user.get(other, who), who)
         return {guard: nodes[::-1] for guard, nodes in found.items()}
 
     def without_fallbacks(self) -> set[int]:

@@ -101,13 +101,14 @@ class ConstraintForces:
             *kinematics.read.all(self.nonholonomic.values()),
             *kinematics.read.all(self.redundant.values()),
         ]
+        rank = d
         if self.body.changing:  # no speed is dependent in all configurations
             d = n
         bound = jacobian(g, rows, kinematics.speeds[n - d :])
         columns = dense_rows(g, bound, d)  # Jᵀ, by columns
         force = [g.neg(x) for x in rest[n - d :]]
         if self.body.changing:
-            found = multipliers_of(g, columns, force, redundant=bool(self.redundant))
+            found = multipliers_of(g, columns, force, rank)
         elif len(columns) == d:
             found = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[0]
         else:

@@ -2,150 +2,218 @@
 
 With M u' = F + Jᵀ λ and J u' + b = 0 the multipliers solve S λ = r, with S = J M⁻¹ Jᵀ and
 r = −(J M⁻¹ F + b). Rows that are independent at generic states are enough, until a pivot of S is
-small: where a mechanism passes a singular position, S of any rows is singular, but the equations
-are consistent. There all rows take part. With a small diagonal D,
+small: the condition of S is the square of that of J. There the system is solved as it is, by
+elimination with the largest pivots of all rows (`pydy._graph.interpret.constrained`). The rows are
+in units of their rounding errors: what is left of one is zero if it is below that, in any units of
+length and mass, and its multiplier too. No more rows are taken than are independent at generic
+states: beside these, redundant ones hold to errors of the state that are larger than rounding.
 
-    (S + D) (λₖ₊₁ − λₖ) = r − S λₖ,        λ₀ = 0,
-
-leads to the least λ: what r has along an eigenvalue σ comes nearer by D/(σ + D) each time, and what
-it has along none stays zero (the proximal point algorithm: Parikh, Boyd, Proximal Algorithms, 2014,
-section 4.1). The steps end where rounding would be amplified: a position that is known to ε moves
-r/σ by ε/δ³ at a distance δ from the singular position, with σ ~ δ².
+A mechanism that passes a singular position has finite multipliers there, and does so with states
+that keep the constraints to a tolerance only. With Δ, what rows that are nearly singular change of
+u', these have J Δ = σ, which changes by σ' = J' Δ in time. A residual f means that the state is off
+by f/σ along Δ, a residual v of velocities that they are off by v/σ: both move u' by as much as
+Δ 2 (f σ'²/σ³ + v σ'/σ²). Residuals are no smaller than their rounding errors. Where that is more
+than Δ, the state does not tell Δ, and rows that are nearly singular are left out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
+from dataclasses import dataclass
 
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._mechanics.tuning import NOTHING, SHIFT, SMALL_PIVOT, SOUND_PIVOT
+from pydy._graph.rounding import rounding_bounds
+from pydy._graph.tuning import SINGULAR
+from pydy._mechanics.tuning import CLEAR_PIVOT, SOUND_PIVOT, UNCERTAIN
 
 __all__ = [
+    "Constraints",
+    "accelerations",
     "accelerations_of_held",
-    "accelerations_written_out",
     "multipliers_of",
-    "orthogonal",
     "solved_soundly",
     "usual_sizes",
 ]
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
-_STEPS = 6  # after the first: what is 1e-2 of the size is found to rounding
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
 
 
-def accelerations_of_held(
-    graph: Graph,
-    matrix: list[list[int]],
-    forcing: list[int],
-    rows: Sequence[list[int]],
-    drift: Sequence[int],
-    rank: int,
-) -> list[int]:
-    """Return u' with M u' = F + Jᵀ λ and J u' + b = 0.
+@dataclass(frozen=True)
+class Constraints:
+    """Constraints at the level of accelerations, J u' + b = 0, and what tells how well they hold.
 
-    Parameters
+    Attributes
     ----------
-    graph : Graph
-    matrix, forcing : M and F for all speeds, dependent or not
-        M is positive definite.
     rows, drift : J and b
         Rows may depend on each other, but must not contradict each other.
     rank : int
         So many rows, the first, are independent at generic states.
+    rates : J'
+    left : list of nodes
+        Residuals of the velocity constraints, J u.
+    places : list of (node, row)
+        Residuals of the holonomic constraints, and their derivatives along the speeds.
     """
-    free, *moved = graph.solve(matrix, [forcing, *rows], "ldl")
-    return _held(graph, matrix, (free, moved), rows, drift, rank, written=False)
+
+    rows: list[list[int]]
+    drift: list[int]
+    rank: int
+    rates: list[list[int]]
+    left: list[int]
+    places: list[tuple[int, list[int]]]
 
 
-def accelerations_written_out(
-    graph: Graph,
-    matrix: list[list[int]],
-    forcing: list[int],
-    rows: Sequence[list[int]],
-    drift: Sequence[int],
-) -> tuple[list[int], int]:
-    """Return the same with eliminations written out, and whether M is positive definite.
-
-    That is long, but may be left to a guard's fallback.
-    """
-    inner, definite = _Elimination(graph, matrix), graph.boolean(True)
-    for k, pivot in enumerate(inner.pivots):
-        limit = graph.sum([(matrix[k][k], SMALL_PIVOT)])
-        definite = graph.call("and", definite, graph.call("lt", limit, pivot))
-    free, *moved = (inner.solution(column) for column in (forcing, *rows))
-    held = _held(graph, matrix, (free, moved), rows, drift, len(rows), written=True)
-    return held, definite
-
-
-def _held(
-    graph: Graph,
-    matrix: list[list[int]],
-    by_masses: tuple[list[int], list[list[int]]],
-    rows: Sequence[list[int]],
-    drift: Sequence[int],
-    rank: int,
-    *,
-    written: bool,
+def accelerations_of_held(
+    graph: Graph, matrix: list[list[int]], forcing: list[int], held: Constraints
 ) -> list[int]:
-    free, moved = by_masses
+    """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is positive definite."""
+    first = held.rows[: held.rank]
+    free, *moved = graph.solve(matrix, [forcing, *first], "ldl")
     weights = [graph.powi(matrix[k][k], -1) for k in range(len(free))]
-    square = _products(graph, rows, moved)
-    sizes = _sizes(graph, rows, weights, square)
+    square = _products(graph, first, moved)
     right = [
         graph.sum([(_dot(graph, row, free), -1.0), (b, -1.0)])
-        for row, b in zip(rows, drift, strict=True)
+        for row, b in zip(first, held.drift, strict=False)
     ]
-    first = [row[:rank] for row in square[:rank]]
-    some, sound = solved_soundly(graph, first, right[:rank], sizes[:rank])
-    some += [graph.zero] * (len(rows) - rank)
-    least = _least(graph, square, right, sizes, written=written)
-    found = [graph.call("select", sound, a, b) for a, b in zip(some, least, strict=True)]
-    return [
+    usual = _usual(graph, _squares(graph, held.rows, weights))
+    sizes = [graph.add(square[i][i], usual[i]) for i in range(held.rank)]
+    found, sound = solved_soundly(graph, square, right, sizes)
+    fast = [
         graph.sum([(free[i], 1.0), (_dot(graph, [row[i] for row in moved], found), 1.0)])
         for i in range(len(free))
     ]
+    return accelerations(graph, matrix, forcing, held, sound, fast)
+
+
+def accelerations(
+    g: Graph,
+    matrix: Sequence[list[int]],
+    forcing: Sequence[int],
+    held: Constraints,
+    sound: int,
+    fast: Sequence[int],
+) -> list[int]:
+    """Return `fast` where it is sound, else u' by the system of all rows; see the module."""
+    rows, n = held.rows, len(forcing)
+    parts = (g, matrix, forcing, rows, held.drift, held.rank, g.boolean(False), [g.zero] * n)
+    weights = [g.zero if m[k] == g.zero else g.powi(m[k], -1) for k, m in enumerate(matrix)]
+    own = _squares(g, rows, weights)
+    usual = _usual(g, own)
+    units = _roundings(g, matrix, rows)
+    exact = _constrained(*parts, units)
+    coarse = _constrained(*parts, [
+        g.sum([(g.call("sqrt", g.add(size, other)), CLEAR_PIVOT / (n + len(rows)))])
+        for size, other in zip(own, usual, strict=True)
+    ])  # fmt: skip
+    change = [g.sub(a, b) for a, b in zip(exact, coarse, strict=True)]
+
+    def largest(
+        values: Sequence[int], sizes: Sequence[tuple[int, int]], *, rounded: bool = False
+    ) -> int:
+        """Return the largest of some values, in units of their rows; rows of rounding have none."""
+        found, bounds = g.zero, rounding_bounds(g, values) if rounded else [g.zero] * len(values)
+        for value, bound, (size, nothing) in zip(values, bounds, sizes, strict=True):
+            whole = g.sum([(g.call("abs", value), 1.0), (bound, SINGULAR)])
+            share = g.call("select", nothing, g.zero, g.div(whole, size))
+            found = g.call("max", found, share)
+        return found
+
+    def sizes_of(own: Sequence[int], units: Sequence[int]) -> list[tuple[int, int]]:
+        sizes = [g.call("sqrt", size) for size in own]
+        limits = [g.sum([(unit, float(n))]) for unit in units]
+        return [
+            (size, g.call("le", size, limit)) for size, limit in zip(sizes, limits, strict=True)
+        ]
+
+    sizes, along = sizes_of(own, units), [row for _, row in held.places]
+    broken = largest([_dot(g, row, change) for row in rows], sizes)
+    rate = largest([_dot(g, row, change) for row in held.rates], sizes)
+    motion = largest(held.left, sizes, rounded=True)
+    sizes = sizes_of(_squares(g, along, weights), _roundings(g, matrix, along))
+    place = largest([node for node, _ in held.places], sizes, rounded=True)
+    uncertain = g.add(g.mul(place, g.powi(rate, 2)), g.mul(motion, rate, broken))
+    loose = g.call("lt", g.powi(broken, 3), g.sum([(uncertain, UNCERTAIN)]))
+    # Not symmetric, so that derivatives are those of what is solved.
+    unit = [[g.one if j in (i, n if i == 0 else i) else g.zero for j in range(n + 1)]
+            for i in range(n + 1)]  # fmt: skip
+    chosen = [g.call("select", loose, b, a) for a, b in zip(exact, coarse, strict=True)]
+    return g.guard(unit, [*chosen, g.zero], sound, [*fast, g.zero])[:n]
+
+
+def _roundings(
+    graph: Graph, matrix: Sequence[list[int]], rows: Sequence[Sequence[int]]
+) -> list[int]:
+    """Return how large rounding errors of rows are, columns in units of equal energy."""
+    bounds = iter(rounding_bounds(graph, [c for row in rows for c in row]))
+    units = []
+    for row in rows:
+        squares = [graph.powi(graph.add(graph.call("abs", c), next(bounds)), 2) for c in row]
+        heavy = [
+            (graph.div(x, matrix[j][j]), 1.0)
+            for j, x in enumerate(squares)
+            if matrix[j][j] != graph.zero and x != graph.zero
+        ]
+        size = graph.call("sqrt", graph.sum(heavy or [(x, 1.0) for x in squares]))
+        units.append(graph.sum([(size, SINGULAR)]))
+    return units
+
+
+def _constrained(
+    graph: Graph,
+    matrix: Sequence[list[int]],
+    forcing: Sequence[int],
+    rows: Sequence[Sequence[int]],
+    drift: Sequence[int],
+    rank: int,
+    sound: int,
+    fast: Sequence[int],
+    units: Sequence[int],
+) -> list[int]:
+    """Return `fast` where it is sound, else the solution with rows in units of what is zero."""
+    n, d = len(forcing), len(rows)
+    zero, one = graph.zero, graph.one
+    shares = [
+        graph.call("select", graph.call("eq", unit, zero), one, graph.powi(unit, -1))
+        for unit in units
+    ]
+    scaled = [[graph.mul(c, share) for c in row] for row, share in zip(rows, shares, strict=True)]
+    system = [
+        *([*line, *(graph.neg(row[i]) for row in scaled)] for i, line in enumerate(matrix)),
+        *([*row, *[zero] * d] for row in scaled),
+    ]
+    for k in range(d):
+        system[n + k][n + k] = graph.const(-1.0 if k < rank else -2.0)
+    pull = [graph.sum([(graph.mul(b, c), -1.0)]) for b, c in zip(drift, shares, strict=True)]
+    return graph.guard(system, [*forcing, *pull], sound, [*fast, *[zero] * d])[:n]
 
 
 def multipliers_of(
-    graph: Graph, rows: Sequence[list[int]], force: list[int], *, redundant: bool
+    graph: Graph, rows: Sequence[list[int]], force: list[int], rank: int
 ) -> list[int]:
-    """Return λ with Jᵀ λ = f, the least where rows of J depend on each other."""
-    square = _products(graph, rows, rows)
-    sizes = _sizes(graph, rows, [graph.one] * len(force), square)
-    right = [_dot(graph, row, force) for row in rows]
-    least = _least(graph, square, right, sizes)
-    if redundant:
-        return least
-    found, sound = solved_soundly(graph, square, right, sizes)
-    return [graph.call("select", sound, a, b) for a, b in zip(found, least, strict=True)]
+    """Return λ with Jᵀ λ = f, the least where rows of J depend on each other.
 
-
-def orthogonal(
-    graph: Graph, rows: Sequence[list[int]], drift: Sequence[int]
-) -> tuple[list[list[int]], list[int]]:
-    """Return rows with the same solutions of J u' + b = 0, orthogonal, and their b.
-
-    Gram and Schmidt's, each row taken twice (Giraud, Langou, Rozložník, 2005): nearly parallel rows
-    have multipliers so large that they swallow F, these have none. A row of zeros remains one.
+    Parameters
+    ----------
+    graph : Graph
+    rows, force : J and f
+    rank : int
+        So many rows are independent at generic states.
     """
-    found: list[tuple[tuple[list[int], int], int]] = []
-    for row, b in zip(rows, drift, strict=True):
-        line = [*row, b]
-        for _ in range(2):
-            for (other, c), size in found:
-                share = graph.div(_dot(graph, line[:-1], other), size)
-                line = [
-                    graph.sub(x, graph.mul(share, y))
-                    for x, y in zip(line, [*other, c], strict=True)
-                ]
-        size = _dot(graph, line[:-1], line[:-1])
-        nothing = graph.call("lt", size, graph.const(NOTHING))
-        size = graph.call("select", nothing, graph.one, size)
-        found.append(((line[:-1], line[-1]), size))
-    return [row for (row, _), _ in found], [b for (_, b), _ in found]
+    m = len(rows)
+    fast, sound = [graph.zero] * m, graph.boolean(False)
+    if m == rank:
+        square = _products(graph, rows, rows)
+        usual = _usual(graph, [square[i][i] for i in range(m)])
+        sizes = [graph.add(square[i][i], usual[i]) for i in range(m)]
+        right = [_dot(graph, row, force) for row in rows]
+        fast, sound = solved_soundly(graph, square, right, sizes)
+    columns = [list(column) for column in zip(*rows, strict=True)]
+    unit = [[graph.one if i == j else graph.zero for j in range(m)] for i in range(m)]
+    pull = [graph.neg(f) for f in force]
+    parts = (graph, unit, [graph.zero] * m, columns, pull, rank, sound, fast)
+    return _constrained(*parts, _roundings(graph, unit, columns))
 
 
 def _dot(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
@@ -208,23 +276,18 @@ def solved_soundly(
     return eliminated.solution(right), sound
 
 
-def _sizes(
-    graph: Graph,
-    rows: Sequence[list[int]],
-    weights: Sequence[int],
-    square: Sequence[list[int]],
-) -> list[int]:
-    """Return what is usual on the diagonal of S, where a row of J may be about to vanish.
+def _usual(graph: Graph, own: Sequence[int]) -> list[int]:
+    """Return what squares of rows usually are, where a row of J may be about to vanish.
 
-    That is what is there, and no more than the mean of all rows and than what the row would be at
-    other states: rows in different units are compared with themselves.
+    That is no more than the mean of all rows and than what the row would be at other states: rows
+    in different units are compared with themselves.
     """
-    nodes = [_dot(graph, [graph.powi(c, 2) for c in row], weights) for row in rows]
-    mean = graph.sum([(square[i][i], 1.0 / len(rows)) for i in range(len(rows))])
-    return [
-        graph.add(square[i][i], graph.call("min", mean, usual))
-        for i, usual in enumerate(usual_sizes(graph, nodes))
-    ]
+    mean = graph.sum([(size, 1.0 / len(own)) for size in own])
+    return [graph.call("min", mean, size) for size in usual_sizes(graph, own)]
+
+
+def _squares(graph: Graph, rows: Sequence[list[int]], weights: Sequence[int]) -> list[int]:
+    return [_dot(graph, [graph.powi(c, 2) for c in row], weights) for row in rows]
 
 
 def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:
@@ -262,34 +325,4 @@ def _used_as_they_are(graph: Graph, nodes: Sequence[int]) -> set[int]:
             found.add(node)
             if graph.ops[node] in _HOMOGENEOUS:
                 ahead += graph.operands(node)
-    return found
-
-
-def _least(
-    graph: Graph,
-    square: Sequence[list[int]],
-    right: list[int],
-    sizes: list[int],
-    *,
-    written: bool = False,
-) -> list[int]:
-    """Return the least solution."""
-    count = range(len(right))
-    shifted = [list(row) for row in square]
-    for i in count:
-        shifted[i][i] = graph.sum([(square[i][i], 1.0), (sizes[i], SHIFT)])
-    if written:
-        solution = _Elimination(graph, shifted).solution
-    else:
-        cells = tuple(e for row in shifted for e in row)
-        solution = partial(graph.solve_factored, graph.make("factor", ("ldl", len(right), cells)))
-    found = solution(right)
-    for _ in range(_STEPS):
-        left = [
-            graph.sum(
-                [(right[i], 1.0), *((graph.mul(square[i][j], found[j]), -1.0) for j in count)]
-            )
-            for i in count
-        ]
-        found = [graph.add(a, b) for a, b in zip(found, solution(left), strict=True)]
     return found

@@ -6,14 +6,16 @@ from collections.abc import Collection, Sequence
 from typing import Any
 
 from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.identities import signatures
+from pydy._graph.modular import inverse
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._mechanics.divided import Group, divided
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.multipliers import (
+    Constraints,
+    accelerations,
     accelerations_of_held,
-    accelerations_written_out,
-    orthogonal,
     solved_soundly,
 )
 from pydy._mechanics.spread import nearly_parallel
@@ -46,14 +48,12 @@ def reduced(
     whole = [*upper, *below], [*force, *(g.neg(x) for x in pull)]
     if given or moved:
         return *whole, None
-    heavy = all(matrix[k][k] != g.zero for k in range(n))
-    if kinematics.body.changing and heavy:
-        more, pull = _constraints(kinematics, kinematics.body.redundant)
-        parts = (matrix, forcing, [*rows, *more], [*drift, *pull])
-        return *whole, accelerations_of_held(g, *parts, rank=d)
+    bound = _held(kinematics, rows, drift)
+    if kinematics.body.changing and _is_definite(g, matrix):
+        return *whole, accelerations_of_held(g, matrix, forcing, bound)
     base = [g.zero] * p + solved[p]
     basis = _Basis(g, moves, upper, base, apart)
-    sound = clear = _clear(g, groups, loose, matrix, moves)
+    sound = _clear(g, groups, loose, matrix, moves)
     if 1 < p <= GUARDED_UP_TO:
         sizes = [g.zero, *(g.sum([(basis.square[i][i], SOUND_SHARE)]) for i in range(1, p))]
         shares, well = solved_soundly(g, basis.square, basis.right(forcing), sizes)
@@ -65,8 +65,7 @@ def reduced(
             limit = g.sum([(basis.sizes[i], LIGHT if p <= GUARDED_UP_TO else LIGHTEST)])
             sound = g.call("and", sound, g.call("not", g.call("lt", matrix[i][i], limit)))
     found = basis.combined(shares)
-    fallback = _with_multipliers(g, matrix, forcing, rows, drift, clear, heavy=heavy)
-    return *whole, g.guard(*fallback, sound, [*found, *[g.zero] * d])[:n]
+    return *whole, accelerations(g, matrix, forcing, bound, sound, found)
 
 
 class _Basis:
@@ -172,41 +171,26 @@ def _clear(
     return found
 
 
-def _with_multipliers(
-    g: Graph,
-    matrix: list[list[int]],
-    forcing: list[int],
-    rows: list[list[int]],
-    drift: list[int],
-    clear: int,
-    *,
-    heavy: bool,
-) -> tuple[list[list[int]], list[int]]:
-    """Return a system for u' and multipliers that any dependent speeds may be chosen for.
+def _held(kinematics: Kinematics, rows: list[list[int]], drift: list[int]) -> Constraints:
+    """Return the constraints with the redundant ones, and their residuals."""
+    body, read, dt = kinematics.body, kinematics.read, kinematics.dt
+    velocity = body.velocity
+    if body.changing:
+        more, pull = _constraints(kinematics, body.redundant)
+        velocity, rows, drift = (*velocity, *body.redundant), [*rows, *more], [*drift, *pull]
+    rates = [dt(row) for row in rows]
+    places = read.all([*body.holonomic, *body.closed])
+    along = slopes(kinematics.graph, dt(places), kinematics.speeds)
+    d = len(body.velocity)
+    pairs = list(zip(places, along, strict=True))
+    return Constraints(rows, drift, d, rates, read.all(velocity), pairs)
 
-    It is M u' + Kᵀ μ = F, −K u' = b, with the rows of K made orthogonal: where they are nearly
-    parallel, μ of the rows as they are swallows F. In a singular position its solution is taken
-    instead, with the least multipliers, if all speeds move masses.
-    """
-    n, d = len(forcing), len(drift)
-    across, pull = orthogonal(g, rows, drift) if n <= GUARDED_UP_TO else (rows, drift)
-    system = [
-        *([*line, *(row[i] for row in across)] for i, line in enumerate(matrix)),
-        *([*(g.neg(node) for node in row), *[g.zero] * d] for row in across),
-    ]
-    column = [*forcing, *pull]
-    if not heavy or g.constant[clear] or n > GUARDED_UP_TO:
-        return system, column
-    held, definite = accelerations_written_out(g, matrix, forcing, rows, drift)
-    taken = g.call("and", g.call("not", clear), definite)
-    known = [*held, *[g.zero] * d]
-    return (
-        [
-            [g.call("select", taken, g.one if i == j else g.zero, e) for j, e in enumerate(line)]
-            for i, line in enumerate(system)
-        ],
-        [g.call("select", taken, a, b) for a, b in zip(known, column, strict=True)],
-    )
+
+def _is_definite(g: Graph, matrix: Sequence[list[int]]) -> bool:
+    """Return whether every motion moves a mass."""
+    n = len(matrix)
+    values = signatures(g, [node for row in matrix for node in row])
+    return inverse([list(values[i * n : i * n + n]) for i in range(n)]) is not None
 
 
 def _constraints(

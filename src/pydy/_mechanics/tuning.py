@@ -12,6 +12,7 @@ __all__ = [
     "CANCELLED",
     "CANCELLING",
     "CLEAR",
+    "CLEAR_PIVOT",
     "CLOSED",
     "FORMS_COUNTED_UP_TO",
     "FULL_STEPS",
@@ -22,16 +23,15 @@ __all__ = [
     "LIGHTEST",
     "NEARLY_DEPENDENT",
     "NEAR_ESTIMATES",
-    "NOTHING",
     "OFTEN",
     "OPEN",
     "ROUNDED",
     "SAME_AXES",
     "SAME_DIRECTION",
-    "SHIFT",
     "SMALL_PIVOT",
     "SOUND_PIVOT",
     "SOUND_SHARE",
+    "UNCERTAIN",
     "WITHIN_SPAN",
 ]
 
@@ -60,9 +60,6 @@ NEAR_ESTIMATES = 1.32
 with ball joints are estimated 1.25 times as costly with composite bodies, and take 0.91; five links
 of a pendulum 0.77, and take 1.28."""
 
-NOTHING = 1e-300
-"""The square of a row's length that is not divided by."""
-
 CLOSED, OPEN = 1e-13, 1e-7
 """Residuals of constraints up to which they hold, and above which they certainly do not."""
 
@@ -87,12 +84,16 @@ SMALL_PIVOT = 1e-8
 NEARLY_DEPENDENT = (1e-9, 1e-4)
 """Singular values between are neither zero nor sound: such a state is not counted."""
 
-SHIFT = 1e-4
-"""What is added to a singular matrix for iterative refinement, in units of its diagonal: larger,
-six steps do not reach rounding; smaller, the factors lose more digits than the steps mend."""
-
 SOUND_PIVOT = 1e-2
 """A pivot below this share of its row's size has all rows take part: two digits are lost."""
+
+CLEAR_PIVOT = 1e-2
+"""A pivot of J below this share of its row's size belongs to a row that is nearly singular, and is
+left out where the state does not tell its multiplier."""
+
+UNCERTAIN = 8.0
+"""Twice what residuals make of accelerations, four times over, since they are not known but
+bounded: what is no larger may as well be left out."""
 
 SOUND_SHARE = 0.1
 """What a size is multiplied with beside `SOUND_PIVOT` where independent speeds are solved for:

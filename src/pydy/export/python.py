@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from inspect import getsource
 from typing import Any
 
-from pydy._graph.operations import OPERATIONS, operands
+from pydy._graph.interpret import constrained_sample
+from pydy._graph.operations import OPERATIONS, is_constrained, operands
 from pydy._graph.program import Program
+from pydy._graph.tuning import SINGULAR
 from pydy.export.model import Model, Variable
 from pydy.export.resources import resource
 
@@ -48,9 +51,12 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
         "CONSTANTS": _dictionary(model.constants),
         "OUTPUTS": repr(tuple(v.identifier for v in model.outputs)),
         "NAMES": repr(model.renamed),
+        "CONSTRAINED": getsource(constrained_sample).replace("SINGULAR", repr(SINGULAR)),
         "FUNCTIONS": "\n\n".join(_function(model.program(n), n, target) for n in names),
     }
     text = resource(f"{target}_module.py.txt")
+    if "_guarded(_constrained" not in parts["FUNCTIONS"]:
+        text = re.sub(r"def _constrained\(.*?(?=def _guarded)", "", text, flags=re.DOTALL)
     return re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts[m[1]], text)
 
 
@@ -92,7 +98,13 @@ class _Writer:
         self.names: dict[int, str] = {}
 
     def lines(self) -> Iterator[str]:
-        for node, (op, args) in enumerate(zip(self.program.ops, self.program.args, strict=True)):
+        put_off = {k for nodes in self.program.fallback.values() for k in nodes}
+        yield from self._several_lines(k for k in range(len(self.program.ops)) if k not in put_off)
+
+    def _several_lines(self, nodes: Iterable[int], within: int | None = None) -> Iterator[str]:
+        """Yield the lines of nodes; those of the fallback of a guard are within its condition."""
+        for node in nodes:
+            op, args = self.program.ops[node], self.program.args[node]
             if op in ("const", "bool"):
                 self.names[node] = _literal(args[0], self.module)
             elif op == "input":
@@ -101,9 +113,12 @@ class _Writer:
             elif op == "item":
                 self.names[node] = f"{self.names[args[0]]}[..., {args[1]}]"
             else:
-                text = self._text(op, args)
+                if op == "guard":
+                    condition = args[3] if within is None else within
+                    yield from self._several_lines(self.program.fallback[node], condition)
+                    args = (*args[:3], condition, args[4])
                 self.names[node] = f"v{node}"
-                yield f"v{node} = {text}"
+                yield f"v{node} = {self._text(op, args)}"
 
     def _text(self, op: str, args: tuple[Any, ...]) -> str:
         if op == "factor":
@@ -113,7 +128,8 @@ class _Writer:
         if op == "guard":
             n, entries, column, sound, fast = args
             lists = ", ".join(f"[{self._several(part)}]" for part in (entries, column, fast))
-            return f"_guarded({n}, {self.names[sound]}, {lists})"
+            solve = "_constrained" if is_constrained(self.program, entries) else "_solve"
+            return f"_guarded({solve}, {n}, {self.names[sound]}, {lists})"
         names = [self.names[k] for k in operands(op, args)]
         if op in _INFIX:
             return f"{names[0]} {_INFIX[op]} {names[1]}"

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from pydy._graph.operations import OPERATIONS, TRUTHS, operands
+from pydy._graph.operations import OPERATIONS, TRUTHS, is_constrained, operands
 from pydy._graph.program import Program
 from pydy._graph.tuning import SINGULAR
 from pydy.export.resources import resource
@@ -136,9 +136,15 @@ class _Writer:
         self._reserve_matrix(f"{self.name}_a{node}", n)
         lines = [f"{kept}[{k}] = {self.names[v]};" for k, v in enumerate(fast)]
         inside = [line for k in self.program.fallback[node] for line in self._node(k)]
-        inside += self._factor(node, n, entries)
-        inside += [f"{kept}[{k}] = {self.names[v]};" for k, v in enumerate(column)]
-        inside.append(f"luSolve({n}, {self.name}_a{node}, {self.name}_a{node}_pivots, {kept});")
+        a = f"{self.name}_a{node}"
+        column_set = [f"{kept}[{k}] = {self.names[v]};" for k, v in enumerate(column)]
+        if is_constrained(self.program, entries):
+            inside += [*self._filled(a, entries), *column_set]
+            call = f"constrained({n}, {a}, {a}_pivots, {a}_scales, {kept})"
+            inside.append(f"if ({call}) failed = true;")
+        else:
+            inside += [*self._factor(node, n, entries), *column_set]
+            inside.append(f"luSolve({n}, {a}, {a}_pivots, {kept});")
         return [*lines, f"if (!({self.names[sound]})) {{", *(f"  {i}" for i in inside), "}"]
 
     def _reserve(self, name: str, size: int) -> None:
@@ -152,8 +158,11 @@ class _Writer:
 
     def _factor(self, node: int, n: int, entries: tuple[int, ...]) -> list[str]:
         a = f"{self.name}_a{node}"
-        lines = [f"{a}[{k}] = {self.names[e]};" for k, e in enumerate(entries)]
-        return [*lines, f"if (luFactor({n}, {a}, {a}_pivots, {a}_scales)) failed = true;"]
+        factor = f"if (luFactor({n}, {a}, {a}_pivots, {a}_scales)) failed = true;"
+        return [*self._filled(a, entries), factor]
+
+    def _filled(self, a: str, entries: tuple[int, ...]) -> list[str]:
+        return [f"{a}[{k}] = {self.names[e]};" for k, e in enumerate(entries)]
 
 
 def _literal(value: float | bool) -> str:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 
-from pydy._graph.operations import OPERATIONS, TRUTHS, operands
+from pydy._graph.operations import OPERATIONS, TRUTHS, is_constrained, operands
 from pydy._graph.program import Program
 from pydy._graph.tuning import SINGULAR
 
@@ -102,6 +102,83 @@ static inline int32_t lu_factor(int n, double *a, int *pivots, double *scales)
     return singular;
 }
 """,
+    "constrained": """\
+/* Solve M x - A^T l = f, A x = b in place of the right-hand side by Gauss and Jordan's elimination,
+   whatever the rank of A; `scales` is 2 n numbers of work space. The last rows, with -1 or -2 on
+   the diagonal, are those of A in units of their rounding errors; so many are independent as have
+   -1. Pivots are the largest of A, then of the diagonal of M. Returns whether M is singular. */
+static inline int32_t constrained(int n, double *a, int *pivots, double *scales, double *b)
+{
+    int first = n, left = 0;
+    int32_t singular = 0;
+    double rest = 0.0; /* NaN, if anything is not finite */
+    for (int i = 0; i < n; i++) {
+        rest += 0.0 * b[i];
+        pivots[i] = -1;
+        for (int j = 0; j < n; j++)
+            rest += 0.0 * a[i * n + j];
+    }
+    for (; first && (a[first * n - n + first - 1] == -1.0 || a[first * n - n + first - 1] == -2.0);
+         first--) {
+        left += a[first * n - n + first - 1] == -1.0;
+        a[first * n - n + first - 1] = 0.0;
+    }
+    for (int j = 0; j < first; j++) {
+        double top = 0.0;
+        for (int i = first; i < n; i++)
+            top = fabs(a[i * n + j]) > top ? fabs(a[i * n + j]) : top;
+        scales[j] = a[j * n + j] > 0.0 ? 1.0 / sqrt(a[j * n + j])
+                                       : 1.0 / (SINGULAR * (top > 0.0 ? top : 1.0));
+    }
+    for (int k = 0; k < first; k++) {
+        double best = n;
+        int row = -1, column = -1;
+        for (int i = first; left && i < n; i++)
+            for (int j = 0; j < first && pivots[i] < 0; j++)
+                if (pivots[j] < 0 && fabs(a[i * n + j]) * scales[j] > best) {
+                    best = fabs(a[i * n + j]) * scales[j];
+                    row = i;
+                    column = j;
+                }
+        if (row < 0) {
+            left = 0;
+            best = n * SINGULAR;
+            for (int j = 0; j < first; j++)
+                if (pivots[j] < 0 && fabs(a[j * n + j]) * scales[j] * scales[j] > best) {
+                    best = fabs(a[j * n + j]) * scales[j] * scales[j];
+                    row = column = j;
+                }
+        } else
+            left--;
+        if (row < 0) {
+            singular = rest == 0.0;
+            rest = NAN;
+            break;
+        }
+        for (int turn = 0; turn < 1 + (row != column); turn++) {
+            const int p = turn ? column : row, q = turn ? row : column;
+            const double inverse = 1.0 / a[p * n + q];
+            for (int i = 0; i < n; i++) {
+                const double factor = a[i * n + q] * inverse;
+                if (i == p || factor == 0.0)
+                    continue;
+                for (int j = 0; j < n; j++)
+                    a[i * n + j] -= factor * a[p * n + j];
+                b[i] -= factor * b[p];
+            }
+            pivots[p] = q;
+        }
+    }
+    for (int i = 0; i < n; i++)
+        scales[n + i] = 0.0;
+    for (int i = 0; i < n; i++)
+        if (pivots[i] >= 0)
+            scales[n + pivots[i]] = b[i] / a[i * n + pivots[i]];
+    for (int i = 0; i < n; i++)
+        b[i] = scales[n + i] + rest;
+    return singular;
+}
+""",
     "lu_solve": """\
 /* Solve in place of the right-hand side b, with the factors from lu_factor. */
 static inline void lu_solve(int n, const double *a, const int *pivots, double *b)
@@ -190,8 +267,9 @@ def _kernel(program: Program) -> Iterable[str]:
     yield "    int32_t status = 0;"
     stage = _Stage(program)
     stage.carried(program.carried)
+    put_off = {k for nodes in program.fallback.values() for k in nodes}
     for node, setup in enumerate(program.setup):
-        if not setup:
+        if not setup and node not in put_off:
             stage.node(node)
     yield from stage.lines
     for index, node in enumerate(program.outputs):
@@ -256,10 +334,13 @@ class _Stage:
         values = ", ".join(self.names[k] for k in nodes) or "0.0"  # C knows no empty array
         self._line(f"double {name}[] = {{{values}}};", indent)
 
-    def _factor(self, suffix: str, n: int, entries: tuple[int, ...], indent: str) -> None:
+    def _matrix(self, suffix: str, n: int, entries: tuple[int, ...], indent: str) -> None:
         self._array(f"a{suffix}", entries, indent)
         self._line(f"int i{suffix}[{max(n, 1)}];", indent)
         self._line(f"double w{suffix}[{max(2 * n, 1)}];", indent)
+
+    def _factor(self, suffix: str, n: int, entries: tuple[int, ...], indent: str) -> None:
+        self._matrix(suffix, n, entries, indent)
         self._line(f"status |= lu_factor({n}, a{suffix}, i{suffix}, w{suffix});", indent)
 
     def _guard(
@@ -274,10 +355,16 @@ class _Stage:
         self._array(f"s{node}", fast, "    ")
         self._line(f"if (!({self.names[sound]})) {{", "    ")
         inside = "        "
-        self._factor("", n, entries, inside)
+        for k in self.program.fallback[node]:
+            self.node(k)
         for k, value in enumerate(column):
             self._line(f"s{node}[{k}] = {self.names[value]};", inside)
-        self._line(f"lu_solve({n}, a, i, s{node});", inside)
+        if is_constrained(self.program, entries):
+            self._matrix("", n, entries, inside)
+            self._line(f"status |= constrained({n}, a, i, w, s{node});", inside)
+        else:
+            self._factor("", n, entries, inside)
+            self._line(f"lu_solve({n}, a, i, s{node});", inside)
         self._line("}", "    ")
 
 

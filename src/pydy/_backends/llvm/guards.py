@@ -11,7 +11,7 @@ from pydy._backends.llvm.ir import Function, literal, vector_type
 from pydy._backends.llvm.plan import Registers
 from pydy._backends.llvm.solve import mask, solver_names
 from pydy._backends.tuning import FALLBACK_STACK, SPARSE
-from pydy._graph.operations import is_symmetric
+from pydy._graph.operations import is_constrained, is_symmetric
 from pydy._graph.program import Program
 
 __all__ = ["Solves", "Writer"]
@@ -61,6 +61,7 @@ class Solves:
         self.lanes, self.program, self.names = writer.lanes, writer.program, writer.names
         self.vectors: dict[int, list[tuple[str, int]]] = {}
         self.status = ""
+        self._weak = ""  # the lanes of the fallback that is written, if any
         self._factors: dict[int, dict[str, str]] = {}
         self._kept: dict[int, str] = {}
         self._routines = solver_names(writer.lanes)
@@ -224,11 +225,16 @@ class Solves:
             if not self.e.computed(value):
                 f.store(v, names[value], names.place(pointer, index))
         need = f.let(f"xor i32 {mask(f, names[sound], self.lanes)}, {(1 << self.lanes) - 1}")
+        around = self._weak
+        if around:
+            need = f.let(f"and i32 {need}, {around}")
         with self._fallback(f.let(f"icmp ne i32 {need}, 0")):
             if not self.e.fallbacks:
                 self._report("-1")
                 return
+            self._weak = need
             self.e.write_fallback(node)
+            self._weak = around
             stored = _stored(n, entries)
             symmetric = len(stored) < n * n
             matrix, scratch, room = self._filled(node, n, stored, symmetric)
@@ -237,6 +243,12 @@ class Solves:
                 bad = f.let(
                     f"call i32 @{self._routines[3]}(ptr {matrix}, ptr {b}, ptr {scratch}, "
                     f"i64 {n}, i32 {need})"
+                )
+            elif is_constrained(self.program, entries):
+                pivots = f.slot(vector_type("i64", self.lanes), n)
+                bad = f.let(
+                    f"call i32 @{self._routines[4]}(ptr {matrix}, ptr {pivots}, "
+                    f"ptr {f.slot('double', 2 * n)}, ptr {b}, i64 {n}, i32 {need})"
                 )
             else:
                 pivots, scales, bad = self._lu(matrix, n, need)

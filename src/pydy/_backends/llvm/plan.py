@@ -156,8 +156,10 @@ def readers(
             if other in swallowed:
                 read(other, reader)
             else:
-                # What is not put off itself must be at hand when the guard is reached.
-                position = reader if other in guards else guards.get(reader, reader)
+                # What is not put off as far must be at hand when the guard is reached.
+                position, own = reader, guards.get(other)
+                while (guard := guards.get(position)) is not None and guard != own:
+                    position = guard
                 uses.setdefault(other, []).append(position)
 
     for k in range(len(program.ops)) if wanted is None else sorted(wanted):

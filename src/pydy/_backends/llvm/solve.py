@@ -19,17 +19,19 @@ _PUBLIC = "|nounwind"
 
 def solver_names(lanes: int) -> tuple[str, ...]:
     """Return the routines that a kernel of `lanes` lanes may call."""
-    return tuple(f"pydy_{name}_{lanes}" for name in ("lu", "ldl_factor", "ldl_solve", "guard"))
+    names = ("lu", "ldl_factor", "ldl_solve", "guard", "constrained")
+    return tuple(f"pydy_{name}_{lanes}" for name in names)
 
 
 def solver_declarations(lanes: int) -> str:
     """Return their IR declarations."""
-    lu, factor, solve, guard = solver_names(lanes)
+    lu, factor, solve, guard, constrained = solver_names(lanes)
     return (
         f"declare i32 @{lu}(ptr, ptr, ptr, ptr, i64, i32)\n"
         f"declare i32 @{factor}(ptr, ptr, i64)\n"
         f"declare void @{solve}(ptr, ptr, ptr, i64)\n"
         f"declare i32 @{guard}(ptr, ptr, ptr, i64, i32)\n"
+        f"declare i32 @{constrained}(ptr, ptr, ptr, ptr, i64, i32)\n"
     )
 
 
@@ -43,6 +45,9 @@ def solver_functions(lanes: int) -> str:
             _ldl_factor(lanes),
             _ldl_solve(lanes),
             _guard(lanes),
+            _constrained(),
+            _eliminate(),
+            _constrained_lanes(lanes),
         ]
     )
 
@@ -302,6 +307,162 @@ def _guard(lanes: int) -> str:
     bad = f.let(f"call i32 @pydy_lu_{lanes}({call}, ptr null, i64 %n, i32 %mask)")
     f.let(f"call i32 @pydy_lu_{lanes}({call}, ptr %b, i64 %n, i32 %mask)")
     f.do(f"ret i32 {bad}")
+    return f.text()
+
+
+def _constrained() -> str:
+    """Solve one lane as `pydy._graph.interpret.constrained` does; gives whether it is singular.
+
+    Arrays are those of `_lu_factor`, and b; a pivot is its column, −1 where a row has none.
+    """
+    arguments = "ptr %a, ptr %pivots, ptr %scales, ptr %b, i64 %n, i64 %s"
+    f = Function("constrained", "i1", arguments, _INTERNAL)
+    rest, singular = f.variable("double", "0.0"), f.variable("i1", "false")
+    first, left = f.variable("i64", "%n"), f.variable("i64", "0")
+    best = f.variable("double", "0.0")
+    row, column = f.variable("i64", "-1"), f.variable("i64", "-1")
+
+    def stride(i: str) -> str:
+        return f.let(f"mul nsw i64 {i}, %s")
+
+    def cell(i: str, j: str) -> str:
+        return f.load("double", "%a", _index(f, i, j, "%n", "%s"))
+
+    def unused(i: str) -> str:
+        return f.let(f"icmp slt i64 {f.load('i64', '%pivots', stride(i))}, 0")
+
+    def watch(value: str) -> None:
+        f.set(
+            "double",
+            rest,
+            f.let(f"fadd double {f.get('double', rest)}, {f.let(f'fmul double {value}, 0.0')}"),
+        )
+
+    def offer(size: str, i: str, j: str) -> None:
+        with f.when(f.let(f"fcmp ogt double {size}, {f.get('double', best)}")):
+            f.set("double", best, size)
+            f.set("i64", row, i)
+            f.set("i64", column, j)
+
+    with f.loop("0", "%n") as i:
+        watch(f.load("double", "%b", stride(i)))
+        f.store("i64", "-1", "%pivots", stride(i))
+        with f.loop("0", "%n") as j:
+            watch(cell(i, j))
+        # Constraints are the last rows: the first of them is the first with a mark.
+        diagonal = cell(i, i)
+        one = f.let(f"fcmp oeq double {diagonal}, -1.0")
+        two = f.let(f"fcmp oeq double {diagonal}, -2.0")
+        with f.when(f.let(f"or i1 {one}, {two}")):
+            size = f.get("i64", first)
+            sooner = f.let(f"icmp slt i64 {i}, {size}")
+            f.set("i64", first, f.let(f"select i1 {sooner}, i64 {i}, i64 {size}"))
+            count = f.let(f"zext i1 {one} to i64")
+            f.set("i64", left, f.let(f"add i64 {f.get('i64', left)}, {count}"))
+            f.store("double", "0.0", "%a", _index(f, i, i, "%n", "%s"))
+    masses = f.get("i64", first)
+    with f.loop("0", masses) as j:
+        top = f.variable("double", "0.0")
+        with f.loop(masses, "%n") as i:
+            size, old = _fabs(f, cell(i, j)), f.get("double", top)
+            more = f.let(f"fcmp ogt double {size}, {old}")
+            f.set("double", top, f.let(f"select i1 {more}, double {size}, double {old}"))
+        largest = f.get("double", top)
+        some = f.let(f"fcmp ogt double {largest}, 0.0")
+        largest = f.let(f"select i1 {some}, double {largest}, double 1.0")
+        massless = f.let(f"fmul double {largest}, {hex_double(SINGULAR)}")
+        diagonal = cell(j, j)
+        heavy = f.let(f"fcmp ogt double {diagonal}, 0.0")
+        root = f.let(f"call double @llvm.sqrt.f64(double {diagonal})")
+        unit = f.let(f"select i1 {heavy}, double {root}, double {massless}")
+        f.store("double", f.let(f"fdiv double 1.0, {unit}"), "%scales", j)
+    size = f.let("sitofp i64 %n to double")
+    with f.loop("0", masses):
+        f.set("double", best, size)
+        f.set("i64", row, "-1")
+        some = f.let(f"icmp sgt i64 {f.get('i64', left)}, 0")
+        with (
+            f.when(some), f.loop(masses, "%n") as i, f.when(unused(i)),
+            f.loop("0", masses) as j, f.when(unused(j)),
+        ):  # fmt: skip
+            own = _fabs(f, cell(i, j))
+            offer(f.let(f"fmul double {own}, {f.load('double', '%scales', j)}"), i, j)
+        none = f.let(f"icmp slt i64 {f.get('i64', row)}, 0")
+        less = f.let(f"sub i64 {f.get('i64', left)}, 1")
+        f.set("i64", left, f.let(f"select i1 {none}, i64 0, i64 {less}"))
+        with f.when(none):
+            f.set("double", best, f.let(f"fmul double {size}, {hex_double(SINGULAR)}"))
+            with f.loop("0", masses) as j, f.when(unused(j)):
+                scale = f.load("double", "%scales", j)
+                own = f.let(f"fmul double {_fabs(f, cell(j, j))}, {scale}")
+                offer(f.let(f"fmul double {own}, {scale}"), j, j)
+        p, q = f.get("i64", row), f.get("i64", column)
+        found = f.let(f"icmp sge i64 {p}, 0")
+        f.set(
+            "i1",
+            singular,
+            f.let(f"or i1 {f.get('i1', singular)}, {f.let(f'xor i1 {found}, true')}"),
+        )
+        arrays = "ptr %a, ptr %pivots, ptr %b"
+        with f.when(found):
+            f.do(f"call void @eliminate({arrays}, i64 {p}, i64 {q}, i64 %n, i64 %s)")
+        with f.when(f.let(f"and i1 {found}, {f.let(f'icmp ne i64 {p}, {q}')}")):
+            f.do(f"call void @eliminate({arrays}, i64 {q}, i64 {p}, i64 %n, i64 %s)")
+    failed = f.get("i1", singular)
+    with f.loop("0", "%n") as i:
+        f.store("double", "0.0", "%scales", f.let(f"add i64 {i}, %n"))
+    with f.loop("0", "%n") as i, f.when(f.let(f"xor i1 {unused(i)}, true")):
+        q = f.load("i64", "%pivots", stride(i))
+        x = f.let(f"fdiv double {f.load('double', '%b', stride(i))}, {cell(i, q)}")
+        f.store("double", x, "%scales", f.let(f"add i64 {q}, %n"))
+    nothing = f.get("double", rest)
+    nan = hex_double(float("nan"))
+    added = f.let(f"select i1 {failed}, double {nan}, double {nothing}")
+    with f.loop("0", "%n") as i:
+        x = f.load("double", "%scales", f.let(f"add i64 {i}, %n"))
+        f.store("double", f.let(f"fadd double {x}, {added}"), "%b", stride(i))
+    finite = f.let(f"fcmp oeq double {nothing}, 0.0")
+    f.do(f"ret i1 {f.let(f'and i1 {failed}, {finite}')}")
+    return f.text()
+
+
+def _eliminate() -> str:
+    """Eliminate column q from all rows but p, which is divided by nothing."""
+    arguments = "ptr %a, ptr %pivots, ptr %b, i64 %p, i64 %q, i64 %n, i64 %s"
+    f = Function("eliminate", "void", arguments, _INTERNAL)
+    pivot = f.load("double", "%a", _index(f, "%p", "%q", "%n", "%s"))
+    inverse = f.let(f"fdiv double 1.0, {pivot}")
+    own = f.load("double", "%b", f.let("mul nsw i64 %p, %s"))
+    with f.loop("0", "%n") as i:
+        value = f.load("double", "%a", _index(f, i, "%q", "%n", "%s"))
+        factor = f.let(f"fmul double {value}, {inverse}")
+        other, some = f.let(f"icmp ne i64 {i}, %p"), f.let(f"fcmp une double {factor}, 0.0")
+        with f.when(f.let(f"and i1 {other}, {some}")):
+            with f.loop("0", "%n") as j:
+                above = f.load("double", "%a", _index(f, "%p", j, "%n", "%s"))
+                place = f.at("%a", _index(f, i, j, "%n", "%s"))
+                f.store("double", _less(f, f.load("double", place), factor, above), place)
+            place = f.at("%b", f.let(f"mul nsw i64 {i}, %s"))
+            f.store("double", _less(f, f.load("double", place), factor, own), place)
+    f.store("i64", "%q", "%pivots", f.let("mul nsw i64 %p, %s"))
+    f.do("ret void")
+    return f.text()
+
+
+def _constrained_lanes(lanes: int) -> str:
+    """Solve the lanes in %mask in place of b; gives the mask of the singular ones."""
+    arguments = "ptr %a, ptr %pivots, ptr %scales, ptr %b, i64 %n, i32 %mask"
+    f = Function(f"pydy_constrained_{lanes}", "i32", arguments, _PUBLIC)
+    bad = f.variable("i32", "0")
+    with f.loop("0", str(lanes)) as lane:
+        bit = f.let(f"shl i32 1, {f.let(f'trunc i64 {lane} to i32')}")
+        with f.when(f.let(f"icmp ne i32 {f.let(f'and i32 %mask, {bit}')}, 0")):
+            a, b = f.at("%a", lane), f.at("%b", lane)
+            arrays = f"ptr {a}, ptr {f.at('%pivots', lane, 'i64')}, ptr %scales, ptr {b}"
+            singular = f.let(f"call i1 @constrained({arrays}, i64 %n, i64 {lanes})")
+            with f.when(singular):
+                f.set("i32", bad, f.let(f"or i32 {f.get('i32', bad)}, {bit}"))
+    f.do(f"ret i32 {f.get('i32', bad)}")
     return f.text()
 
 

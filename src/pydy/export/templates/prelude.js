@@ -67,3 +67,72 @@ function luSolve(n, a, pivots, b) {
     b[i] /= a[i * n + i];
   }
 }
+
+// Solve M x - A^T l = f, A x = b in place of the right-hand side by Gauss and Jordan's elimination,
+// whatever the rank of A. The last rows, with -1 or -2 on the diagonal, are those of A in units of
+// their rounding errors; so many are independent as have -1. Pivots are the largest entries of A,
+// then of the diagonal of M. Return whether M is singular.
+function constrained(n, a, pivots, scales, b) {
+  let first = n, left = 0, singular = false, rest = 0;
+  for (let i = 0; i < n; i++) {
+    rest += 0 * b[i];
+    pivots[i] = -1;
+    for (let j = 0; j < n; j++) rest += 0 * a[i * n + j];
+  }
+  for (; first && (a[first * n - n + first - 1] === -1 || a[first * n - n + first - 1] === -2);
+    first--) {
+    if (a[first * n - n + first - 1] === -1) left++;
+    a[first * n - n + first - 1] = 0;
+  }
+  for (let j = 0; j < first; j++) {
+    let top = 0;
+    for (let i = first; i < n; i++) if (fabs(a[i * n + j]) > top) top = fabs(a[i * n + j]);
+    scales[j] = a[j * n + j] > 0 ? 1 / sqrt(a[j * n + j]) : 1 / (SINGULAR * (top > 0 ? top : 1));
+  }
+  for (let k = 0; k < first; k++) {
+    let best = n, row = -1, column = -1;
+    for (let i = first; left && i < n; i++) {
+      for (let j = 0; j < first && pivots[i] < 0; j++) {
+        const size = fabs(a[i * n + j]) * scales[j];
+        if (pivots[j] < 0 && size > best) {
+          best = size;
+          row = i;
+          column = j;
+        }
+      }
+    }
+    if (row >= 0) left--;
+    else {
+      left = 0;
+      best = n * SINGULAR;
+      for (let j = 0; j < first; j++) {
+        const size = fabs(a[j * n + j]) * scales[j] * scales[j];
+        if (pivots[j] < 0 && size > best) {
+          best = size;
+          row = column = j;
+        }
+      }
+    }
+    if (row < 0) {
+      singular = rest === 0;
+      rest = NaN;
+      break;
+    }
+    for (const [p, q] of row === column ? [[row, row]] : [[row, column], [column, row]]) {
+      const inverse = 1 / a[p * n + q];
+      for (let i = 0; i < n; i++) {
+        const factor = a[i * n + q] * inverse;
+        if (i === p || factor === 0) continue;
+        for (let j = 0; j < n; j++) a[i * n + j] -= factor * a[p * n + j];
+        b[i] -= factor * b[p];
+      }
+      pivots[p] = q;
+    }
+  }
+  scales.fill(0, n);
+  for (let i = 0; i < n; i++) {
+    if (pivots[i] >= 0) scales[n + pivots[i]] = b[i] / a[i * n + pivots[i]];
+  }
+  for (let i = 0; i < n; i++) b[i] = scales[n + i] + rest;
+  return singular;
+}
