@@ -81,3 +81,44 @@ def test_a_hertz_contact_starts_at_touch_with_radau_sensitivities_and_adjoint():
     system.constants = {**system.constants, K: 1e3}
     gradient = system.adjoint_gradient(["k"], final=X, **tight)
     np.testing.assert_allclose(gradient.values, found, rtol=1e-6)
+
+
+@pytest.mark.parametrize("generator", ["llvm", "lambdify"])
+@pytest.mark.parametrize("turned", [False, True])
+def test_drag_of_what_is_at_rest_has_the_derivative_zero(generator, turned):
+    """The drag −k |v| v of a disc that slides on a plane, along its own axes or the plane's."""
+    c = sm.Symbol("c")
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    frame, body, origin = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("O")
+    origin.set_vel(frame, 0)
+    body.orient_axis(frame, frame.z, q[2])
+    body.set_ang_vel(frame, u[2] * frame.z)
+    axes = body if turned else frame
+    point = origin.locatenew("P", q[0] * frame.x + q[1] * frame.y)
+    velocity = u[0] * axes.x + u[1] * axes.y
+    point.set_vel(frame, velocity)
+    disc = me.RigidBody("disc", point, body, M, (me.inertia(body, K, K, K), point))
+    rates = [
+        a.diff(T) - b
+        for a, b in zip(q[:2], (velocity.dot(frame.x), velocity.dot(frame.y)), strict=True)
+    ]
+    definition = Definition(
+        frame, q, u, bodies=[disc],
+        loads=[(point, -c * sm.sqrt(velocity.dot(velocity)) * velocity)],
+        kinematic_equations=[*rates, q[2].diff(T) - u[2]],
+    )  # fmt: skip
+    system = System(definition, {c: 0.7, M: 1.3, K: 0.2}, initial_conditions={q[2]: 0.4})
+    system.generate_ode_function(generator=generator)
+    expected = np.zeros((6, 6))
+    expected[2, 5] = 1.0
+    turn = np.cos(0.4), np.sin(0.4)
+    expected[:2, 3:5] = [[turn[0], -turn[1]], [turn[1], turn[0]]] if turned else np.eye(2)
+    np.testing.assert_allclose(system.evaluate_jacobian(), expected, atol=1e-16)
+    for k in range(6):
+        found = system.evaluate_vector_jacobian(np.eye(6)[k])
+        np.testing.assert_allclose(found, expected[k], atol=1e-16)
+    assert not system.evaluate_jacobian(wrt=[c]).any()
+    x = np.array([0.1, 0.2, 0.4, 0.5, -0.3, 0.9])
+    step = 1e-6 * np.eye(6)
+    central = [(system.evaluate_ode(x + h) - system.evaluate_ode(x - h)) / 2e-6 for h in step]
+    np.testing.assert_allclose(system.evaluate_jacobian(x), np.transpose(central), atol=1e-8)

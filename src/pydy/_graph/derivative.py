@@ -238,9 +238,10 @@ def _row(
 
 
 def of_half_power(g: Graph, args: Sequence[tuple[int, int]], k: int) -> int | None:
-    """Return a product's derivative by the radicand y of its factor √y, if it has a factor y.
+    """Return a product's derivative by the radicand y of its factor √y, where y may be zero.
 
-    Of y √y that is √y/2. By the root first it would be y/(2 √y), NaN where y is zero.
+    Of y √y that is √y/2. By the root first it would be y/(2 √y), NaN where y is zero. Of f √y with
+    a sum of squares y, as in drag, it is zero where both f and y are: f then goes to zero with √y.
     """
     n, e = args[k]
     if e != 1 or g.ops[n] != "sqrt":
@@ -248,9 +249,23 @@ def of_half_power(g: Graph, args: Sequence[tuple[int, int]], k: int) -> int | No
     radicand, powers = g.args[n][0], dict(args)
     _, core = g.scaled(radicand)
     factors = g.args[core] if g.ops[core] == "prod" else ((core, 1),)
-    if any(powers.get(m, 0) < f for m, f in factors):
+    if all(powers.get(m, 0) >= f for m, f in factors):
+        return g.product([*args, (radicand, -1)], 0.5)
+    if len(args) == 1 or not _of_squares(g, core):
         return None
-    return g.product([*args, (radicand, -1)], 0.5)
+    rest = [(m, f) for j, (m, f) in enumerate(args) if j != k]
+    both = g.call("and", *(g.call("eq", m, g.zero) for m in (n, g.product(rest))))
+    return g.call("select", both, g.zero, g.product([*rest, (n, -1)], 0.5))
+
+
+def _of_squares(g: Graph, node: int) -> bool:
+    """Return whether a node is a sum of squares that may all be zero."""
+    if g.ops[node] != "sum":
+        return False
+    c0, terms = g.args[node]
+    even = (g.ops[n] == "prod" and all(e % 2 == 0 for m, e in g.args[n] if not g.constant[m])
+            for n, _ in terms)  # fmt: skip
+    return c0 == 0.0 and all(c > 0.0 for _, c in terms) and all(even)
 
 
 def _where_sound(g: Graph, sound: int, rows: Sequence[Row]) -> list[Row]:
