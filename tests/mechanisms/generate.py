@@ -12,6 +12,8 @@ from mechanisms.oracle import World, layout, mixing
 from mechanisms.taylor import LONG, pivots, solved
 
 MOST_SPEEDS = 10
+# Numbers that no constraint holds.
+MATERIAL = {"mass", "inertia", "gravity", "push", "moment", "stiffness", "damping", "drag"}
 # The most bodies of a seed, in turn: large mechanisms take most of the time.
 BODIES = (2, 2, 3, 2, 3, 4, 8)
 
@@ -73,6 +75,8 @@ def draw(seed):
     everything = [path for path, _ in leaves(data)]
     share = rng.random() * min(1.0, 15 / len(everything))
     data["named"] = [p for p in everything if rng.random() < share]
+    if data["loops"]:  # what is redundant is so with the mechanism's own lengths and directions
+        data["named"] = [p for p in data["named"] if _last(p) in MATERIAL]
     loads = [p for p in everything if p.startswith("loads") and ("push" in p or "moment" in p)]
     data["inputs"] = [p for p in loads if rng.random() < 0.2]
     data["fixed_inputs"] = [p for p in everything if p.split("_")[-1] == "drive"]
