@@ -126,3 +126,28 @@ def test_one_of_two_motions_may_move_no_mass_of_its_own(metre):
     found = dict(zip(system.states, system.evaluate_ode(), strict=True))
     # (x + y)" = x with x" = 2 y".
     np.testing.assert_allclose([found[u], found[w]], [4 / 3 * metre, 2 / 3 * metre], rtol=1e-15)
+
+
+@pytest.mark.parametrize("scale", [-1.0, -2.0, 3.0])
+def test_a_factor_of_a_constraint_changes_nothing(scale):
+    """What marks constraints for the solve is no entry of a user's rows."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, u * frame.x + v * frame.y)
+    kane = me.KanesMethod(
+        frame, [x, y], [u], kd_eqs=[x.diff() - u, y.diff() - v], u_dependent=[v],
+        velocity_constraints=[scale * (v - sm.sin(x) * u)],
+        bodies=[me.Particle("P", point, 2)], forcelist=[(point, 3 * frame.x - 5 * frame.y)],
+    )  # fmt: skip
+    system = System(kane)
+    state = np.array([0.4, 0.1, 0.7, 0.7 * np.sin(0.4)])
+    slope, bend = np.sin(0.4), np.cos(0.4) * 0.7**2  # v' = slope u' + bend
+    along = (3.0 - 5.0 * slope - 2.0 * slope * bend) / (2.0 * (1.0 + slope**2))
+    for call in ({}, {"generator": "lambdify"}):
+        system.generate_ode_function(**call)
+        found = system.evaluate_ode(state)[2:]
+        np.testing.assert_allclose(found, [along, slope * along + bend], rtol=1e-14)
+    system.times, system.ode_solver = np.linspace(0.0, 1.0, 3), "dop853"
+    system.initial_conditions = dict(zip(system.states, state, strict=True))
+    x = system.integrate(constraints="baumgarte", gain=2.0, rtol=1e-10, atol=1e-10)
+    assert abs(x[:, 3] - np.sin(x[:, 0]) * x[:, 2]).max() < 1e-9

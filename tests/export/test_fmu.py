@@ -277,7 +277,7 @@ def test_the_file_may_be_called_like_one_of_the_sources(tmp_path, name):
 
 
 @pytest.mark.skipif(os.name != "posix", reason="the signal is for a process of POSIX")
-def test_a_ctrl_c_ends_the_compiler_and_what_it_started_at_once(tmp_path, monkeypatch):
+def test_a_ctrl_c_ends_the_compiler_and_what_it_started_at_once(tmp_path, monkeypatch, uncollected):
     running, script = tmp_path / "running", tmp_path / "cc"
     script.write_text(f"#!/bin/sh\nsleep 60 &\necho $! > {running}.new\n"
                       f"mv {running}.new {running}\nwait\n")  # fmt: skip

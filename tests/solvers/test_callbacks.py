@@ -23,7 +23,7 @@ def ring(*_):
 
 
 @pytest.fixture(autouse=True)
-def alarm():
+def alarm(uncollected):
     before = signal.signal(signal.SIGALRM, ring)
     yield
     signal.setitimer(signal.ITIMER_REAL, 0.0)

@@ -13,7 +13,7 @@ import numpy as np
 
 from pydy._graph.operations import OPERATIONS, is_constrained
 from pydy._graph.program import Program
-from pydy._graph.tuning import SINGULAR
+from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 
 __all__ = ["constrained", "constrained_sample", "run", "solved", "stacked"]
 
@@ -154,7 +154,7 @@ def constrained(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> n
     errors: what is below n of them is zero, its multiplier too. The others are on the diagonal of
     what is then left of M. No M⁻¹ comes in, so that no condition is squared.
 
-    Rows with −1 or −2 on the diagonal are those of A; so many are independent as have −1.
+    The last rows, marked on the diagonal, are those of A; so many are independent as are marked so.
     """
     x = np.empty_like(column)
     for k, (a, b) in enumerate(zip(matrix, column, strict=True)):
@@ -169,9 +169,9 @@ def constrained_sample(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     left = 0
     if not (np.isfinite(a).all() and np.isfinite(b).all()):
         return np.full(n, np.nan)
-    while first and a[first - 1, first - 1] in (-1.0, -2.0):
+    while first and a[first - 1, first - 1] in (INDEPENDENT, REDUNDANT):
         first -= 1
-        left += a[first, first] == -1.0
+        left += a[first, first] == INDEPENDENT
         a[first, first] = 0.0
     largest = np.abs(a[first:, :first]).max(axis=0, initial=0.0)
     massless = 1.0 / (SINGULAR * np.where(largest > 0.0, largest, 1.0))

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from pydy._graph.modular import cosine, sine
+from pydy._graph.tuning import INDEPENDENT, REDUNDANT
 
 __all__ = [
     "ANGLES",
@@ -334,10 +335,11 @@ def is_symmetric(n: int, entries: Sequence[int]) -> bool:
 def is_constrained(nodes: Any, entries: Sequence[int]) -> bool:
     """Return whether a guard solves for what constraints hold, by the mark of its last row.
 
-    Rows with −1 or −2 on the diagonal are constraints, in units of their rounding errors; as many
-    as have −1 are independent at generic states (`pydy._graph.interpret.constrained`).
+    Rows so marked on the diagonal are constraints, in units of their rounding errors; as many as
+    are marked `INDEPENDENT` are so at generic states (`pydy._graph.interpret.constrained`).
     """
-    return bool(entries) and nodes.ops[entries[-1]] == "const" and nodes.args[entries[-1]][0] < 0.0
+    marks = (INDEPENDENT,), (REDUNDANT,)
+    return bool(entries) and nodes.ops[entries[-1]] == "const" and nodes.args[entries[-1]] in marks
 
 
 def operands(op: str, args: Args) -> Nodes:

@@ -5,6 +5,8 @@ Counts are those of `tests/test_operation_counts.py`, at every call of a whole r
 
 from __future__ import annotations
 
+import re
+
 __all__ = [
     "ANOTHER_PART",
     "ANOTHER_ROUND",
@@ -13,6 +15,7 @@ __all__ = [
     "COLUMNS_TOGETHER",
     "DEEPER",
     "FROM_OPERATIONS",
+    "INDEPENDENT",
     "LESS_WORK",
     "LONGEST_ENTRY",
     "LONGEST_MULTIPLIED_OUT",
@@ -20,17 +23,23 @@ __all__ = [
     "MOST_CHANNELS",
     "PIVOT_SHARE",
     "POPULAR",
+    "REDUNDANT",
     "SEPARATE_FROM",
     "SINGULAR",
     "SMALL_PIVOT",
     "SOLVED_MODULO_A_PRIME",
     "UNROLL_LIMIT",
+    "numbered",
 ]
 
 # A matrix of n rows is singular where a pivot is not above n times this of its scale: what
 # rounding leaves of a pivot that is zero (Higham, Accuracy and Stability, 2nd ed., §9.3). Every
 # solve uses it.
 SINGULAR = 2.0**-52
+
+# Marks on the diagonal of constraints in a system of `pydy._graph.interpret.constrained`: no entry
+# of a user's matrix, and exact in single precision.
+INDEPENDENT, REDUNDANT = -(2.0**120), -(2.0**121)
 
 # -- rewriting ------------------------------------------------------------------------------------
 
@@ -93,3 +102,10 @@ FROM_OPERATIONS = 500
 # share is written to memory and read again. The frozen bicycle, with 1.45, gains nothing in parts:
 # it builds in 1.17 and runs in 0.90 of the time.
 LESS_WORK = 1.5
+
+
+def numbered(text: str) -> str:
+    """Write the numbers of solves into code, C, JavaScript or Python, in place of their names."""
+    return re.sub(
+        r"\b(INDEPENDENT|REDUNDANT|SINGULAR)\b", lambda name: repr(globals()[name[0]]), text
+    )

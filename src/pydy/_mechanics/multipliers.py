@@ -24,7 +24,7 @@ from dataclasses import dataclass
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
-from pydy._graph.tuning import SINGULAR
+from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 from pydy._mechanics.tuning import CLEAR_PIVOT, SOUND_PIVOT, UNCERTAIN
 
 __all__ = [
@@ -184,7 +184,7 @@ def _constrained(
         *([*row, *[zero] * d] for row in scaled),
     ]
     for k in range(d):
-        system[n + k][n + k] = graph.const(-1.0 if k < rank else -2.0)
+        system[n + k][n + k] = graph.const(INDEPENDENT if k < rank else REDUNDANT)
     pull = [graph.sum([(graph.mul(b, c), -1.0)]) for b, c in zip(drift, shares, strict=True)]
     return graph.guard(system, [*forcing, *pull], sound, [*fast, *[zero] * d])[:n]
 

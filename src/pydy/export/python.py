@@ -11,7 +11,7 @@ from typing import Any
 from pydy._graph.interpret import constrained_sample
 from pydy._graph.operations import OPERATIONS, is_constrained, operands
 from pydy._graph.program import Program
-from pydy._graph.tuning import SINGULAR
+from pydy._graph.tuning import numbered
 from pydy.export.model import Model, Variable
 from pydy.export.resources import resource
 
@@ -51,10 +51,10 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
         "CONSTANTS": _dictionary(model.constants),
         "OUTPUTS": repr(tuple(v.identifier for v in model.outputs)),
         "NAMES": repr(model.renamed),
-        "CONSTRAINED": getsource(constrained_sample).replace("SINGULAR", repr(SINGULAR)),
+        "CONSTRAINED": numbered(getsource(constrained_sample)),
         "FUNCTIONS": "\n\n".join(_function(model.program(n), n, target) for n in names),
     }
-    text = resource(f"{target}_module.py.txt")
+    text = numbered(resource(f"{target}_module.py.txt"))
     if "_guarded(_constrained" not in parts["FUNCTIONS"]:
         text = re.sub(r"def _constrained\(.*?(?=def _guarded)", "", text, flags=re.DOTALL)
     return re.sub(r"\{\{([A-Z]+)\}\}", lambda m: parts[m[1]], text)

@@ -11,12 +11,12 @@ from collections.abc import Iterator, Sequence
 
 from pydy._graph.operations import OPERATIONS, TRUTHS, is_constrained, operands
 from pydy._graph.program import Program
-from pydy._graph.tuning import SINGULAR
+from pydy._graph.tuning import numbered
 from pydy.export.resources import resource
 
 __all__ = ["LONGEST", "PRELUDE", "javascript_of"]
 
-PRELUDE = resource("prelude.js").replace("{{SINGULAR}}", repr(SINGULAR))
+PRELUDE = numbered(resource("prelude.js"))
 
 LONGEST = 4000
 """Operations in one function at most: engines leave longer ones to their interpreter."""

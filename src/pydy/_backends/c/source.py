@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 
 from pydy._graph.operations import OPERATIONS, TRUTHS, is_constrained, operands
 from pydy._graph.program import Program
-from pydy._graph.tuning import SINGULAR
+from pydy._graph.tuning import numbered
 
 __all__ = ["c_functions", "c_source"]
 
@@ -104,9 +104,10 @@ static inline int32_t lu_factor(int n, double *a, int *pivots, double *scales)
 """,
     "constrained": """\
 /* Solve M x - A^T l = f, A x = b in place of the right-hand side by Gauss and Jordan's elimination,
-   whatever the rank of A; `scales` is 2 n numbers of work space. The last rows, with -1 or -2 on
-   the diagonal, are those of A in units of their rounding errors; so many are independent as have
-   -1. Pivots are the largest of A, then of the diagonal of M. Returns whether M is singular. */
+   whatever the rank of A; `scales` is 2 n numbers of work space. The last rows, with a mark on the
+   diagonal, are those of A in units of their rounding errors; so many are independent as are
+   marked so. Pivots are the largest of A, then of the diagonal of M. Returns whether M is
+   singular. */
 static inline int32_t constrained(int n, double *a, int *pivots, double *scales, double *b)
 {
     int first = n, left = 0;
@@ -118,9 +119,11 @@ static inline int32_t constrained(int n, double *a, int *pivots, double *scales,
         for (int j = 0; j < n; j++)
             rest += 0.0 * a[i * n + j];
     }
-    for (; first && (a[first * n - n + first - 1] == -1.0 || a[first * n - n + first - 1] == -2.0);
-         first--) {
-        left += a[first * n - n + first - 1] == -1.0;
+    for (; first; first--) {
+        const double mark = a[first * n - n + first - 1];
+        if (mark != INDEPENDENT && mark != REDUNDANT)
+            break;
+        left += mark == INDEPENDENT;
         a[first * n - n + first - 1] = 0.0;
     }
     for (int j = 0; j < first; j++) {
@@ -235,8 +238,7 @@ def c_functions(programs: Mapping[str, Program], *, static: bool = False) -> str
         lines += [first, *_prepare(program), "", second, *_kernel(program), ""]
     code = "\n".join(lines)
     called = [text for name, text in _HELPERS.items() if f"{name}(" in code]
-    helpers = [text.replace("SINGULAR", repr(SINGULAR)) for text in called]
-    return "\n".join([_HEAD, *helpers, code])
+    return "\n".join([_HEAD, *map(numbered, called), code])
 
 
 def _signatures(prefix: str) -> tuple[str, str]:

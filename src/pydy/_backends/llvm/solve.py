@@ -9,7 +9,7 @@ matrix is not a failure: it comes out as NaN.
 from __future__ import annotations
 
 from pydy._backends.llvm.ir import Function, hex_double, literal, vector_type
-from pydy._graph.tuning import SINGULAR
+from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 
 __all__ = ["mask", "solver_declarations", "solver_functions", "solver_names"]
 
@@ -351,8 +351,8 @@ def _constrained() -> str:
             watch(cell(i, j))
         # Constraints are the last rows: the first of them is the first with a mark.
         diagonal = cell(i, i)
-        one = f.let(f"fcmp oeq double {diagonal}, -1.0")
-        two = f.let(f"fcmp oeq double {diagonal}, -2.0")
+        one = f.let(f"fcmp oeq double {diagonal}, {hex_double(INDEPENDENT)}")
+        two = f.let(f"fcmp oeq double {diagonal}, {hex_double(REDUNDANT)}")
         with f.when(f.let(f"or i1 {one}, {two}")):
             size = f.get("i64", first)
             sooner = f.let(f"icmp slt i64 {i}, {size}")

@@ -2,8 +2,6 @@ const { sqrt, exp, log, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh
   floor, ceil, pow, atan2, sign } = Math;
 const fabs = Math.abs, minimum = Math.min, maximum = Math.max, NAN = NaN, INFINITY = Infinity;
 
-const SINGULAR = {{SINGULAR}}; // the least pivot, in units of its row and column and of n
-
 // Factorise the n by n matrix a in place by LU with partial pivoting, rows and columns scaled;
 // return whether it is singular, its last pivot then being NaN and so every solution.
 function luFactor(n, a, pivots, scales) {
@@ -69,8 +67,8 @@ function luSolve(n, a, pivots, b) {
 }
 
 // Solve M x - A^T l = f, A x = b in place of the right-hand side by Gauss and Jordan's elimination,
-// whatever the rank of A. The last rows, with -1 or -2 on the diagonal, are those of A in units of
-// their rounding errors; so many are independent as have -1. Pivots are the largest entries of A,
+// whatever the rank of A. The last rows, marked on the diagonal, are those of A in units of their
+// rounding errors; so many are independent as are marked so. Pivots are the largest entries of A,
 // then of the diagonal of M. Return whether M is singular.
 function constrained(n, a, pivots, scales, b) {
   let first = n, left = 0, singular = false, rest = 0;
@@ -79,9 +77,10 @@ function constrained(n, a, pivots, scales, b) {
     pivots[i] = -1;
     for (let j = 0; j < n; j++) rest += 0 * a[i * n + j];
   }
-  for (; first && (a[first * n - n + first - 1] === -1 || a[first * n - n + first - 1] === -2);
-    first--) {
-    if (a[first * n - n + first - 1] === -1) left++;
+  for (; first; first--) {
+    const mark = a[first * n - n + first - 1];
+    if (mark !== INDEPENDENT && mark !== REDUNDANT) break;
+    if (mark === INDEPENDENT) left++;
     a[first * n - n + first - 1] = 0;
   }
   for (let j = 0; j < first; j++) {
